@@ -1,0 +1,37 @@
+// The one call that matters: body + trajectory -> envelope.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "swept/report.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+/// Envelope mesh and what is known about it. `mesh` is empty unless report.status is Ok.
+struct Result {
+  Report report;
+  TriMesh mesh;
+  std::vector<double> contactTime;                       ///< per vertex: s, when the surface point is touched
+  std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases and corners
+};
+
+/// Never throws except std::bad_alloc from copying its own message; failures are in report.status.
+Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
+               RunContext& run);
+
+/// What a run would take, computed in milliseconds from boxes only.
+struct Estimate {
+  std::array<std::int64_t, 3> grid{0, 0, 0};
+  double cellSize = 0;             ///< mm
+  std::uint64_t memoryBytes = 0;
+  double seconds = 0;              ///< rough, on this machine
+  std::int64_t triangles = 0;      ///< rough
+};
+/// Throws Error as compute() would report it.
+Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options);
+
+/// Checks any mesh: closed, manifold, oriented, self-intersections (docs/pipeline.md, "Check").
+MeshCheck checkMesh(const TriMesh& mesh, RunContext& run);
+
+}  // namespace swept

@@ -1,0 +1,28 @@
+// Mesh and motion files. Throws Error(InvalidInput, "BadFile", ...) with line and column for text,
+// Error(ExportFailed, ...) when writing fails; files are written beside the target, then renamed.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "swept/types.h"
+
+namespace swept {
+
+/// PLY, STL, OBJ, OFF through OpenMesh. `millimetresPerUnit` scales the numbers in the file.
+TriMesh readMesh(const std::string& path, double millimetresPerUnit = 1.0);
+void writeMesh(const TriMesh& mesh, const std::string& path);
+
+/// CSV `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers a row (optionally preceded by t), `.gz`/`.xz`
+/// packed as well. Separators , ; tab; comment lines start with #. Rotations that drift up to 1e-4
+/// from rigid are kept for checkTrajectory() to mend; worse is Error(InvalidInput, "NotRigid").
+Trajectory readTrajectoryCsv(const std::string& path, double millimetresPerUnit,
+                             Interpolation interpolation);
+
+/// Nearest rigid pose to a row-major 4x4 matrix; throws Error(InvalidInput, "NotRigid") naming pose
+/// `index`, what is wrong (scale, shear, mirror, last row), how much, and the limit 1e-4.
+/// `deviation` receives the largest entry of |R^T R - I|.
+Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t index,
+                    double* deviation = nullptr);
+
+}  // namespace swept

@@ -1,0 +1,37 @@
+// Envelope mesh -> B-rep solid -> STEP / BREP. Built only where OpenCASCADE is present.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+struct StepOptions {
+  bool mergeCoplanar = true;       ///< flat regions become single planar faces with holes
+  double planarTolerance = 1e-6;   ///< mm: how far a vertex may lie off its region's plane
+  std::int64_t maxFaces = 120000;  ///< above: Error(ExportFailed, "TooManyFaces") with numbers
+  std::string productName = "Swept envelope";
+  std::string schema = "AP214IS";  ///< AP214IS | AP242DIS
+};
+
+struct StepReport {
+  std::int64_t faces = 0;
+  std::int64_t edges = 0;
+  std::int64_t solids = 0;
+  bool valid = false;     ///< BRepCheck on what was read back
+  double volume = 0;      ///< mm^3 of what was read back
+  double meshVolume = 0;  ///< mm^3
+  std::uint64_t fileBytes = 0;
+  double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;
+};
+
+/// Format by suffix: .step/.stp or .brep/.brp. Written beside the target, re-read, checked (one solid
+/// per outer shell, valid, same volume), then renamed; on any failure the old file survives and
+/// nothing is left behind. Throws Error(ExportFailed, ...), Error(Cancelled).
+StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
+                      RunContext& run);
+
+}  // namespace swept

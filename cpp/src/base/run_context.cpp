@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "swept/run_context.h"
+
+#include <algorithm>
+#include <array>
+
+#include "swept/types.h"
+
+namespace swept {
+namespace {
+// Share of a typical run that is done when each phase starts.
+constexpr std::array<double, kPhaseCount> kPhaseStart{0.0, 0.02, 0.05, 0.45, 0.55, 0.8, 0.85, 0.97, 1.0};
+}  // namespace
+
+void RunContext::checkpoint(Phase phase, std::uint64_t done, std::uint64_t total) {
+  const std::uint64_t passed = checkpoints_.fetch_add(1, std::memory_order_relaxed) + 1;
+  if (cancelAtCheckpoint != 0 && passed >= cancelAtCheckpoint) cancel();
+  if (isCancelled()) throw Error(Status::Cancelled, "Cancelled", "cancelled by the user");
+  const int index = static_cast<int>(phase);
+  phase_.store(index, std::memory_order_relaxed);
+  const double start = kPhaseStart[index];
+  const double end = kPhaseStart[std::min(index + 1, kPhaseCount - 1)];
+  const double part =
+      total == 0 ? 0.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
+  const double value = start + (end - start) * part;
+  double seen = progress_.load(std::memory_order_relaxed);
+  while (seen < value && !progress_.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+  }
+}
+
+}  // namespace swept
