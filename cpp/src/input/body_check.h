@@ -14,8 +14,8 @@
 namespace swept {
 
 struct CheckedBody {
-  TriMesh mesh;          ///< welded, no degenerate or duplicate triangles, no unused vertices
-  bool closed = false;   ///< every edge has an even number of triangles
+  TriMesh mesh;         ///< welded, no degenerate or duplicate triangles, no unused vertices
+  bool closed = false;  ///< every edge has an even number of triangles
   /// Closed, every edge balanced (as many triangles in one direction as in the other), outer shells
   /// outward, cavities inward: what the culling of enclosed faces needs.
   bool orientable = false;

@@ -17,8 +17,9 @@ struct CheckedTrajectory {
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with code EmptyTrajectory, BadPose, NotRigid, AmbiguousTurn (only where
-/// poses are interpolated: a turn within 1 degree of 180 between two poses has no shortest way).
+/// Throws Error(InvalidInput) with code EmptyTrajectory, BadPose, NotRigid, AmbiguousTurn (only
+/// where poses are interpolated: a turn within 1 degree of 180 between two poses has no shortest
+/// way).
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory);
 
 /// Throws Error(InvalidInput, "BadOption", name, value and allowed range in the text). Row 16.

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "input/body_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "input/body_orientation.h"
+#include "input/body_weld.h"
+
+namespace swept {
+namespace {
+
+constexpr double kLargestCoordinate = 1e9;  // mm
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string list(const std::vector<std::int64_t>& items) {
+  std::string text;
+  for (const std::int64_t item : items) text += (text.empty() ? "" : ", ") + std::to_string(item);
+  return text;
+}
+
+void refuseUnusable(const TriMesh& body) {
+  if (body.vertices.empty() || body.triangles.empty()) {
+    throw Error(Status::InvalidInput, "EmptyMesh",
+                "the body has " + std::to_string(body.vertices.size()) + " vertices and " +
+                    std::to_string(body.triangles.size()) +
+                    " triangles; choose an object that has a surface");
+  }
+  const auto count = static_cast<std::int64_t>(body.vertices.size());
+  if (count > 2147483647) {
+    throw Error(Status::ResourceLimit, "TooManyVertices",
+                std::to_string(count) + " vertices; at most 2147483647 can be numbered");
+  }
+  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+    for (const std::int32_t v : body.triangles[t]) {
+      if (v >= 0 && v < count) continue;
+      throw Error(Status::InvalidInput, "BadIndex",
+                  "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
+                      "; the body has vertices 0 to " + std::to_string(count - 1) +
+                      "; the mesh is damaged, export it again");
+    }
+  }
+}
+
+void refuseBadVertices(const TriMesh& body) {
+  std::vector<std::int64_t> first;
+  std::int64_t bad = 0;
+  double largest = 0;
+  for (std::size_t v = 0; v < body.vertices.size(); ++v) {
+    if (!body.vertices[v].allFinite()) {
+      ++bad;
+      if (first.size() < 8) first.push_back(static_cast<std::int64_t>(v));
+      continue;
+    }
+    largest = std::max(largest, body.vertices[v].cwiseAbs().maxCoeff());
+  }
+  if (bad > 0) {
+    throw Error(Status::InvalidInput, "NonFiniteVertex",
+                std::to_string(bad) +
+                    " vertices have a coordinate that is not a finite number "
+                    "(first: " +
+                    list(first) + "); repair or export the mesh again");
+  }
+  if (largest > kLargestCoordinate) {
+    throw Error(Status::InvalidInput, "OutOfRange",
+                "the body reaches " + number(largest) +
+                    " mm from the origin; the limit is 1e9 mm; check the unit, or move it nearer");
+  }
+}
+
+void add(CheckedBody& result, const char* code, std::int64_t count, std::string text,
+         std::vector<std::int64_t> first = {}) {
+  if (count > 0) result.findings.push_back({code, count, std::move(first), std::move(text)});
+}
+
+double boxDiagonal(const TriMesh& mesh) {
+  Eigen::Vector3d low = mesh.vertices[0], high = mesh.vertices[0];
+  for (const auto& v : mesh.vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  return (high - low).norm();
+}
+
+/// Welds what the exact weld left open, and keeps that only where it closes something.
+void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, CleanCounts& cleaned,
+                   double tolerance) {
+  if (edges.open == 0 || !(tolerance > 0)) return;
+  TriMesh welded = result.mesh;
+  CleanCounts counts = cleaned;
+  const std::int64_t moved =
+      applyMap(toleranceWeld(welded.vertices, edges.openVertices, tolerance), welded);
+  if (moved == 0) return;
+  EdgeTable weldedTable = cleanTriangles(welded, counts);
+  if (welded.triangles.empty()) return;
+  EdgeCounts after = countEdges(weldedTable);
+  if (after.open >= edges.open) return;
+  add(result, "WeldedWithinTolerance", moved,
+      std::to_string(moved) + " vertices on open edges were joined with a neighbour within " +
+          number(tolerance) + " mm (open edges before " + std::to_string(edges.open) + ", after " +
+          std::to_string(after.open) + ")");
+  result.mesh = std::move(welded);
+  table = std::move(weldedTable);
+  edges = std::move(after);
+  cleaned = counts;
+}
+
+void reportCleaning(CheckedBody& result, const CleanCounts& cleaned) {
+  add(result, "DegenerateTriangles", cleaned.degenerate,
+      std::to_string(cleaned.degenerate) + " triangles without area were removed",
+      cleaned.firstDegenerate);
+  add(result, "DuplicateTriangles", cleaned.repeated,
+      std::to_string(cleaned.repeated) + " triangles that repeat another one were removed",
+      cleaned.firstDuplicate);
+  add(result, "OppositeTriangles", cleaned.opposite,
+      std::to_string(cleaned.opposite) +
+          " triangles that lie back to back on the same corners were removed, both of each pair: "
+          "together they enclose nothing",
+      cleaned.firstDuplicate);
+}
+
+void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
+  add(result, "MixedOrientation", oriented.mixed,
+      std::to_string(oriented.mixed) +
+          " triangles looked the other way than their neighbours and were turned over");
+  add(result, "Flipped", oriented.inverted,
+      std::to_string(oriented.inverted) + " of " + std::to_string(oriented.shells) +
+          " shells had their normals on the wrong side and were turned over");
+  add(result, "Cavities", oriented.cavities,
+      std::to_string(oriented.cavities) + " shells are hollow spaces inside the body");
+  add(result, "NestedShells", oriented.nested,
+      std::to_string(oriented.nested) +
+          " shells lie wholly inside another one with normals outward; they count as material");
+  add(result, "NotOrientable", oriented.inconsistent,
+      std::to_string(oriented.inconsistent) +
+          " shells have no consistent orientation; every face is sampled, which takes longer");
+  add(result, "InsideOut", oriented.insideOut ? 1 : 0,
+      "the surface crosses itself and is inside out in places; every face is sampled, which takes "
+      "longer");
+}
+
+}  // namespace
+
+CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& run) {
+  run.checkpoint(Phase::Input);
+  refuseUnusable(body);
+  refuseBadVertices(body);
+
+  CheckedBody result;
+  result.mesh = body;
+  const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
+  run.checkpoint(Phase::Input);
+  CleanCounts cleaned;
+  EdgeTable table = cleanTriangles(result.mesh, cleaned);
+  const std::string before = std::to_string(body.vertices.size());
+  if (result.mesh.triangles.empty()) {
+    throw Error(Status::InvalidInput, "NoVolume",
+                "none of the " + std::to_string(body.triangles.size()) +
+                    " triangles encloses anything (" + std::to_string(cleaned.degenerate) +
+                    " without area, " + std::to_string(cleaned.opposite) +
+                    " back to back); choose an object that has a surface");
+  }
+  run.checkpoint(Phase::Input);
+  EdgeCounts edges = countEdges(table);
+  add(result, "Welded", joined,
+      std::to_string(joined) +
+          " vertices repeated the coordinates of another one and were joined "
+          "(vertices before " +
+          before + ", after " + std::to_string(result.mesh.vertices.size()) + ")");
+  weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh));
+  reportCleaning(result, cleaned);
+  run.checkpoint(Phase::Input);
+
+  result.closed = edges.open == 0;
+  add(result, "OpenEdges", edges.open,
+      std::to_string(edges.open) +
+          " edges have no second triangle; the surface is open there, and the envelope closes "
+          "only where the motion closes it",
+      edges.firstOpen);
+  add(result, "NonManifoldEdges", edges.nonManifold,
+      std::to_string(edges.nonManifold) + " edges are shared by more than two triangles",
+      edges.firstNonManifold);
+  const OrientationResult oriented = orientShells(result.mesh, table, result.closed, run);
+  result.orientable = oriented.orientable;
+  reportOrientation(result, oriented);
+  return result;
+}
+
+}  // namespace swept

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "input/body_orientation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "input/ray_columns.h"
+
+namespace swept {
+namespace {
+
+/// Triangles joined by edges that exactly two of them share.
+struct Patches {
+  std::vector<std::int32_t> ofTriangle;
+  std::vector<std::uint8_t> flip;               ///< per triangle: turn over to agree with its patch
+  std::vector<std::uint8_t> mixed, consistent;  ///< per patch
+  std::int64_t turned = 0;
+  std::int32_t count() const { return static_cast<std::int32_t>(mixed.size()); }
+};
+
+struct Shell {
+  bool closed = true;  ///< balanced at every edge
+  bool consistent = true;
+  bool mixed = false;
+  double volume = 0;  ///< signed, as the file has it
+  Eigen::Vector3d low, high;
+  std::vector<std::int32_t> samples;     ///< triangles asked in containment tests
+  std::vector<std::int32_t> containers;  ///< closed shells that hold this one wholly
+  int winding = 0;                       ///< inside this shell
+  bool invert = false;
+};
+
+/// Half-edge across each half-edge where an edge has two triangles; bit 0: same direction.
+std::vector<std::int64_t> acrossEdges(const TriMesh& mesh, const EdgeTable& edges) {
+  std::vector<std::int64_t> across(3 * mesh.triangles.size(), -1);
+  edges.forEachEdge(
+      0, edges.vertexCount(),
+      [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
+        if (last - first != 2) return;
+        const std::int64_t same = EdgeTable::ascending(first[0]) == EdgeTable::ascending(first[1]);
+        across[EdgeTable::halfEdge(first[0])] = 2 * EdgeTable::halfEdge(first[1]) + same;
+        across[EdgeTable::halfEdge(first[1])] = 2 * EdgeTable::halfEdge(first[0]) + same;
+      });
+  return across;
+}
+
+Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
+  const std::vector<std::int64_t> across = acrossEdges(mesh, edges);
+  Patches patches;
+  patches.ofTriangle.assign(mesh.triangles.size(), -1);
+  patches.flip.assign(mesh.triangles.size(), 0);
+  std::vector<std::int32_t> stack;
+  for (std::size_t seed = 0; seed < mesh.triangles.size(); ++seed) {
+    if (patches.ofTriangle[seed] >= 0) continue;
+    const std::int32_t patch = patches.count();
+    bool consistent = true;
+    stack.assign(1, static_cast<std::int32_t>(seed));
+    patches.ofTriangle[seed] = patch;
+    for (std::size_t head = 0; head < stack.size(); ++head) {
+      const std::int32_t t = stack[head];
+      for (int k = 0; k < 3; ++k) {
+        const std::int64_t code = across[3 * static_cast<std::int64_t>(t) + k];
+        if (code < 0) continue;
+        const auto other = static_cast<std::int32_t>(code / 2 / 3);
+        const auto wanted = static_cast<std::uint8_t>(patches.flip[t] ^ (code & 1));
+        if (patches.ofTriangle[other] < 0) {
+          patches.ofTriangle[other] = patch;
+          patches.flip[other] = wanted;
+          stack.push_back(other);
+        } else if (patches.flip[other] != wanted) {
+          consistent = false;
+        }
+      }
+    }
+    std::size_t flips = 0;
+    for (const std::int32_t t : stack) flips += patches.flip[t];
+    // The majority keeps the orientation it has in the file; where there is none, the file's order.
+    const bool other = 2 * flips > stack.size();
+    for (const std::int32_t t : stack) {
+      patches.flip[t] = consistent && (patches.flip[t] != 0) != other ? 1 : 0;
+    }
+    if (consistent) patches.turned += std::min(flips, stack.size() - flips);
+    patches.mixed.push_back(consistent && flips > 0);
+    patches.consistent.push_back(consistent);
+  }
+  return patches;
+}
+
+std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Joins patches at edges where a patch alone is not balanced; returns shell of each patch.
+std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
+                                      std::vector<Shell>& shells) {
+  std::vector<std::int32_t> parent(patches.count());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<std::pair<std::int32_t, int>> sums;  // patch, direction
+  auto balance = [&](const std::uint64_t* first, const std::uint64_t* last, auto&& key) {
+    sums.clear();
+    for (const std::uint64_t* r = first; r != last; ++r) {
+      const std::int64_t t = EdgeTable::halfEdge(*r) / 3;
+      const bool up = EdgeTable::ascending(*r) != (patches.flip[t] != 0);
+      sums.emplace_back(key(patches.ofTriangle[t]), up ? 1 : -1);
+    }
+    std::sort(sums.begin(), sums.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < sums.size();) {
+      auto sum = sums[i];
+      for (++i; i < sums.size() && sums[i].first == sum.first; ++i) sum.second += sums[i].second;
+      if (sum.second != 0) sums[kept++] = sum;
+    }
+    sums.resize(kept);
+  };
+  edges.forEachEdge(
+      0, edges.vertexCount(),
+      [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
+        if (last - first == 2) return;
+        balance(first, last, [](std::int32_t patch) { return patch; });
+        for (std::size_t i = 1; i < sums.size(); ++i) {
+          const std::int32_t a = findRoot(parent, sums[0].first);
+          const std::int32_t b = findRoot(parent, sums[i].first);
+          parent[std::max(a, b)] = std::min(a, b);
+        }
+      });
+  std::vector<std::int32_t> shellOf(patches.count());
+  for (std::int32_t p = 0; p < patches.count(); ++p) {
+    const std::int32_t root = findRoot(parent, p);
+    if (root == p) {
+      shellOf[p] = static_cast<std::int32_t>(shells.size());
+      shells.emplace_back();
+    } else {
+      shellOf[p] = shellOf[root];
+    }
+    Shell& shell = shells[shellOf[p]];
+    shell.mixed = shell.mixed || patches.mixed[p] != 0;
+    shell.consistent = shell.consistent && patches.consistent[p] != 0;
+  }
+  edges.forEachEdge(
+      0, edges.vertexCount(),
+      [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
+        if (last - first == 2) return;
+        balance(first, last, [&](std::int32_t patch) { return shellOf[patch]; });
+        for (const auto& sum : sums) shells[sum.first].closed = false;
+      });
+  return shellOf;
+}
+
+void measureShells(const TriMesh& mesh, const std::vector<std::int32_t>& shellOfTriangle,
+                   std::vector<Shell>& shells) {
+  std::vector<std::int64_t> sizes(shells.size(), 0);
+  for (auto& shell : shells) {
+    shell.low.setConstant(HUGE_VAL);
+    shell.high.setConstant(-HUGE_VAL);
+  }
+  std::vector<Eigen::Vector3d> origin(shells.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::int32_t s = shellOfTriangle[t];
+    const auto& tri = mesh.triangles[t];
+    Shell& shell = shells[s];
+    if (sizes[s]++ == 0) origin[s] = mesh.vertices[tri[0]];
+    const Eigen::Vector3d a = mesh.vertices[tri[0]] - origin[s];
+    const Eigen::Vector3d b = mesh.vertices[tri[1]] - origin[s];
+    const Eigen::Vector3d c = mesh.vertices[tri[2]] - origin[s];
+    shell.volume += a.dot(b.cross(c)) / 6;
+    for (const std::int32_t v : tri) {
+      shell.low = shell.low.cwiseMin(mesh.vertices[v]);
+      shell.high = shell.high.cwiseMax(mesh.vertices[v]);
+    }
+  }
+  // Samples spread over each shell: first, middle and last triangle.
+  std::vector<std::int64_t> seen(shells.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::int32_t s = shellOfTriangle[t];
+    const std::int64_t n = seen[s]++;
+    if (n == 0 || n == sizes[s] / 2 || n == sizes[s] - 1) {
+      shells[s].samples.push_back(static_cast<std::int32_t>(t));
+    }
+  }
+}
+
+bool strictlyInside(const Shell& inner, const Shell& outer) {
+  return (inner.low.array() > outer.low.array()).all() &&
+         (inner.high.array() < outer.high.array()).all();
+}
+
+void findContainers(const TriMesh& mesh, const RayColumns& columns,
+                    const std::vector<std::int32_t>& shellOfTriangle, std::vector<Shell>& shells,
+                    RunContext& run) {
+  std::vector<RayColumns::Crossing> line;
+  std::vector<int> odd(shells.size());
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    if (s % 64 == 0) run.checkpoint(Phase::Input, s, shells.size());
+    Shell& inner = shells[s];
+    std::vector<std::int32_t> candidates;
+    for (std::size_t o = 0; o < shells.size(); ++o) {
+      if (o != s && shells[o].closed && strictlyInside(inner, shells[o])) {
+        candidates.push_back(static_cast<std::int32_t>(o));
+      }
+    }
+    if (candidates.empty()) continue;
+    for (const std::int32_t c : candidates) odd[c] = 0;
+    for (const std::int32_t t : inner.samples) {
+      // Odd weights: a point in general position on the triangle.
+      const auto& tri = mesh.triangles[t];
+      const Eigen::Vector3d p = 0.3137 * mesh.vertices[tri[0]] + 0.2731 * mesh.vertices[tri[1]] +
+                                0.4132 * mesh.vertices[tri[2]];
+      columns.crossings(p.y(), p.z(), line);
+      for (const std::int32_t c : candidates) {
+        int count = 0;
+        for (const auto& crossing : line) {
+          count += crossing.x > p.x() && shellOfTriangle[crossing.triangle] == c;
+        }
+        odd[c] += count % 2;
+      }
+    }
+    // Only a shell that lies inside with all its samples is nested; else the two overlap.
+    for (const std::int32_t c : candidates) {
+      if (odd[c] == static_cast<int>(inner.samples.size())) inner.containers.push_back(c);
+    }
+  }
+}
+
+/// Decides which shells are turned over: outer ones outward; inner ones that the file has the other
+/// way round than the shell around them are cavities and end inward.
+void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
+  std::vector<std::int32_t> order(shells.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return shells[a].containers.size() < shells[b].containers.size();
+  });
+  for (const std::int32_t s : order) {
+    Shell& shell = shells[s];
+    if (!shell.closed || !shell.consistent) continue;
+    std::int32_t direct = -1, outermost = -1;
+    for (const std::int32_t c : shell.containers) {
+      if (direct < 0 || shells[c].containers.size() > shells[direct].containers.size()) direct = c;
+      if (outermost < 0 || shells[c].containers.size() < shells[outermost].containers.size()) {
+        outermost = c;
+      }
+    }
+    const int around = direct < 0 ? 0 : std::max(0, shells[direct].winding);
+    bool cavity = false;
+    if (around > 0) {
+      const bool opposite = (shell.volume < 0) != (shells[outermost].volume < 0);
+      // A shell whose own triangles disagreed says nothing by its direction: nesting decides.
+      cavity = shell.mixed || shells[outermost].mixed ? around == 1 : opposite;
+      cavity ? ++result.cavities : ++result.nested;
+    }
+    shell.winding = cavity ? around - 1 : around + 1;
+    shell.invert = cavity != (shell.volume < 0);
+    if (shell.invert) ++result.inverted;
+  }
+}
+
+/// True if along sample lines no shell is ever entered from its wrong side: shells that cross
+/// themselves can have lobes that are inside out although their volume is positive.
+bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& shellOfTriangle,
+                  const std::vector<Shell>& shells) {
+  constexpr int kLines = 96;  // a side
+  std::atomic<bool> holds{true};
+  const Eigen::Vector3d extent = columns.high() - columns.low();
+  const double samePlace = 1e-9 * extent.norm();
+  tbb::parallel_for(0, kLines, [&](int row) {
+    std::vector<RayColumns::Crossing> line;
+    std::vector<std::pair<std::int32_t, int>> sums;
+    for (int i = 0; i < kLines && holds.load(std::memory_order_relaxed); ++i) {
+      const double y = columns.low().y() + extent.y() * (i + 0.4831) / kLines;
+      const double z = columns.low().z() + extent.z() * (row + 0.5173) / kLines;
+      columns.crossings(y, z, line);
+      sums.clear();
+      for (const auto& crossing : line) {
+        const std::int32_t s = shellOfTriangle[crossing.triangle];
+        auto it = std::find_if(sums.begin(), sums.end(), [&](auto& e) { return e.first == s; });
+        if (it == sums.end()) it = sums.insert(sums.end(), {s, 0});
+        // Cavities count the other way round. Crossings at one place may come in any order.
+        it->second += shells[s].winding < 1 ? -crossing.direction : crossing.direction;
+        const bool last = &crossing == &line.back() || (&crossing)[1].x > crossing.x + samePlace;
+        if (last) {
+          for (const auto& e : sums) {
+            if (e.second < 0) holds.store(false, std::memory_order_relaxed);
+          }
+        }
+      }
+    }
+  });
+  return holds.load();
+}
+
+}  // namespace
+
+EdgeCounts countEdges(const EdgeTable& edges) {
+  EdgeCounts counts;
+  counts.openVertices.assign(static_cast<std::size_t>(edges.vertexCount()), 0);
+  auto note = [](std::vector<std::int64_t>& list, std::int32_t v) {
+    if (list.size() < 8) list.push_back(v);
+  };
+  edges.forEachEdge(0, edges.vertexCount(),
+                    [&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
+                        const std::uint64_t* last) {
+                      const std::int64_t n = last - first;
+                      std::int64_t up = 0;
+                      for (const std::uint64_t* r = first; r != last; ++r)
+                        up += EdgeTable::ascending(*r);
+                      counts.unbalanced += 2 * up != n;
+                      if (n % 2 != 0) {
+                        ++counts.open;
+                        note(counts.firstOpen, low);
+                        counts.openVertices[low] = counts.openVertices[high] = 1;
+                      }
+                      if (n > 2) {
+                        ++counts.nonManifold;
+                        note(counts.firstNonManifold, low);
+                      }
+                    });
+  return counts;
+}
+
+OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool closed,
+                               RunContext& run) {
+  run.checkpoint(Phase::Input);
+  const Patches patches = findPatches(mesh, edges);
+  OrientationResult result;
+  result.mixed = patches.turned;
+  std::vector<Shell> shells;
+  const std::vector<std::int32_t> shellOfPatch = joinPatches(edges, patches, shells);
+  std::vector<std::int32_t> shellOf(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    shellOf[t] = shellOfPatch[patches.ofTriangle[t]];
+    if (patches.flip[t] != 0) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  run.checkpoint(Phase::Input);
+  measureShells(mesh, shellOf, shells);
+  result.shells = static_cast<std::int64_t>(shells.size());
+
+  const RayColumns columns(mesh);
+  run.checkpoint(Phase::Input);
+  findContainers(mesh, columns, shellOf, shells, run);
+  decideShells(shells, result);
+  bool sound = closed;
+  for (const Shell& shell : shells) {
+    if (!shell.consistent) ++result.inconsistent;
+    const double size = (shell.high - shell.low).norm();
+    if (!shell.closed || !shell.consistent ||
+        std::abs(shell.volume) <= 1e-13 * size * size * size) {
+      sound = false;
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (shells[shellOf[t]].invert) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  run.checkpoint(Phase::Input);
+  if (sound) result.insideOut = !windingHolds(columns, shellOf, shells);
+  result.orientable = sound && !result.insideOut;
+  return result;
+}
+
+}  // namespace swept

@@ -1,0 +1,40 @@
+// Rays along +x through a triangle mesh, for point-in-solid questions of the body check.
+// In:    triangles. Out: for a line (y, z) the crossings in rising x, each with its direction.
+// Cost:  O(n) to build, one column of triangles a line.
+// Invariants: a line through a shared edge or vertex meets a closed surface consistently (half-open
+// rule on exact comparisons of the projected corners).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept {
+
+class RayColumns {
+ public:
+  struct Crossing {
+    double x = 0;
+    std::int32_t triangle = 0;
+    std::int32_t direction = 0;  ///< +1: the line enters (normal towards -x), -1: it leaves
+  };
+
+  explicit RayColumns(const TriMesh& mesh);
+  /// Crossings of the line (any x, y, z), sorted by x, then by triangle.
+  void crossings(double y, double z, std::vector<Crossing>& out) const;
+  const Eigen::Vector3d& low() const { return low_; }
+  const Eigen::Vector3d& high() const { return high_; }
+
+ private:
+  std::int32_t column(double value, int axis) const;
+
+  const TriMesh& mesh_;
+  Eigen::Vector3d low_, high_;
+  std::int32_t columns_ = 1;
+  std::vector<std::uint32_t> start_;
+  std::vector<std::int32_t> items_;
+};
+
+}  // namespace swept

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "input/trajectory_check.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace swept {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRigidLimit = 1e-4;    // largest |q| - 1 that is taken for rounding of the source
+constexpr double kMendNote = 1e-9;      // below: not worth a note
+constexpr double kLargestLength = 1e9;  // mm
+constexpr double kAmbiguousDegrees = 1.0;
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string poseName(std::size_t index) { return "pose " + std::to_string(index); }
+
+void checkFinite(const Pose& pose, std::size_t index) {
+  const char* what = nullptr;
+  if (!std::isfinite(pose.timeSeconds)) what = "the time";
+  if (!pose.translation.allFinite()) what = "the translation";
+  if (!pose.rotation.coeffs().allFinite()) what = "the rotation";
+  if (what != nullptr) {
+    throw Error(Status::InvalidInput, "BadPose",
+                poseName(index) + ": " + what +
+                    " is not a finite number; correct or remove this pose (poses count from 0)");
+  }
+  if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
+    throw Error(Status::InvalidInput, "BadPose",
+                poseName(index) + ": translation of " +
+                    number(pose.translation.cwiseAbs().maxCoeff()) +
+                    " mm is above the limit of 1e9 mm; check the unit of the motion");
+  }
+}
+
+/// Returns | |q| - 1 |; throws if that is more than rounding.
+double checkNorm(const Pose& pose, std::size_t index) {
+  const double norm = pose.rotation.norm();
+  if (norm < 1e-12) {
+    throw Error(Status::InvalidInput, "NotRigid",
+                poseName(index) +
+                    ": the rotation quaternion is zero; (qx, qy, qz, qw) = (0, 0, 0, 1) means no "
+                    "rotation");
+  }
+  const double deviation = std::abs(norm - 1);
+  if (deviation > kRigidLimit) {
+    throw Error(Status::InvalidInput, "NotRigid",
+                poseName(index) + ": the rotation quaternion has length " + number(norm) +
+                    " (limit: 1 within 1e-4), that is a scale of " + number(norm * norm) +
+                    "; export placements without scale");
+  }
+  return deviation;
+}
+
+void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
+  const Eigen::Quaterniond turn = before.rotation.conjugate() * after.rotation;
+  const double degrees =
+      2 * std::atan2(turn.vec().norm(), std::abs(turn.w())) * 180 / kPi;  // 0 to 180
+  if (degrees > 180 - kAmbiguousDegrees) {
+    throw Error(Status::InvalidInput, "AmbiguousTurn",
+                "between " + poseName(index - 1) + " and " + poseName(index) +
+                    " the body turns by " + number(degrees) +
+                    " degrees: within 1 degree of 180 no way round is the shorter one; insert a "
+                    "pose between them, or choose interpolation none");
+  }
+}
+
+void addFirst(Finding& finding, std::size_t index) {
+  ++finding.count;
+  if (finding.first.size() < 8) finding.first.push_back(static_cast<std::int64_t>(index));
+}
+
+bool samePlacement(const Pose& a, const Pose& b) {
+  if (a.translation != b.translation) return false;
+  const auto& p = a.rotation.coeffs();
+  const auto& q = b.rotation.coeffs();
+  return p == q || p == -q;
+}
+
+[[noreturn]] void badOption(const char* name, double value, const char* allowed) {
+  throw Error(Status::InvalidInput, "BadOption",
+              std::string("option ") + name + " = " + number(value) + "; allowed: " + allowed);
+}
+
+void requireLength(const char* name, double value) {
+  if (!(value >= 0 && value <= kLargestLength)) {
+    badOption(name, value, "0 (off) or a length above 0, up to 1e9 mm");
+  }
+}
+
+}  // namespace
+
+CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
+  if (trajectory.poses.empty()) {
+    throw Error(Status::InvalidInput, "EmptyTrajectory",
+                "the motion has no poses; give at least one (a single pose re-meshes the body)");
+  }
+  CheckedTrajectory result;
+  result.trajectory.interpolation = trajectory.interpolation;
+  auto& poses = result.trajectory.poses;
+  poses.reserve(trajectory.poses.size());
+  Finding mended{"RotationMended", 0, {}, ""};
+  Finding repeated{"RepeatedPoses", 0, {}, ""};
+  double largest = 0;
+  const bool continuous = trajectory.interpolation != Interpolation::None;
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+    Pose pose = trajectory.poses[i];
+    checkFinite(pose, i);
+    const double deviation = checkNorm(pose, i);
+    largest = std::max(largest, deviation);
+    if (deviation > kMendNote) addFirst(mended, i);
+    if (i > 0 && !(pose.timeSeconds > trajectory.poses[i - 1].timeSeconds)) {
+      throw Error(Status::InvalidInput, "BadPose",
+                  poseName(i) + ": time " + number(pose.timeSeconds) + " s does not come after " +
+                      number(trajectory.poses[i - 1].timeSeconds) +
+                      " s of the pose before; times must increase (the order is not guessed)");
+    }
+    pose.rotation.normalize();
+    if (!poses.empty()) {
+      // One sign for neighbours, so that interpolation takes the shorter way without asking again.
+      if (poses.back().rotation.dot(pose.rotation) < 0) pose.rotation.coeffs() *= -1;
+      if (samePlacement(poses.back(), pose)) {
+        addFirst(repeated, i);
+        continue;
+      }
+      if (continuous) checkTurn(poses.back(), pose, i);
+    }
+    poses.push_back(pose);
+  }
+  if (mended.count > 0) {
+    mended.text = std::to_string(mended.count) +
+                  " poses had a rotation slightly off a unit quaternion (by up to " +
+                  number(largest) + "); the nearest rotation was taken";
+    result.findings.push_back(mended);
+  }
+  if (repeated.count > 0) {
+    repeated.text = std::to_string(repeated.count) +
+                    " poses repeat the placement before them and were left out";
+    result.findings.push_back(repeated);
+  }
+  return result;
+}
+
+void checkOptions(const Options& options) {
+  if (options.cellSize != 0 && !(options.cellSize > 0 && options.cellSize <= kLargestLength)) {
+    badOption("cellSize", options.cellSize, "0 (from resolution) or above 0, up to 1e9 mm");
+  }
+  if (options.cellSize == 0 && (options.resolution < 4 || options.resolution > 16384)) {
+    badOption("resolution", options.resolution, "4 to 16384 cells along the longest side");
+  }
+  requireLength("tolerance", options.tolerance);
+  requireLength("offset", options.offset);
+  requireLength("positionFilter", options.positionFilter);
+  if (!(options.chordTolerance > 0 && options.chordTolerance <= 1)) {
+    badOption("chordTolerance", options.chordTolerance, "above 0, up to 1 (of a cell)");
+  }
+  if (!(options.weldTolerance >= 0 && options.weldTolerance <= 0.01)) {
+    badOption("weldTolerance", options.weldTolerance, "0 to 0.01 (of the body's box diagonal)");
+  }
+}
+
+}  // namespace swept
