@@ -12,8 +12,9 @@ namespace swept {
 struct Result {
   Report report;
   TriMesh mesh;
-  std::vector<double> contactTime;                       ///< per vertex: s, when the surface point is touched
-  std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases and corners
+  std::vector<double> contactTime;  ///< per vertex: s, when the surface point is touched
+  std::vector<std::array<std::int32_t, 2>>
+      featureEdges;  ///< vertex pairs along creases and corners
 };
 
 /// Never throws except std::bad_alloc from copying its own message; failures are in report.status.
@@ -23,10 +24,10 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
 /// What a run would take, computed in milliseconds from boxes only.
 struct Estimate {
   std::array<std::int64_t, 3> grid{0, 0, 0};
-  double cellSize = 0;             ///< mm
+  double cellSize = 0;  ///< mm
   std::uint64_t memoryBytes = 0;
-  double seconds = 0;              ///< rough, on this machine
-  std::int64_t triangles = 0;      ///< rough
+  double seconds = 0;          ///< rough, on this machine
+  std::int64_t triangles = 0;  ///< rough
 };
 /// Throws Error as compute() would report it.
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options);

@@ -27,8 +27,8 @@ struct MeshCheck {
   std::int64_t shells = 0;
   bool finite = true;
   bool closed = false;
-  bool manifold = false;   ///< edges and vertices
-  bool oriented = false;   ///< each edge once in each direction, outer shells outward
+  bool manifold = false;  ///< edges and vertices
+  bool oriented = false;  ///< each edge once in each direction, outer shells outward
   std::int64_t openEdges = 0;
   std::int64_t nonManifoldEdges = 0;
   std::int64_t nonManifoldVertices = 0;
@@ -37,9 +37,11 @@ struct MeshCheck {
   std::int64_t unusedVertices = 0;
   std::int64_t selfIntersections = 0;  ///< pairs of triangles; -1: not counted
   std::vector<std::pair<std::int64_t, std::int64_t>> firstIntersections;  ///< at most 32 pairs
-  double volume = 0;  ///< mm^3
-  double area = 0;    ///< mm^2
-  bool passes() const { return finite && closed && manifold && oriented && degenerateTriangles == 0; }
+  double volume = 0;                                                      ///< mm^3
+  double area = 0;                                                        ///< mm^2
+  bool passes() const {
+    return finite && closed && manifold && oriented && degenerateTriangles == 0;
+  }
 };
 
 struct StageSeconds {
@@ -52,17 +54,17 @@ struct Report {
   std::string code;     ///< finding code of a failure, empty when Ok
   std::string message;  ///< for people; empty when Ok
   MeshCheck check;
-  double cellSize = 0;               ///< mm
+  double cellSize = 0;                                   ///< mm
   Eigen::Vector3d gridOrigin = Eigen::Vector3d::Zero();  ///< lattice point (0,0,0), mm
-  std::array<std::int64_t, 3> grid{0, 0, 0};  ///< cells along x, y, z
+  std::array<std::int64_t, 3> grid{0, 0, 0};             ///< cells along x, y, z
   std::int64_t placements = 0;
   std::int64_t refinedPlacements = 0;
-  std::int64_t sweptFaces = 0;       ///< face copies sampled after culling
-  std::int64_t sweptPatches = 0;     ///< side patches sampled after culling
-  std::int64_t crossings = 0;        ///< contributing crossings
-  double largestStepTravel = 0;      ///< mm
-  double chordError = 0;             ///< mm: bound on how far the refined motion leaves the true one
-  double conservativeBound = 0;      ///< mm: 0 unless conservative
+  std::int64_t sweptFaces = 0;    ///< face copies sampled after culling
+  std::int64_t sweptPatches = 0;  ///< side patches sampled after culling
+  std::int64_t crossings = 0;     ///< contributing crossings
+  double largestStepTravel = 0;   ///< mm
+  double chordError = 0;          ///< mm: bound on how far the refined motion leaves the true one
+  double conservativeBound = 0;   ///< mm: 0 unless conservative
   std::string backend = "cpu";
   std::string device;
   int threads = 0;

@@ -15,8 +15,8 @@ const char* phaseName(Phase phase);
 /// Shared by the thread that computes and the ones that watch. Not copyable; must outlive the run.
 class RunContext {
  public:
-  int threads = 0;                       ///< 0: all cores
-  std::uint64_t memoryLimitBytes = 0;    ///< 0: three quarters of what the machine has available
+  int threads = 0;                     ///< 0: all cores
+  std::uint64_t memoryLimitBytes = 0;  ///< 0: three quarters of what the machine has available
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool isCancelled() const { return cancelled_.load(std::memory_order_relaxed); }
@@ -25,7 +25,8 @@ class RunContext {
   /// Overall progress, 0 to 1, never falls during a run.
   double progress() const { return progress_.load(std::memory_order_relaxed); }
 
-  /// Called inside chunk loops. Throws Error(Cancelled) if asked to stop. done/total: of this phase.
+  /// Called inside chunk loops. Throws Error(Cancelled) if asked to stop. done/total: of this
+  /// phase.
   void checkpoint(Phase phase, std::uint64_t done = 0, std::uint64_t total = 0);
   /// Number of checkpoints passed so far (testing hook).
   std::uint64_t checkpoints() const { return checkpoints_.load(std::memory_order_relaxed); }

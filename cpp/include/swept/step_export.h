@@ -28,9 +28,9 @@ struct StepReport {
   double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;
 };
 
-/// Format by suffix: .step/.stp or .brep/.brp. Written beside the target, re-read, checked (one solid
-/// per outer shell, valid, same volume), then renamed; on any failure the old file survives and
-/// nothing is left behind. Throws Error(ExportFailed, ...), Error(Cancelled).
+/// Format by suffix: .step/.stp or .brep/.brp. Written beside the target, re-read, checked (one
+/// solid per outer shell, valid, same volume), then renamed; on any failure the old file survives
+/// and nothing is left behind. Throws Error(ExportFailed, ...), Error(Cancelled).
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run);
 

@@ -73,8 +73,8 @@ enum class Backend { Auto, Cpu, Gpu };
 
 /// Settings of one run. Zero means "not given" where a comment says so.
 struct Options {
-  int resolution = 128;      ///< cells along the longest side of the sweep; used if cellSize == 0
-  double cellSize = 0;       ///< mm; 0: from resolution
+  int resolution = 128;  ///< cells along the longest side of the sweep; used if cellSize == 0
+  double cellSize = 0;   ///< mm; 0: from resolution
   ComponentMethod components = ComponentMethod::Consistent;
   Backend backend = Backend::Auto;
   bool keepCavities = false;  ///< keep sealed-off hollow spaces as inner shells
@@ -83,8 +83,9 @@ struct Options {
   double offset = 0;          ///< mm, safety distance by which the envelope is grown
   bool conservative = false;  ///< envelope provably contains the swept volume
   double positionFilter = 0;  ///< mm; drop poses while the body stays within this; 0: off
-  double chordTolerance = 0.02;  ///< of a cell: how far a point may leave the refined motion's chord
-  double weldTolerance = 1e-6;   ///< of the body's box diagonal
+  double chordTolerance =
+      0.02;                     ///< of a cell: how far a point may leave the refined motion's chord
+  double weldTolerance = 1e-6;  ///< of the body's box diagonal
 };
 
 /// Names as used on the command line, in Python and in FreeCAD properties; parse throws
@@ -92,9 +93,10 @@ struct Options {
 const char* interpolationName(Interpolation value);
 const char* componentMethodName(ComponentMethod value);
 const char* backendName(Backend value);
-Interpolation parseInterpolation(const std::string& text);        // none | linear | screw
-ComponentMethod parseComponentMethod(const std::string& text);    // dc | dmc | equivalence | greedy | consistent
-Backend parseBackend(const std::string& text);                    // auto | cpu | gpu
+Interpolation parseInterpolation(const std::string& text);  // none | linear | screw
+ComponentMethod parseComponentMethod(
+    const std::string& text);                   // dc | dmc | equivalence | greedy | consistent
+Backend parseBackend(const std::string& text);  // auto | cpu | gpu
 /// Millimetres per unit for "mm", "cm", "m", "in".
 double parseLengthUnit(const std::string& text);
 

@@ -48,30 +48,48 @@ const char* nameOf(const NameTable<E, N>& table, E value) {
 
 const char* statusName(Status status) {
   switch (status) {
-    case Status::Ok: return "Ok";
-    case Status::InvalidInput: return "InvalidInput";
-    case Status::ResourceLimit: return "ResourceLimit";
-    case Status::OutOfMemory: return "OutOfMemory";
-    case Status::Cancelled: return "Cancelled";
-    case Status::DeviceUnavailable: return "DeviceUnavailable";
-    case Status::DeviceLost: return "DeviceLost";
-    case Status::ExportFailed: return "ExportFailed";
-    case Status::InternalError: return "InternalError";
+    case Status::Ok:
+      return "Ok";
+    case Status::InvalidInput:
+      return "InvalidInput";
+    case Status::ResourceLimit:
+      return "ResourceLimit";
+    case Status::OutOfMemory:
+      return "OutOfMemory";
+    case Status::Cancelled:
+      return "Cancelled";
+    case Status::DeviceUnavailable:
+      return "DeviceUnavailable";
+    case Status::DeviceLost:
+      return "DeviceLost";
+    case Status::ExportFailed:
+      return "ExportFailed";
+    case Status::InternalError:
+      return "InternalError";
   }
   return "?";
 }
 
 const char* phaseName(Phase phase) {
   switch (phase) {
-    case Phase::Input: return "input";
-    case Phase::Motion: return "motion";
-    case Phase::Sampling: return "sampling";
-    case Phase::Signs: return "signs";
-    case Phase::Contour: return "contour";
-    case Phase::Simplify: return "simplify";
-    case Phase::Check: return "check";
-    case Phase::Export: return "export";
-    case Phase::Done: return "done";
+    case Phase::Input:
+      return "input";
+    case Phase::Motion:
+      return "motion";
+    case Phase::Sampling:
+      return "sampling";
+    case Phase::Signs:
+      return "signs";
+    case Phase::Contour:
+      return "contour";
+    case Phase::Simplify:
+      return "simplify";
+    case Phase::Check:
+      return "check";
+    case Phase::Export:
+      return "export";
+    case Phase::Done:
+      return "done";
   }
   return "?";
 }

@@ -9,7 +9,8 @@
 namespace swept {
 namespace {
 // Share of a typical run that is done when each phase starts.
-constexpr std::array<double, kPhaseCount> kPhaseStart{0.0, 0.02, 0.05, 0.45, 0.55, 0.8, 0.85, 0.97, 1.0};
+constexpr std::array<double, kPhaseCount> kPhaseStart{0.0, 0.02, 0.05, 0.45, 0.55,
+                                                      0.8, 0.85, 0.97, 1.0};
 }  // namespace
 
 void RunContext::checkpoint(Phase phase, std::uint64_t done, std::uint64_t total) {

@@ -1,0 +1,16 @@
+// What the process uses and what the machine has.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace swept {
+
+/// Starts a new peak at the present use (Linux; elsewhere the peak is that of the process so far).
+void resetPeakMemory();
+/// Largest resident size since then, bytes; 0 where the system does not tell.
+std::uint64_t peakMemoryBytes();
+/// Memory that could be taken without swapping, bytes; 0 where the system does not tell.
+std::uint64_t availableMemoryBytes();
+
+}  // namespace swept

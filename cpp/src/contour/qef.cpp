@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/qef.h"
+
+#include <Eigen/Cholesky>
+#include <limits>
+
+namespace swept {
+namespace {
+constexpr double kDamping =
+    1e-5;  ///< of the number of planes: a crease of 0.4 degrees weighs as much
+}
+
+Eigen::Matrix3d Qef::matrix() const {
+  Eigen::Matrix3d a;
+  a << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
+  return a;
+}
+
+double Qef::error(const Eigen::Vector3d& x) const {
+  return x.dot(matrix() * x) - 2 * x.dot(b_) + c_;
+}
+
+Eigen::Vector3d Qef::solve(double margin) const {
+  const double low = margin, high = 1 - margin;
+  const Eigen::Vector3d m = massPoint();
+  Eigen::Matrix3d a = matrix();
+  const Eigen::Vector3d g = b_ - a * m;
+  a.diagonal().array() += kDamping * count_;
+  // Inverse of a symmetric 3x3 by cofactors: well conditioned enough (1e5) in double.
+  const double c00 = a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
+  const double c01 = a(0, 2) * a(1, 2) - a(0, 1) * a(2, 2);
+  const double c02 = a(0, 1) * a(1, 2) - a(0, 2) * a(1, 1);
+  const double det = a(0, 0) * c00 + a(0, 1) * c01 + a(0, 2) * c02;
+  const double c11 = a(0, 0) * a(2, 2) - a(0, 2) * a(0, 2);
+  const double c12 = a(0, 1) * a(0, 2) - a(0, 0) * a(1, 2);
+  const double c22 = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
+  const Eigen::Vector3d x = m + Eigen::Vector3d(c00 * g[0] + c01 * g[1] + c02 * g[2],
+                                                c01 * g[0] + c11 * g[1] + c12 * g[2],
+                                                c02 * g[0] + c12 * g[1] + c22 * g[2]) /
+                                    det;
+  if ((x.array() >= low).all() && (x.array() <= high).all()) return x;
+  return solveInBox(a, g, low, high);
+}
+
+Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
+                                double high) const {
+  // y = x - m minimises y^T a y / 2 - g y; each coordinate free (0), at low (1) or at high (2).
+  const Eigen::Vector3d m = massPoint();
+  Eigen::Vector3d best = m.cwiseMax(low).cwiseMin(high);
+  double bestError = std::numeric_limits<double>::max();
+  for (int pattern = 1; pattern < 27; ++pattern) {
+    const int state[3] = {pattern % 3, pattern / 3 % 3, pattern / 9};
+    Eigen::Vector3d y = Eigen::Vector3d::Zero();
+    int free[3], n = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (state[axis] == 0) {
+        free[n++] = axis;
+      } else {
+        y[axis] = (state[axis] == 1 ? low : high) - m[axis];
+      }
+    }
+    const Eigen::Vector3d r = g - a * y;
+    if (n == 1) {
+      y[free[0]] = r[free[0]] / a(free[0], free[0]);
+    } else if (n == 2) {
+      const int p = free[0], q = free[1];
+      const double det = a(p, p) * a(q, q) - a(p, q) * a(p, q);
+      y[p] = (r[p] * a(q, q) - r[q] * a(p, q)) / det;
+      y[q] = (r[q] * a(p, p) - r[p] * a(p, q)) / det;
+    }
+    const Eigen::Vector3d x = m + y;
+    constexpr double kSlack = 1e-12;
+    if ((x.array() < low - kSlack).any() || (x.array() > high + kSlack).any()) continue;
+    const double error = y.dot(a * y) / 2 - g.dot(y);
+    if (error < bestError) {
+      bestError = error;
+      best = x;
+    }
+  }
+  return best;
+}
+
+}  // namespace swept

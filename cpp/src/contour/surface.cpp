@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/parallel.h"
+#include "contour/dual_surface.h"
+
+namespace swept {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+double cross2(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// How well one diagonal of a quad does: whether it stays between its neighbours as seen along the
+/// lattice edge, how far from the crossing it meets the edge, how long it is.
+struct Diagonal {
+  bool valid = false;
+  double miss = 0, length2 = 0;
+};
+
+/// v[n]: corners relative to the crossing, (b, c, a) with a along the lattice edge, counted round.
+Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
+  const Eigen::Vector3d &p = v[from], &q = v[from + 2], &r = v[(from + 1) & 3],
+                        &s = v[(from + 3) & 3];
+  const Vec2 d = (q - p).head<2>();
+  const double sideR = cross2(d, (r - p).head<2>()), sideS = cross2(d, (s - p).head<2>());
+  const double sideEdge = cross2(d, -p.head<2>());
+  Diagonal out;
+  out.valid = sideR < 0 && sideS > 0;
+  out.length2 = (q - p).squaredNorm();
+  // The triangle that holds the lattice edge, and where it meets it.
+  const Eigen::Vector3d& third = sideEdge < 0 ? r : s;
+  const Eigen::Vector3d n = (q - p).cross(third - p);
+  out.miss = std::abs(n[2]) > 1e-12 ? std::abs(n.dot(p) / n[2]) : 1e3;
+  return out;
+}
+
+enum class Split : std::uint8_t { Diagonal02, Diagonal13, Fan };
+
+constexpr double kEquallyGood = 2e-3;  ///< cells: misses that differ by less count as equal
+constexpr double kFanMiss = 0.05;      ///< cells: a quad that misses its crossing by more is fanned
+
+class PolygonBuilder {
+ public:
+  PolygonBuilder(const HermiteGrid& grid, const DualSurface& dual) : grid_(grid), dual_(dual) {}
+
+  /// Global vertex of a quad's corner, from the layer of its edge.
+  std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
+    // Corners at -b: 0 and 3; at -c: 0 and 1. x is b of axis 2, c of axis 1.
+    const bool lower =
+        (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
+    return dual_.firstVertex[lower ? i - 1 : i] + dual_.quads[crossing][corner];
+  }
+
+  Eigen::Vector3d position(std::uint32_t global, std::int32_t layer) const {
+    const DualVertex& v = dual_.vertices[layer][global - dual_.firstVertex[layer]];
+    return v.local.cast<double>() + Eigen::Vector3d(v.i, v.j, v.k);
+  }
+
+  bool complete(std::uint32_t crossing) const {
+    for (const std::uint32_t v : dual_.quads[crossing]) {
+      if (v == DualSurface::kNone) return false;
+    }
+    return true;
+  }
+
+  Eigen::Vector3d crossingPoint(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
+                                std::uint32_t crossing) const {
+    Eigen::Vector3d p(i, j, edge.k);
+    p[axis] += grid_.crossings[crossing].fraction;
+    return p;
+  }
+
+  Split choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
+               std::uint32_t crossing) const {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    std::array<Eigen::Vector3d, 4> v;
+    for (int corner = 0; corner < 4; ++corner) {
+      const std::uint32_t global = vertex(axis, i, crossing, corner);
+      const std::int32_t layer = global >= dual_.firstVertex[i] ? i : i - 1;
+      const Eigen::Vector3d p = position(global, layer) - point;
+      v[corner] = {p[b], p[c], p[axis]};
+    }
+    const Diagonal d02 = rate(v, 0), d13 = rate(v, 1);
+    if (!d02.valid && !d13.valid) return Split::Fan;
+    bool first = d02.valid;
+    if (d02.valid && d13.valid) {
+      first = std::abs(d02.miss - d13.miss) < kEquallyGood ? d02.length2 <= d13.length2
+                                                           : d02.miss < d13.miss;
+    }
+    if ((first ? d02 : d13).miss > kFanMiss) return Split::Fan;
+    return first ? Split::Diagonal02 : Split::Diagonal13;
+  }
+
+ private:
+  const HermiteGrid& grid_;
+  const DualSurface& dual_;
+};
+
+struct LayerPolygons {
+  std::vector<std::array<std::int32_t, 3>> triangles;  // >= kExtra: extra vertex of this layer
+  std::vector<Eigen::Vector3d> extra;                  // cells
+  std::vector<double> extraTime;
+  std::int64_t fans = 0;
+};
+
+constexpr std::int32_t kExtra = 0x40000000;
+
+std::uint64_t sideKey(std::uint32_t crossing, int side) {
+  return static_cast<std::uint64_t>(crossing) << 2 | static_cast<std::uint64_t>(side);
+}
+
+/// Extra vertices on faces where two segments join the same two components.
+struct FacePoints {
+  std::unordered_map<std::uint64_t, std::int32_t> at;  // side of a quad -> index into points
+  std::vector<Eigen::Vector3d> points;                 // cells
+  std::vector<double> times;
+};
+
+struct CrossingPlace {
+  int axis;
+  std::int32_t i, j, k;
+};
+
+/// Finds where a crossing lies from its index alone (only for the few on ambiguous faces).
+CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
+  auto layer =
+      std::upper_bound(grid.layers.begin(), grid.layers.end(), index,
+                       [](std::uint32_t x, const HermiteLayer& l) { return x < l.firstCrossing; }) -
+      1;
+  for (int axis = 2; axis >= 0; --axis) {
+    const auto& edges = layer->edges[axis];
+    if (edges.empty() || edges.front().first > index) continue;
+    const auto edge =
+        std::upper_bound(edges.begin(), edges.end(), index,
+                         [](std::uint32_t x, const HermiteEdge& e) { return x < e.first; }) -
+        1;
+    const auto& start = layer->columnStart[axis];
+    const auto column = std::upper_bound(start.begin(), start.end(),
+                                         static_cast<std::uint32_t>(edge - edges.begin())) -
+                        1;
+    return {axis, static_cast<std::int32_t>(layer - grid.layers.begin()),
+            static_cast<std::int32_t>(column - start.begin()), edge->k};
+  }
+  throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
+}
+
+FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
+                          const PolygonBuilder& polygons) {
+  FacePoints out;
+  const auto ends = [&](const FaceSegment& s) {
+    const CrossingPlace place = findCrossing(grid, s.crossing[0]);
+    std::uint32_t x = polygons.vertex(place.axis, place.i, s.crossing[0], s.side[0]);
+    std::uint32_t y = polygons.vertex(place.axis, place.i, s.crossing[0], (s.side[0] + 1) & 3);
+    return x < y ? std::pair(x, y) : std::pair(y, x);
+  };
+  for (std::size_t begin = 0; begin < dual.ambiguous.size();) {
+    std::size_t end = begin + 1;
+    while (end < dual.ambiguous.size() && !dual.ambiguous[end].firstOfFace) ++end;
+    for (std::size_t s = begin + 1; s < end; ++s) {
+      const auto mine = ends(dual.ambiguous[s]);
+      bool shared = false;
+      for (std::size_t r = begin; r < s; ++r) shared |= ends(dual.ambiguous[r]) == mine;
+      if (!shared) continue;
+      const FaceSegment& segment = dual.ambiguous[s];
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      double time = 0;
+      for (int e = 0; e < 2; ++e) {
+        const CrossingPlace place = findCrossing(grid, segment.crossing[e]);
+        Eigen::Vector3d p(place.i, place.j, place.k);
+        p[place.axis] += grid.crossings[segment.crossing[e]].fraction;
+        middle += p / 2;
+        time = grid.crossings[segment.crossing[e]].timeSeconds;
+        out.at[sideKey(segment.crossing[e], segment.side[e])] =
+            static_cast<std::int32_t>(out.points.size());
+      }
+      out.points.push_back(middle);
+      out.times.push_back(time);
+    }
+    begin = end;
+  }
+  return out;
+}
+
+class LayerEmitter {
+ public:
+  LayerEmitter(const HermiteGrid& grid, const DualSurface& dual, const PolygonBuilder& polygons,
+               const FacePoints& facePoints, std::int32_t firstFacePoint)
+      : grid_(grid),
+        dual_(dual),
+        polygons_(polygons),
+        facePoints_(facePoints),
+        firstFacePoint_(firstFacePoint) {}
+
+  void emit(std::int32_t i, LayerPolygons& out) {
+    const HermiteLayer& layer = grid_.layers[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::int32_t j = 0; j < grid_.plan.points[1]; ++j) {
+        for (std::uint32_t e = layer.columnStart[axis][j]; e < layer.columnStart[axis][j + 1];
+             ++e) {
+          emitEdge(axis, i, j, layer.edges[axis][e], out);
+        }
+      }
+    }
+  }
+
+ private:
+  void emitEdge(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
+                LayerPolygons& out) {
+    const int n = edge.sides == 3 ? 2 : 1;
+    std::array<Split, 2> split{};
+    for (int c = 0; c < n; ++c) {
+      const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(c);
+      if (!polygons_.complete(crossing)) return;
+      split[c] = hasFacePoint(crossing)
+                     ? Split::Fan
+                     : polygons_.choose(
+                           axis, i, polygons_.crossingPoint(axis, i, j, edge, crossing), crossing);
+    }
+    if (n == 2 && split[0] == split[1] && split[0] != Split::Fan) {
+      const int from = split[0] == Split::Diagonal02 ? 0 : 1;
+      const auto &q = dual_.quads[edge.first], &r = dual_.quads[edge.first + 1];
+      if (q[from] == r[from] && q[from + 2] == r[from + 2]) split = {Split::Fan, Split::Fan};
+    }
+    for (int c = 0; c < n; ++c) {
+      const bool seenFromLow = (edge.sides & HermiteEdge::kLow) != 0 && c == 0;
+      emitQuad(axis, i, j, edge, edge.first + static_cast<std::uint32_t>(c), split[c], seenFromLow,
+               out);
+    }
+  }
+
+  bool hasFacePoint(std::uint32_t crossing) const {
+    if (facePoints_.points.empty()) return false;
+    for (int side = 0; side < 4; ++side) {
+      if (facePoints_.at.contains(sideKey(crossing, side))) return true;
+    }
+    return false;
+  }
+
+  void emitQuad(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
+                std::uint32_t crossing, Split split, bool seenFromLow, LayerPolygons& out) {
+    std::array<std::int32_t, 8> ring;
+    int n = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+      ring[n++] = static_cast<std::int32_t>(polygons_.vertex(axis, i, crossing, corner));
+      if (split != Split::Fan || facePoints_.points.empty()) continue;
+      const auto point = facePoints_.at.find(sideKey(crossing, corner));
+      if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
+    }
+    // Counter-clockwise about +axis faces the high end; the outside is where it is seen from.
+    const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+      if (seenFromLow) std::swap(b, c);
+      out.triangles.push_back({a, b, c});
+    };
+    if (split == Split::Diagonal02) {
+      triangle(ring[0], ring[1], ring[2]);
+      triangle(ring[0], ring[2], ring[3]);
+    } else if (split == Split::Diagonal13) {
+      triangle(ring[1], ring[2], ring[3]);
+      triangle(ring[1], ring[3], ring[0]);
+    } else {
+      const auto centre = kExtra + static_cast<std::int32_t>(out.extra.size());
+      out.extra.push_back(polygons_.crossingPoint(axis, i, j, edge, crossing));
+      out.extraTime.push_back(grid_.crossings[crossing].timeSeconds);
+      ++out.fans;
+      for (int p = 0; p < n; ++p) triangle(centre, ring[p], ring[(p + 1) % n]);
+    }
+  }
+
+  const HermiteGrid& grid_;
+  const DualSurface& dual_;
+  const PolygonBuilder& polygons_;
+  const FacePoints& facePoints_;
+  std::int32_t firstFacePoint_;
+};
+
+}  // namespace
+
+Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run) {
+  DualSurface dual = buildDualSurface(grid, options.components, run);
+  const PolygonBuilder polygons(grid, dual);
+  const FacePoints facePoints = findFacePoints(grid, dual, polygons);
+
+  const auto layers = static_cast<std::size_t>(grid.plan.points[0]);
+  const std::size_t dualVertices = dual.firstVertex.back();
+  std::vector<LayerPolygons> parts(layers);
+  parallelBlocks(layers, 4, [&](std::size_t begin, std::size_t end) {
+    LayerEmitter emitter(grid, dual, polygons, facePoints, static_cast<std::int32_t>(dualVertices));
+    run.checkpoint(Phase::Contour, layers + begin, 2 * layers);
+    for (std::size_t i = begin; i < end; ++i) emitter.emit(static_cast<std::int32_t>(i), parts[i]);
+  });
+
+  Surface surface;
+  surface.facePoints = static_cast<std::int64_t>(facePoints.points.size());
+  std::vector<std::size_t> extraBase(layers), triangleBase(layers);
+  std::size_t vertexCount = dualVertices + facePoints.points.size(), triangleCount = 0;
+  for (std::size_t i = 0; i < layers; ++i) {
+    extraBase[i] = vertexCount;
+    triangleBase[i] = triangleCount;
+    vertexCount += parts[i].extra.size();
+    triangleCount += parts[i].triangles.size();
+    surface.fans += parts[i].fans;
+  }
+  if (vertexCount >= static_cast<std::size_t>(kExtra)) {
+    throw Error(Status::ResourceLimit, "ResourceLimit",
+                "the envelope has " + std::to_string(vertexCount) +
+                    " vertices, the limit is 1073741824; use a larger cell");
+  }
+  std::vector<std::array<std::uint32_t, 4>>().swap(dual.quads);
+  auto& mesh = surface.mesh;
+  mesh.vertices.resize(vertexCount);
+  mesh.triangles.resize(triangleCount);
+  surface.contactTime.resize(vertexCount);
+  const auto place = [&](std::size_t at, const Eigen::Vector3d& g, double time) {
+    mesh.vertices[at] = grid.plan.origin + grid.plan.cell * g;
+    surface.contactTime[at] = time;
+  };
+  for (std::size_t f = 0; f < facePoints.points.size(); ++f) {
+    place(dualVertices + f, facePoints.points[f], facePoints.times[f]);
+  }
+  parallelFor(layers, [&](std::size_t i) {
+    if (i + 1 < layers) {
+      for (std::size_t v = 0; v < dual.vertices[i].size(); ++v) {
+        const DualVertex& d = dual.vertices[i][v];
+        place(dual.firstVertex[i] + v, d.local.cast<double>() + Eigen::Vector3d(d.i, d.j, d.k),
+              d.timeSeconds);
+      }
+    }
+    LayerPolygons& part = parts[i];
+    for (std::size_t e = 0; e < part.extra.size(); ++e) {
+      place(extraBase[i] + e, part.extra[e], part.extraTime[e]);
+    }
+    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+      auto triangle = part.triangles[t];
+      for (auto& v : triangle) {
+        if (v >= kExtra)
+          v = static_cast<std::int32_t>(v - kExtra + static_cast<std::int32_t>(extraBase[i]));
+      }
+      mesh.triangles[triangleBase[i] + t] = triangle;
+    }
+    part = LayerPolygons{};
+  });
+  return surface;
+}
+
+}  // namespace swept

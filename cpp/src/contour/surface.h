@@ -1,0 +1,30 @@
+// Hermite grid -> closed triangle mesh: one vertex a component, one polygon a crossing.
+//
+// In: Hermite grid. Out: mesh in mm, per vertex the time of contact. Cost: O(crossings).
+// Paper: dual contouring (Ju et al. 2002), components per cell (Schaefer and Warren 2004), polygons
+// through edge and face points where a diagonal would not do (Ju and Udeshi 2006).
+// Invariants (consistent components): closed, edge- and vertex-manifold, oriented outward. The
+// polygons of the dual surface form a closed surface by construction; two things could still make
+// it non-manifold as a set of triangles, and are mended where they occur: two segments of one face
+// that join the same two components (the second gets a vertex on the face), and the two quads of
+// one lattice edge choosing the same diagonal (both are fanned about their crossing).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "data/hermite_grid.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+struct Surface {
+  TriMesh mesh;
+  std::vector<double> contactTime;
+  std::int64_t fans = 0;        ///< quads fanned about their crossing
+  std::int64_t facePoints = 0;  ///< vertices put on cell faces
+};
+
+/// Consumes the Hermite grid's crossings no more than it reads them; the grid is left as it was.
+Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run);
+
+}  // namespace swept

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "swept/compute.h"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <sstream>
+#include <thread>
+
+#include "base/memory.h"
+#include "base/timer.h"
+#include "contour/surface.h"
+#include "input/body_check.h"
+#include "input/trajectory_check.h"
+#include "sampling/body_topology.h"
+#include "sampling/grid_plan.h"
+#include "sampling/hermite.h"
+#include "sampling/refine_motion.h"
+#include "sampling/sampler.h"
+
+namespace swept {
+namespace {
+
+struct Prepared {
+  CheckedBody body;
+  CheckedTrajectory trajectory;
+  Motion motion;
+  GridPlan grid;
+};
+
+Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& v : mesh.vertices) box.extend(v);
+  return box;
+}
+
+/// Motion and grid depend on each other through the cell: a first, coarse motion gives the cell.
+void planRun(Prepared& p, const Options& options, RunContext& run) {
+  const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
+  const double size = bodyBox.diagonal().norm();
+  double cell = options.cellSize;
+  if (!(cell > 0)) {
+    const Motion coarse = refineMotion(p.body.mesh, p.trajectory.trajectory, size / 50, run);
+    cell = plannedCell(sweptBox(p.body.mesh, coarse), options);
+  }
+  p.motion = refineMotion(p.body.mesh, p.trajectory.trajectory, options.chordTolerance * cell, run);
+  p.grid = planGrid(sweptBox(p.body.mesh, p.motion), bodyBox, options);
+}
+
+/// Rough: the sweep's surface is taken as one and a half times that of its box.
+Estimate estimateOf(const Prepared& p) {
+  Estimate e;
+  e.grid = p.grid.cells();
+  e.cellSize = p.grid.cell;
+  const double x = static_cast<double>(e.grid[0]), y = static_cast<double>(e.grid[1]),
+               z = static_cast<double>(e.grid[2]);
+  const double crossings = 1.5 * 2 * (x * y + y * z + z * x) * 1.5;
+  const double faces = static_cast<double>(p.body.mesh.triangles.size());
+  const double placements = static_cast<double>(p.motion.placements.size());
+  e.triangles = static_cast<std::int64_t>(2 * crossings);
+  // Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
+  e.memoryBytes = static_cast<std::uint64_t>(crossings * 180 + faces * 200 + placements * 300 +
+                                             (x + 1) * (y + 1) * 24);
+  const double elements =
+      p.motion.continuous ? faces * placements * 5e-9 : faces * placements * 8e-8;
+  e.seconds = 0.02 + crossings * 0.6e-6 + elements;
+  return e;
+}
+
+void requireMemory(const Estimate& e, const RunContext& run) {
+  const std::uint64_t available = availableMemoryBytes();
+  const std::uint64_t limit = run.memoryLimitBytes != 0 ? run.memoryLimitBytes : available / 4 * 3;
+  if (limit == 0 || e.memoryBytes <= limit) return;
+  const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
+  std::ostringstream text;
+  text.precision(4);
+  text << "the run would take about " << e.memoryBytes / 1'000'000 << " MB for a grid of "
+       << e.grid[0] << " x " << e.grid[1] << " x " << e.grid[2] << " cells, the limit is "
+       << limit / 1'000'000 << " MB; the smallest cell that fits is about " << e.cellSize * ratio
+       << " mm";
+  throw Error(Status::ResourceLimit, "ResourceLimit", text.str());
+}
+
+void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+class Run {
+ public:
+  Run(const Options& options, RunContext& context, Result& result)
+      : options_(options), run_(context), result_(result), report_(result.report) {}
+
+  void compute(const TriMesh& body, const Trajectory& trajectory) {
+    checkOptions(options_);
+    if (options_.backend == Backend::Gpu) {
+      throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
+                  "the GPU sampler is not part of this build; use --backend cpu or auto");
+    }
+    run_.checkpoint(Phase::Input);
+    prepared_.body = checkBody(body, options_, run_);
+    prepared_.trajectory = checkTrajectory(trajectory);
+    add(report_.warnings, prepared_.body.findings);
+    add(report_.warnings, prepared_.trajectory.findings);
+    stage("input");
+
+    planRun(prepared_, options_, run_);
+    describePlan();
+    const Estimate e = estimateOf(prepared_);
+    report_.estimatedMemoryBytes = e.memoryBytes;
+    requireMemory(e, run_);
+    const BodyTopology topology = buildTopology(prepared_.body.mesh);
+    stage("motion");
+
+    HermiteGrid hermite = sample(topology, options_.cull);
+    contour(hermite);
+    hermite = HermiteGrid{};
+    check();
+  }
+
+ private:
+  void stage(const char* name) { report_.seconds.push_back({name, timer_.lap()}); }
+
+  void describePlan() {
+    report_.cellSize = prepared_.grid.cell;
+    report_.gridOrigin = prepared_.grid.origin;
+    report_.grid = prepared_.grid.cells();
+    report_.placements = static_cast<std::int64_t>(prepared_.trajectory.trajectory.poses.size());
+    report_.refinedPlacements = static_cast<std::int64_t>(prepared_.motion.placements.size());
+    report_.largestStepTravel = prepared_.motion.largestStepTravel;
+    report_.chordError = prepared_.motion.chordError;
+  }
+
+  HermiteGrid sample(const BodyTopology& topology, bool cull) {
+    const SamplerInput input{prepared_.body.mesh, topology, prepared_.motion,
+                             prepared_.grid,      cull,     prepared_.body.orientable};
+    MarkedEdges marked = sampleCpu(input, run_);
+    report_.backend = "cpu";
+    report_.sweptFaces = report_.sweptPatches = 0;
+    for (const SweptElement& element : marked.elements) {
+      ++(element.isPatch() ? report_.sweptPatches : report_.sweptFaces);
+    }
+    stage("sampling");
+    const SignRuns signs = findOutside(marked, prepared_.grid, run_);
+    stage("signs");
+    HermiteGrid hermite = buildHermiteGrid(input, marked, signs, run_);
+    stage("crossings");
+    report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
+    requireEnclosed(hermite);
+    return hermite;
+  }
+
+  /// The outside must not reach in through an open body, and there must be something to contour.
+  void requireEnclosed(const HermiteGrid& hermite) {
+    const auto crossings = static_cast<std::int64_t>(hermite.crossings.size());
+    if (crossings == 0) {
+      throw Error(
+          Status::InvalidInput, "CellTooLarge",
+          "no line of the grid meets the body: it is thinner than the cell everywhere; use a "
+          "smaller cell");
+    }
+    if (prepared_.body.closed || hermite.sheetEdges == 0) return;
+    const double share =
+        2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
+    const bool still = !prepared_.motion.continuous;
+    std::ostringstream text;
+    text.precision(3);
+    text << "the body is open and " << 100 * share
+         << " % of the surface has the outside on both sides";
+    if (still && share > 0.01) {
+      throw Error(Status::InvalidInput, "OpenMesh",
+                  text.str() + "; close its holes, or move it so that the sweep closes it");
+    }
+    report_.warnings.push_back({"OpenSheets",
+                                hermite.sheetEdges,
+                                {},
+                                text.str() + "; these sheets get a thickness of 0.002 cell"});
+  }
+
+  void contour(const HermiteGrid& hermite) {
+    Surface surface = contourUniform(hermite, options_, run_);
+    result_.mesh = std::move(surface.mesh);
+    result_.contactTime = std::move(surface.contactTime);
+    stage("contour");
+  }
+
+  void check() {
+    report_.check = checkMesh(result_.mesh, run_);
+    stage("check");
+    if (report_.check.selfIntersections > 0) {
+      report_.warnings.push_back(
+          {"SelfIntersections",
+           report_.check.selfIntersections,
+           {},
+           std::to_string(report_.check.selfIntersections) +
+               " pairs of triangles meet; a smaller cell usually clears them"});
+    }
+    if (!report_.check.passes() && options_.components == ComponentMethod::Consistent) {
+      throw Error(Status::InternalError, "CheckFailed",
+                  "the envelope did not pass its own check (open edges " +
+                      std::to_string(report_.check.openEdges) + ", non-manifold edges " +
+                      std::to_string(report_.check.nonManifoldEdges) + ", non-manifold vertices " +
+                      std::to_string(report_.check.nonManifoldVertices) + ", misoriented edges " +
+                      std::to_string(report_.check.misorientedEdges) + ", degenerate triangles " +
+                      std::to_string(report_.check.degenerateTriangles) + ")");
+    }
+  }
+
+  const Options& options_;
+  RunContext& run_;
+  Result& result_;
+  Report& report_;
+  Prepared prepared_;
+  Timer timer_;
+};
+
+void fail(Result& result, Status status, const std::string& code, const std::string& message) {
+  result.mesh = TriMesh{};
+  result.contactTime.clear();
+  result.featureEdges.clear();
+  result.report.status = status;
+  result.report.code = code;
+  result.report.message = message;
+}
+
+/// The one wall where exceptions become a status.
+template <class Body>
+void guarded(Result& result, const Body& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    fail(result, error.status(), error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    fail(result, Status::OutOfMemory, "OutOfMemory",
+         "memory ran out although the estimate was within the limit; use a larger cell");
+  } catch (const std::exception& error) {
+    fail(result, Status::InternalError, "InternalError", error.what());
+  }
+}
+
+}  // namespace
+
+Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
+               RunContext& run) {
+  Result result;
+  const Timer total;
+  resetPeakMemory();
+  const int threads = run.threads > 0
+                          ? run.threads
+                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  result.report.threads = threads;
+  guarded(result, [&] {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    tbb::task_arena arena(threads);
+    arena.execute([&] { Run(options, run, result).compute(body, trajectory); });
+    run.checkpoint(Phase::Done);
+  });
+  result.report.seconds.push_back({"total", total.seconds()});
+  result.report.peakMemoryBytes = peakMemoryBytes();
+  return result;
+}
+
+Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {
+  checkOptions(options);
+  RunContext run;
+  Prepared prepared;
+  prepared.body.mesh = body;
+  prepared.trajectory = checkTrajectory(trajectory);
+  planRun(prepared, options, run);
+  return estimateOf(prepared);
+}
+
+}  // namespace swept

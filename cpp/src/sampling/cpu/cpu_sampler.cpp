@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "sampling/cpu/rasterise.h"
+#include "sampling/crossing_records.h"
+#include "sampling/sampler.h"
+#include "sampling/swept_elements.h"
+
+namespace swept {
+namespace {
+
+/// Work item: the placements [begin, end) with faces [faceBegin, faceEnd).
+struct WorkItem {
+  std::size_t begin, end, faceBegin, faceEnd;
+};
+
+std::vector<WorkItem> workItems(const SamplerInput& input) {
+  const std::size_t placements = input.motion.placements.size();
+  const std::size_t faces = input.body.triangles.size();
+  std::vector<WorkItem> items;
+  if (input.motion.continuous) {
+    const std::size_t group = std::max<std::size_t>(1, placements / 128);
+    for (std::size_t k = 0; k < placements; k += group) {
+      items.push_back({k, std::min(k + group, placements), 0, faces});
+    }
+  } else {
+    constexpr std::size_t kFaces = 8192;
+    const std::size_t group = std::max<std::size_t>(1, std::min(kFaces / faces, placements / 64));
+    for (std::size_t k = 0; k < placements; k += group) {
+      for (std::size_t f = 0; f < faces; f += kFaces) {
+        items.push_back({k, std::min(k + group, placements), f, std::min(f + kFaces, faces)});
+      }
+    }
+  }
+  return items;
+}
+
+/// Rasterises the elements of one work item along all three axes.
+class ItemSampler {
+ public:
+  ItemSampler(const SamplerInput& input, RecordChunk& out) : input_(input), out_(out) {}
+
+  void add(std::uint32_t code, std::uint32_t placement) {
+    element_ = static_cast<std::uint32_t>(out_.elements.size());
+    out_.elements.push_back({code, placement});
+  }
+  void triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c) {
+    rasteriseTriangle<0>(a, b, c, [&](std::int32_t j, std::int32_t k, std::int32_t i, double f) {
+      push(0, i, j, k, f);
+    });
+    rasteriseTriangle<1>(a, b, c, [&](std::int32_t i, std::int32_t k, std::int32_t j, double f) {
+      push(1, i, j, k, f);
+    });
+    rasteriseTriangle<2>(a, b, c, [&](std::int32_t i, std::int32_t j, std::int32_t k, double f) {
+      push(2, i, j, k, f);
+    });
+  }
+  /// Forgets the last element if nothing hit the lattice.
+  void finish() {
+    if (out_.records.empty() || out_.records.back().element != element_) out_.elements.pop_back();
+  }
+
+  void pose(std::size_t placement, std::vector<SnappedPoint>& points) const {
+    const Placement p = input_.grid.toGrid(input_.motion.placements[placement]);
+    points.resize(input_.body.vertices.size());
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const Eigen::Vector3d g = p.apply(input_.body.vertices[v]);
+      points[v] = {snapCoordinate(g[0]), snapCoordinate(g[1]), snapCoordinate(g[2])};
+    }
+  }
+
+  void faces(const WorkItem& item, std::size_t placement, const std::vector<SnappedPoint>& points) {
+    for (std::size_t f = item.faceBegin; f < item.faceEnd; ++f) face(f, placement, points);
+  }
+  void face(std::size_t f, std::size_t placement, const std::vector<SnappedPoint>& points) {
+    const auto& t = input_.body.triangles[f];
+    add(static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(placement));
+    triangle(points[t[0]], points[t[1]], points[t[2]]);
+    finish();
+  }
+  void patch(std::size_t edge, std::size_t step, const std::vector<SnappedPoint>& now,
+             const std::vector<SnappedPoint>& next) {
+    const BodyEdge& e = input_.topology.edges[edge];
+    add(static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit,
+        static_cast<std::uint32_t>(step));
+    triangle(now[e.a], now[e.b], next[e.b]);
+    triangle(now[e.a], next[e.b], next[e.a]);
+    finish();
+  }
+
+ private:
+  void push(int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) {
+    out_.records.push_back(CrossingRecord::make(axis, i, j, k, fraction, element_));
+  }
+
+  const SamplerInput& input_;
+  RecordChunk& out_;
+  std::uint32_t element_ = 0;
+};
+
+void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
+                 RunContext& run) {
+  ItemSampler sampler(input, out);
+  std::vector<SnappedPoint> points;
+  for (std::size_t k = item.begin; k < item.end; ++k) {
+    run.checkpoint(Phase::Sampling);
+    sampler.pose(k, points);
+    sampler.faces(item, k, points);
+  }
+}
+
+void sampleSweep(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
+                 RunContext& run) {
+  ItemSampler sampler(input, out);
+  FaceDirections directions(input);
+  const std::size_t steps = input.motion.steps();
+  std::vector<std::int8_t> before, after;
+  std::vector<SnappedPoint> now, next;
+  if (item.begin > 0) directions.compute(item.begin - 1, before);
+  sampler.pose(item.begin, now);
+  for (std::size_t k = item.begin; k < item.end; ++k) {
+    run.checkpoint(Phase::Sampling, k, steps);
+    const bool hasBefore = k > 0, hasAfter = k < steps;
+    if (hasAfter) directions.compute(k, after);
+    for (std::size_t f = 0; f < input.body.triangles.size(); ++f) {
+      if (input.cull && faceIsEnclosed(hasBefore ? before[f] : 0, hasAfter ? after[f] : 0,
+                                       hasBefore, hasAfter, input.orientable)) {
+        continue;
+      }
+      sampler.face(f, k, now);
+    }
+    if (!hasAfter) break;
+    sampler.pose(k + 1, next);
+    for (std::size_t e = 0; e < input.topology.edges.size(); ++e) {
+      if (input.cull && patchIsEnclosed(input.topology.edges[e], after)) continue;
+      sampler.patch(e, k, now, next);
+    }
+    std::swap(before, after);
+    std::swap(now, next);
+  }
+}
+
+}  // namespace
+
+MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
+  const std::vector<WorkItem> items = workItems(input);
+  std::vector<RecordChunk> chunks(items.size());
+  parallelFor(items.size(), [&](std::size_t i) {
+    if (input.motion.continuous) {
+      sampleSweep(input, items[i], chunks[i], run);
+    } else {
+      sampleUnion(input, items[i], chunks[i], run);
+    }
+  });
+  run.checkpoint(Phase::Sampling, 8, 10);
+  return sortRecords(chunks, input.grid, run);
+}
+
+}  // namespace swept

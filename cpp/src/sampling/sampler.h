@@ -1,0 +1,29 @@
+// What every sampler (cpu, gl, fake) implements: body + motion + grid -> marked edges.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "data/grid_plan.h"
+#include "data/marked_edges.h"
+#include "data/motion.h"
+#include "sampling/body_topology.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+struct SamplerInput {
+  const TriMesh& body;
+  const BodyTopology& topology;
+  const Motion& motion;
+  const GridPlan& grid;
+  bool cull = true;        ///< drop provably enclosed faces and patches
+  bool orientable = true;  ///< closed and consistently oriented outward: culling by direction holds
+};
+
+/// The reference sampler, native, on all cores. Exact: vertices are snapped to odd multiples of
+/// 2^-17 cell, every decision (ray hits triangle, which side of a lattice point) is then made in
+/// integers with ties by simulation of simplicity (lattice shifted by (e, e^2, e^3)), so that a
+/// closed surface gives a closed set of crossings.
+MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run);
+
+}  // namespace swept
