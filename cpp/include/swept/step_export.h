@@ -14,7 +14,9 @@ struct StepOptions {
   double planarTolerance = 1e-6;   ///< mm: how far a vertex may lie off its region's plane
   std::int64_t maxFaces = 120000;  ///< above: Error(ExportFailed, "TooManyFaces") with numbers
   std::string productName = "Swept envelope";
-  std::string schema = "AP214IS";  ///< AP214IS | AP242DIS
+  std::string schema = "AP214IS";  ///< AP214IS | AP242DIS | AP203
+  std::string author;              ///< file header; empty: not stated
+  std::string organization;        ///< file header; empty: not stated
 };
 
 struct StepReport {

@@ -1,0 +1,38 @@
+// Adjacency of a closed triangle mesh, one vertex per fan, and its shells.
+// In: any TriMesh. Out: HalfEdgeMesh; half-edge 3*t+k runs from corner k to corner k+1 of triangle
+// t. Units: mm. Cost: O(n log n). Throws Error(ExportFailed, ...) if the mesh is not a closed,
+// oriented 2-manifold (edges); vertices shared by several fans are split, so vertices are manifold
+// after it. SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept::step {
+
+struct HalfEdgeMesh {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  std::vector<std::int32_t> opposite;    ///< per half-edge
+  std::vector<std::int32_t> shellOf;     ///< per triangle
+  std::vector<double> shellVolume;       ///< signed, mm^3; negative: a cavity
+  std::vector<std::int32_t> shellOwner;  ///< outer shell a cavity lies in; itself for outer shells
+  double area = 0;                       ///< mm^2
+  double volume = 0;                     ///< mm^3, cavities taken off
+
+  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::int32_t origin(std::int32_t h) const { return triangles[h / 3][h % 3]; }
+  std::int32_t target(std::int32_t h) const { return origin(next(h)); }
+  /// Twice the area times the unit normal.
+  Eigen::Vector3d areaVector(std::int32_t triangle) const;
+};
+
+HalfEdgeMesh buildHalfEdges(const TriMesh& mesh, RunContext& run);
+
+}  // namespace swept::step

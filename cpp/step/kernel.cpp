@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "kernel.h"
+
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace swept::step {
+namespace {
+
+std::mutex& kernelMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+// Keeps what this thread's kernel calls say; passes on what other threads say.
+class Collector : public Message_Printer {
+ public:
+  explicit Collector(Message_SequenceOfPrinters others)
+      : owner_(std::this_thread::get_id()), others_(std::move(others)) {
+    SetTraceLevel(Message_Trace);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void send(const TCollection_AsciiString& text, const Message_Gravity gravity) const override {
+    if (std::this_thread::get_id() != owner_) {
+      for (Message_SequenceOfPrinters::Iterator it(others_); it.More(); it.Next()) {
+        it.Value()->Send(text, gravity);
+      }
+      return;
+    }
+    if (gravity < Message_Warning || text_.size() > 500) return;
+    std::string line(text.ToCString());
+    for (char& c : line) {
+      if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    }
+    if (!text_.empty()) text_ += "; ";
+    text_ += line.substr(0, 200);
+  }
+  std::thread::id owner_;
+  Message_SequenceOfPrinters others_;
+  mutable std::string text_;
+};
+
+}  // namespace
+
+struct KernelSession::State {
+  std::unique_lock<std::mutex> lock{kernelMutex()};
+  Message_SequenceOfPrinters printers;
+  Handle(Collector) collector;
+  std::vector<std::function<void()>> undo;
+};
+
+KernelSession::KernelSession() : state_(std::make_unique<State>()) {
+  STEPControl_Controller::Init();
+  const Handle(Message_Messenger)& messenger = Message::DefaultMessenger();
+  state_->printers = messenger->Printers();
+  state_->collector = new Collector(state_->printers);
+  messenger->ChangePrinters().Clear();
+  messenger->AddPrinter(state_->collector);
+}
+
+KernelSession::~KernelSession() {
+  for (auto it = state_->undo.rbegin(); it != state_->undo.rend(); ++it) (*it)();
+  Message::DefaultMessenger()->ChangePrinters() = state_->printers;
+}
+
+void KernelSession::set(const char* name, const std::string& value) {
+  const char* before = Interface_Static::CVal(name);
+  if (before != nullptr) {
+    state_->undo.push_back(
+        [name, old = std::string(before)] { Interface_Static::SetCVal(name, old.c_str()); });
+  }
+  Interface_Static::SetCVal(name, value.c_str());
+}
+
+void KernelSession::setReal(const char* name, double value) {
+  state_->undo.push_back(
+      [name, old = Interface_Static::RVal(name)] { Interface_Static::SetRVal(name, old); });
+  Interface_Static::SetRVal(name, value);
+}
+
+std::string KernelSession::messages() const { return state_->collector->text(); }
+
+void KernelProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
+  try {
+    constexpr double kScale = 1e6;
+    run_.checkpoint(Phase::Export,
+                    static_cast<std::uint64_t>(kScale * (from_ + (to_ - from_) * GetPosition())),
+                    static_cast<std::uint64_t>(kScale));
+  } catch (...) {
+    // Cancelled: the kernel asks UserBreak next and stops by itself; its frames must not be thrown
+    // through.
+  }
+}
+
+}  // namespace swept::step

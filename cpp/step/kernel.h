@@ -1,0 +1,47 @@
+// One use of the OpenCASCADE kernel at a time: its STEP settings and messages are process-wide.
+// KernelSession holds the lock, sets what we need, collects the kernel's messages of this thread
+// (other threads' messages go where they went before), and puts everything back.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Message_ProgressIndicator.hxx>
+#include <memory>
+#include <string>
+
+#include "swept/run_context.h"
+
+namespace swept::step {
+
+class KernelSession {
+ public:
+  KernelSession();
+  ~KernelSession();
+  KernelSession(const KernelSession&) = delete;
+  KernelSession& operator=(const KernelSession&) = delete;
+
+  /// A text setting of the STEP translators, until the end of the session.
+  void set(const char* name, const std::string& value);
+  void setReal(const char* name, double value);
+  /// Warnings and failures said since the session began, one line, at most a few hundred
+  /// characters.
+  std::string messages() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Lets long kernel calls be cancelled and shows them in the run's progress, from `from` to `to`
+/// (0 to 1 of the export).
+class KernelProgress : public Message_ProgressIndicator {
+ public:
+  KernelProgress(RunContext& run, double from, double to) : run_(run), from_(from), to_(to) {}
+
+ private:
+  Standard_Boolean UserBreak() override { return run_.isCancelled(); }
+  void Show(const Message_ProgressScope& scope, Standard_Boolean force) override;
+  RunContext& run_;
+  double from_, to_;
+};
+
+}  // namespace swept::step

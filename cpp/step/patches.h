@@ -1,0 +1,36 @@
+// Partition of a mesh into regions that become one face each.
+// In: HalfEdgeMesh, tolerance in mm. Out: one patch per triangle set, edge-connected, each vertex
+// of a patch within the tolerance of its surface. Cost: O(n log n). SPDX-License-Identifier:
+// LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "half_edge.h"
+#include "surface.h"
+
+namespace swept::step {
+
+struct Patch {
+  Surface surface;
+  std::vector<std::int32_t> triangles;
+  double deviation = 0;  ///< mm: largest distance of its mesh vertices from the surface
+};
+
+struct Partition {
+  std::vector<std::int32_t> patchOf;  ///< per triangle; -1 while not assigned
+  std::vector<Patch> patches;
+};
+
+/// Grows planes over triangles not yet assigned; what stays alone becomes a Facet through its
+/// corners.
+void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run);
+
+/// Every triangle that is not assigned becomes a patch of its own.
+void addFacets(const HalfEdgeMesh& mesh, Partition& partition);
+
+/// Splits a patch into facets (used where the kernel does not accept the face).
+void dissolvePatch(const HalfEdgeMesh& mesh, std::int32_t patch, Partition& partition);
+
+}  // namespace swept::step

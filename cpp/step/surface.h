@@ -1,0 +1,32 @@
+// Elementary surfaces: signed distance, outward normal, projection.
+// Units: mm, rad. The distance is exact (not algebraic) and positive on the side of `normal`.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace swept::step {
+
+enum class SurfaceKind { Facet, Plane, Cylinder, Cone, Sphere, Torus };
+const char* surfaceKindName(SurfaceKind kind);
+
+struct Surface {
+  SurfaceKind kind = SurfaceKind::Facet;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the plane, on the axis, or the centre
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< plane normal or axis, unit
+  double radius = 0;      ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
+  double minor = 0;       ///< torus: of the tube
+  double halfAngle = 0;   ///< cone: between axis and generator line; radius grows along the axis
+  bool reversed = false;  ///< material lies outside (a bore): outward is towards the axis or centre
+
+  bool isPlanar() const { return kind == SurfaceKind::Facet || kind == SurfaceKind::Plane; }
+  double distance(const Eigen::Vector3d& p) const;
+  /// Unit, away from the material.
+  Eigen::Vector3d normal(const Eigen::Vector3d& p) const;
+};
+
+/// Any unit vector orthogonal to the unit vector `axis`; the same for the same axis.
+Eigen::Vector3d anyOrthogonal(const Eigen::Vector3d& axis);
+
+}  // namespace swept::step

@@ -1,0 +1,105 @@
+// Closed meshes made by code for the tests of the solid export.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept::test {
+
+/// Boundary of a set of unit voxels scaled by `cell`, faces two triangles each; shared vertices.
+inline TriMesh voxelMesh(const std::function<bool(int, int, int)>& inside, int nx, int ny, int nz,
+                         double cell = 1.0) {
+  TriMesh mesh;
+  std::map<std::array<int, 3>, std::int32_t> ids;
+  auto filled = [&](std::array<int, 3> c) {
+    return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < nx && c[1] < ny && c[2] < nz &&
+           inside(c[0], c[1], c[2]);
+  };
+  auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [it, fresh] = ids.try_emplace(p, static_cast<std::int32_t>(mesh.vertices.size()));
+    if (fresh) mesh.vertices.emplace_back(cell * p[0], cell * p[1], cell * p[2]);
+    return it->second;
+  };
+  for (int i = 0; i < nx; ++i) {
+    for (int j = 0; j < ny; ++j) {
+      for (int k = 0; k < nz; ++k) {
+        if (!filled({i, j, k})) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+          for (int side = 0; side < 2; ++side) {
+            std::array<int, 3> other{i, j, k};
+            other[axis] += side == 1 ? 1 : -1;
+            if (filled(other)) continue;
+            std::array<std::int32_t, 4> quad{};
+            for (int corner = 0; corner < 4; ++corner) {
+              std::array<int, 3> p{i, j, k};
+              p[axis] += side;
+              p[(axis + 1) % 3] += corner == 1 || corner == 2 ? 1 : 0;
+              p[(axis + 2) % 3] += corner >= 2 ? 1 : 0;
+              quad[corner] = vertex(p);
+            }
+            if (side == 0) std::swap(quad[1], quad[3]);
+            mesh.triangles.push_back({quad[0], quad[1], quad[2]});
+            mesh.triangles.push_back({quad[0], quad[2], quad[3]});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+inline TriMesh boxMesh(int nx, int ny, int nz, double cell = 1.0) {
+  return voxelMesh([](int, int, int) { return true; }, nx, ny, nz, cell);
+}
+
+inline TriMesh torusMesh(double major, double minor, int around, int across) {
+  TriMesh mesh;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * M_PI * i / around, v = 2 * M_PI * j / across;
+      const double r = major + minor * std::cos(v);
+      mesh.vertices.emplace_back(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
+    }
+  }
+  auto at = [&](int i, int j) { return (i % around) * across + j % across; };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+inline void append(TriMesh& mesh, const TriMesh& other) {
+  const auto base = static_cast<std::int32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& t : other.triangles)
+    mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+}
+
+inline TriMesh transformed(TriMesh mesh, const Eigen::Quaterniond& rotation,
+                           const Eigen::Vector3d& shift) {
+  for (auto& p : mesh.vertices) p = rotation * p + shift;
+  return mesh;
+}
+
+inline Eigen::Quaterniond oddTurn() {
+  return Eigen::Quaterniond(0.71, 0.23, -0.41, 0.52).normalized();
+}
+
+inline double meshVolume(const TriMesh& mesh) {
+  double volume = 0;
+  for (const auto& t : mesh.triangles) {
+    volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
+  }
+  return volume;
+}
+
+}  // namespace swept::test
