@@ -7,60 +7,82 @@
 namespace swept {
 namespace {
 
-constexpr float kSnapCells = 0x1p-17f;
-constexpr float kRounding = 1e-4f;  ///< of the displacement: float arithmetic, with room
+constexpr double kSnapCells = 0x1p-17;
+constexpr double kRounding = 1e-6;  ///< of the displacement: normals are floats, with room
+
+/// Snapping turns the normal of a triangle of this height by at most about this angle.
+double snapAngle(double height, double cell) {
+  return 4 * kSnapCells * cell / std::max(height, 1e-300);
+}
 
 }  // namespace
 
-FaceDirections::FaceDirections(const SamplerInput& input) : input_(input) {
-  Eigen::Vector3d low = input.body.vertices.front(), high = low;
-  for (const auto& v : input.body.vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  centre_ = (low + high) / 2;
-  local_.resize(input.body.vertices.size());
-  for (std::size_t v = 0; v < local_.size(); ++v) {
-    local_[v] = (input.body.vertices[v] - centre_).cast<float>();
-  }
-  before_.resize(local_.size());
-  after_.resize(local_.size());
-  const auto cell = static_cast<float>(input.grid.cell);
-  slack_.resize(input.topology.heights.size());
-  for (std::size_t f = 0; f < slack_.size(); ++f) {
-    // Snapping turns the normal by at most about this angle.
-    slack_[f] = 4 * kSnapCells * cell / std::max(input.topology.heights[f], 1e-30f);
-  }
+/// The step in the body's frame at its start: a point moves by bend * p + shift.
+struct FaceDirections::Step {
+  Eigen::Matrix3d bend, turnBack;
+  Eigen::Vector3d shift;
+  double angle = 0;  // rad, at least the turn of the step
+  double snap = 0;   // mm
+};
+
+FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& clusters)
+    : input_(&input),
+      clusters_(&clusters),
+      clusterDirection_(clusters.clusters.size()),
+      faceDirection_(input.body.triangles.size()) {}
+
+int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) const {
+  const Eigen::Vector3d d = step.bend * cluster.centre + step.shift;
+  const double length = d.norm(), spread = step.angle * cluster.radius;
+  const double along = cluster.axis.dot(d);
+  const double across = std::sqrt(std::max(0.0, length * length - along * along));
+  // Smallest |n . d| over the cone, for the side on which the axis points.
+  const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
+  const double travel = length + spread;
+  const double margin = spread +
+                        travel * (step.angle + step.angle * step.angle + kRounding +
+                                  snapAngle(cluster.leastHeight, input_->grid.cell)) +
+                        step.snap;
+  return least > margin ? (along > 0 ? 1 : -1) : 0;
 }
 
-void FaceDirections::compute(std::size_t step, std::vector<std::int8_t>& out) {
-  const Placement& p = input_.motion.placements[step];
-  const Placement& q = input_.motion.placements[step + 1];
-  const Eigen::Matrix3d turn = p.rotation.transpose() * q.rotation;
-  const Eigen::Matrix3f bend = (turn - Eigen::Matrix3d::Identity()).cast<float>();
-  const Eigen::Matrix3f turnBack = turn.transpose().cast<float>();
-  const Eigen::Vector3f shift =
-      (p.rotation.transpose() * (q.apply(centre_) - p.apply(centre_))).cast<float>();
-  const auto angle2 = static_cast<float>((turn - Eigen::Matrix3d::Identity()).squaredNorm() / 2);
-  for (std::size_t v = 0; v < local_.size(); ++v) {
-    before_[v] = bend * local_[v] + shift;
-    after_[v] = turnBack * before_[v];
+int FaceDirections::decideFace(std::size_t face, const Step& step) const {
+  const auto& t = input_->body.triangles[face];
+  const Eigen::Vector3d n = input_->topology.normals[face].cast<double>();
+  const Eigen::Vector3d turned = step.turnBack.transpose() * n;
+  double low = 1e300, high = -1e300, travel2 = 0;
+  for (const std::int32_t v : t) {
+    const Eigen::Vector3d d = step.bend * input_->body.vertices[v] + step.shift;
+    const double x = n.dot(d), y = turned.dot(d);
+    low = std::min({low, x, y});
+    high = std::max({high, x, y});
+    travel2 = std::max(travel2, d.squaredNorm());
   }
-  const float snap = 4 * kSnapCells * static_cast<float>(input_.grid.cell);
-  const std::size_t faces = input_.body.triangles.size();
-  out.resize(faces);
-  for (std::size_t f = 0; f < faces; ++f) {
-    const auto& t = input_.body.triangles[f];
-    const Eigen::Vector3f& n = input_.topology.normals[f];
-    float low = n.dot(before_[t[0]]), high = low, travel2 = before_[t[0]].squaredNorm();
-    for (int c = 0; c < 3; ++c) {
-      const float x = n.dot(before_[t[c]]), y = n.dot(after_[t[c]]);
-      low = std::min({low, x, y});
-      high = std::max({high, x, y});
-      travel2 = std::max(travel2, before_[t[c]].squaredNorm());
+  const double margin =
+      std::sqrt(travel2) * (snapAngle(input_->topology.heights[face], input_->grid.cell) +
+                            step.angle * step.angle + kRounding) +
+      step.snap;
+  return (low > margin) - (high < -margin);
+}
+
+void FaceDirections::compute(std::size_t k) {
+  const Placement& p = input_->motion.placements[k];
+  const Placement& q = input_->motion.placements[k + 1];
+  Step step;
+  const Eigen::Matrix3d turn = p.rotation.transpose() * q.rotation;
+  step.bend = turn - Eigen::Matrix3d::Identity();
+  step.turnBack = turn.transpose();
+  step.shift = p.rotation.transpose() * (q.translation - p.translation);
+  step.angle = step.bend.norm();  // sqrt(2) times twice the sine of half the turn: no less than it
+  step.snap = 4 * kSnapCells * input_->grid.cell;
+  for (std::size_t c = 0; c < clusterDirection_.size(); ++c) {
+    const FaceCluster& cluster = clusters_->clusters[c];
+    clusterDirection_[c] = static_cast<std::int8_t>(decideCluster(cluster, step));
+    if (clusterDirection_[c] != 0) continue;
+    for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
+      const std::uint32_t face = clusters_->faces[cluster.firstFace + n];
+      faceDirection_[face] = static_cast<std::int8_t>(decideFace(face, step));
     }
-    const float margin = std::sqrt(travel2) * (slack_[f] + angle2 + kRounding) + snap;
-    out[f] = static_cast<std::int8_t>((low > margin) - (high < -margin));
   }
 }
 
@@ -71,11 +93,12 @@ bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, boo
   return orientable && ((hasAfter && directionAfter > 0) || (hasBefore && directionBefore < 0));
 }
 
-bool patchIsEnclosed(const BodyEdge& edge, const std::vector<std::int8_t>& directions) {
+bool patchIsEnclosed(const BodyEdge& edge, const FaceDirections& directions) {
   if (edge.right < 0) return false;
-  const int left = directions[edge.left];
-  const int right = edge.opposed ? -directions[edge.right] : directions[edge.right];
-  return left != 0 && left == right;
+  const int left = directions.ofFace(static_cast<std::size_t>(edge.left));
+  if (left == 0) return false;
+  const int right = directions.ofFace(static_cast<std::size_t>(edge.right));
+  return left == (edge.opposed ? -right : right);
 }
 
 }  // namespace swept

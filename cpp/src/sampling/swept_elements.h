@@ -7,6 +7,7 @@
 //   after k: it lies between the two prisms. For closed, outward oriented bodies also if it moves
 //   outward after k (prism outside, body inside), or moved inward before k.
 //   A side patch is enclosed if both faces at its edge move the same way in the step.
+// Clusters of faces are decided as a whole where their normal cone and ball allow it.
 // Source: docs/pipeline.md, "Culling"; the argument needs only closed bodies of positive volume on
 // both sides of the dropped piece.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -15,28 +16,37 @@
 #include <cstdint>
 #include <vector>
 
+#include "sampling/face_clusters.h"
 #include "sampling/sampler.h"
 
 namespace swept {
 
-/// Direction of every face during one step, reusable buffers.
+/// Directions of all faces during one step; buffers are reused from step to step.
 class FaceDirections {
  public:
-  explicit FaceDirections(const SamplerInput& input);
-  /// Fills out[f] with -1, 0 or +1 for the step placements[k] -> placements[k + 1].
-  void compute(std::size_t step, std::vector<std::int8_t>& out);
+  FaceDirections(const SamplerInput& input, const FaceClusters& clusters);
+  /// Decides the step placements[k] -> placements[k + 1].
+  void compute(std::size_t step);
+
+  /// -1, 0 (mixed, or known only face by face) or +1.
+  int ofCluster(std::size_t cluster) const { return clusterDirection_[cluster]; }
+  int ofFace(std::size_t face) const {
+    const int whole = clusterDirection_[clusters_->clusterOf[face]];
+    return whole != 0 ? whole : faceDirection_[face];
+  }
 
  private:
-  const SamplerInput& input_;
-  Eigen::Vector3d centre_;
-  std::vector<float> slack_;            // per face
-  std::vector<Eigen::Vector3f> local_;  // vertices about the centre
-  std::vector<Eigen::Vector3f> before_,
-      after_;  // displacement in the frame of k, turned back by the step
+  struct Step;
+  int decideCluster(const FaceCluster& cluster, const Step& step) const;
+  int decideFace(std::size_t face, const Step& step) const;
+
+  const SamplerInput* input_;
+  const FaceClusters* clusters_;
+  std::vector<std::int8_t> clusterDirection_, faceDirection_;
 };
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,
                     bool orientable);
-bool patchIsEnclosed(const BodyEdge& edge, const std::vector<std::int8_t>& directions);
+bool patchIsEnclosed(const BodyEdge& edge, const FaceDirections& directions);
 
 }  // namespace swept

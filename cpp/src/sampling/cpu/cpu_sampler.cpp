@@ -110,45 +110,85 @@ void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& o
   }
 }
 
-void sampleSweep(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
-                 RunContext& run) {
-  ItemSampler sampler(input, out);
-  FaceDirections directions(input);
-  const std::size_t steps = input.motion.steps();
-  std::vector<std::int8_t> before, after;
-  std::vector<SnappedPoint> now, next;
-  if (item.begin > 0) directions.compute(item.begin - 1, before);
-  sampler.pose(item.begin, now);
-  for (std::size_t k = item.begin; k < item.end; ++k) {
-    run.checkpoint(Phase::Sampling, k, steps);
-    const bool hasBefore = k > 0, hasAfter = k < steps;
-    if (hasAfter) directions.compute(k, after);
-    for (std::size_t f = 0; f < input.body.triangles.size(); ++f) {
-      if (input.cull && faceIsEnclosed(hasBefore ? before[f] : 0, hasAfter ? after[f] : 0,
-                                       hasBefore, hasAfter, input.orientable)) {
+/// One work item of a continuous motion.
+class SweepSampler {
+ public:
+  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out)
+      : input_(input),
+        clusters_(clusters),
+        sampler_(input, out),
+        before_(input, clusters),
+        after_(input, clusters) {}
+
+  void sample(const WorkItem& item, RunContext& run) {
+    const std::size_t steps = input_.motion.steps();
+    if (item.begin > 0) before_.compute(item.begin - 1);
+    sampler_.pose(item.begin, now_);
+    for (std::size_t k = item.begin; k < item.end; ++k) {
+      run.checkpoint(Phase::Sampling, k, steps);
+      hasBefore_ = k > 0;
+      hasAfter_ = k < steps;
+      if (hasAfter_) after_.compute(k);
+      sampleFaces(k);
+      if (!hasAfter_) break;
+      sampler_.pose(k + 1, next_);
+      samplePatches(k);
+      std::swap(before_, after_);
+      std::swap(now_, next_);
+    }
+  }
+
+ private:
+  bool enclosed(int before, int after) const {
+    return input_.cull && faceIsEnclosed(before, after, hasBefore_, hasAfter_, input_.orientable);
+  }
+  void sampleFaces(std::size_t k) {
+    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+      const FaceCluster& cluster = clusters_.clusters[c];
+      if (enclosed(hasBefore_ ? before_.ofCluster(c) : 0, hasAfter_ ? after_.ofCluster(c) : 0)) {
         continue;
       }
-      sampler.face(f, k, now);
+      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
+        const std::uint32_t f = clusters_.faces[cluster.firstFace + n];
+        if (!enclosed(hasBefore_ ? before_.ofFace(f) : 0, hasAfter_ ? after_.ofFace(f) : 0)) {
+          sampler_.face(f, k, now_);
+        }
+      }
     }
-    if (!hasAfter) break;
-    sampler.pose(k + 1, next);
-    for (std::size_t e = 0; e < input.topology.edges.size(); ++e) {
-      if (input.cull && patchIsEnclosed(input.topology.edges[e], after)) continue;
-      sampler.patch(e, k, now, next);
-    }
-    std::swap(before, after);
-    std::swap(now, next);
   }
-}
+  void samplePatches(std::size_t k) {
+    const auto patch = [&](std::uint32_t e) {
+      if (input_.cull && patchIsEnclosed(input_.topology.edges[e], after_)) return;
+      sampler_.patch(e, k, now_, next_);
+    };
+    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+      if (input_.cull && after_.ofCluster(c) != 0) continue;
+      const FaceCluster& cluster = clusters_.clusters[c];
+      for (std::uint32_t n = 0; n < cluster.edgeCount; ++n) {
+        patch(clusters_.innerEdges[cluster.firstEdge + n]);
+      }
+    }
+    for (const std::uint32_t e : clusters_.borderEdges) patch(e);
+  }
+
+  const SamplerInput& input_;
+  const FaceClusters& clusters_;
+  ItemSampler sampler_;
+  FaceDirections before_, after_;
+  std::vector<SnappedPoint> now_, next_;
+  bool hasBefore_ = false, hasAfter_ = false;
+};
 
 }  // namespace
 
 MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const std::vector<WorkItem> items = workItems(input);
   std::vector<RecordChunk> chunks(items.size());
+  FaceClusters clusters;
+  if (input.motion.continuous) clusters = buildClusters(input.body, input.topology);
   parallelFor(items.size(), [&](std::size_t i) {
     if (input.motion.continuous) {
-      sampleSweep(input, items[i], chunks[i], run);
+      SweepSampler(input, clusters, chunks[i]).sample(items[i], run);
     } else {
       sampleUnion(input, items[i], chunks[i], run);
     }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/face_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace swept {
+namespace {
+
+constexpr std::uint32_t kMostFaces = 48;
+constexpr float kLeastCosine = 0.94f;  ///< to the seed's normal: a cone of at most 20 degrees
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// Neighbours of each face across edges with exactly two, equally oriented faces.
+struct Neighbours {
+  std::vector<std::uint32_t> of;  // three a face, kNone where there is none
+
+  Neighbours(const TriMesh& body, const BodyTopology& topology)
+      : of(3 * body.triangles.size(), kNone) {
+    const auto link = [&](std::int32_t face, std::int32_t other) {
+      auto* slot = &of[3 * static_cast<std::size_t>(face)];
+      while (*slot != kNone) ++slot;
+      *slot = static_cast<std::uint32_t>(other);
+    };
+    for (const BodyEdge& e : topology.edges) {
+      if (e.right < 0 || e.opposed || e.left == e.right) continue;
+      link(e.left, e.right);
+      link(e.right, e.left);
+    }
+  }
+};
+
+void measure(const TriMesh& body, const BodyTopology& topology, const FaceClusters& all,
+             FaceCluster& cluster) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low,
+                  normals = Eigen::Vector3d::Zero();
+  cluster.leastHeight = 1e300;
+  const auto eachFace = [&](const auto& use) {
+    for (std::uint32_t n = 0; n < cluster.faceCount; ++n) use(all.faces[cluster.firstFace + n]);
+  };
+  eachFace([&](std::uint32_t f) {
+    for (const std::int32_t v : body.triangles[f]) {
+      low = low.cwiseMin(body.vertices[v]);
+      high = high.cwiseMax(body.vertices[v]);
+    }
+    normals += topology.normals[f].cast<double>();
+    cluster.leastHeight = std::min(cluster.leastHeight, static_cast<double>(topology.heights[f]));
+  });
+  cluster.centre = (low + high) / 2;
+  const double length = normals.norm();
+  cluster.axis = length > 0 ? Eigen::Vector3d(normals / length) : Eigen::Vector3d::UnitZ();
+  double radius2 = 0, cosine = length > 0 ? 1 : -1;
+  eachFace([&](std::uint32_t f) {
+    for (const std::int32_t v : body.triangles[f]) {
+      radius2 = std::max(radius2, (body.vertices[v] - cluster.centre).squaredNorm());
+    }
+    cosine = std::min(cosine, cluster.axis.dot(topology.normals[f].cast<double>()));
+  });
+  cluster.radius = std::sqrt(radius2);
+  // Normals are floats: a little room.
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-6;
+  cluster.cosCone = std::cos(angle);
+  cluster.sinCone = std::sin(angle);
+}
+
+}  // namespace
+
+FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
+  const auto faces = static_cast<std::uint32_t>(body.triangles.size());
+  const Neighbours neighbours(body, topology);
+  FaceClusters out;
+  out.faces.reserve(faces);
+  out.clusterOf.assign(faces, kNone);
+  for (std::uint32_t seed = 0; seed < faces; ++seed) {
+    if (out.clusterOf[seed] != kNone) continue;
+    const auto id = static_cast<std::uint32_t>(out.clusters.size());
+    FaceCluster cluster;
+    cluster.firstFace = static_cast<std::uint32_t>(out.faces.size());
+    out.faces.push_back(seed);
+    out.clusterOf[seed] = id;
+    for (std::size_t next = cluster.firstFace;
+         next < out.faces.size() && out.faces.size() - cluster.firstFace < kMostFaces; ++next) {
+      for (int n = 0; n < 3; ++n) {
+        const std::uint32_t other =
+            neighbours.of[3 * static_cast<std::size_t>(out.faces[next]) + n];
+        if (other == kNone || out.clusterOf[other] != kNone) continue;
+        if (topology.normals[other].dot(topology.normals[seed]) < kLeastCosine) continue;
+        out.clusterOf[other] = id;
+        out.faces.push_back(other);
+      }
+    }
+    cluster.faceCount = static_cast<std::uint32_t>(out.faces.size()) - cluster.firstFace;
+    out.clusters.push_back(cluster);
+  }
+  std::vector<std::uint32_t> start(out.clusters.size() + 1, 0);
+  const auto inner = [&](const BodyEdge& e) {
+    return e.right >= 0 && !e.opposed && out.clusterOf[e.left] == out.clusterOf[e.right];
+  };
+  for (const BodyEdge& e : topology.edges) {
+    if (inner(e)) ++start[out.clusterOf[e.left]];
+  }
+  out.innerEdges.resize(exclusiveScan(start));
+  std::vector<std::uint32_t> next(start);
+  for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
+    if (inner(topology.edges[e])) {
+      out.innerEdges[next[out.clusterOf[topology.edges[e].left]]++] = e;
+    } else {
+      out.borderEdges.push_back(e);
+    }
+  }
+  parallelBlocks(out.clusters.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      out.clusters[c].firstEdge = start[c];
+      out.clusters[c].edgeCount = start[c + 1] - start[c];
+      measure(body, topology, out, out.clusters[c]);
+    }
+  });
+  return out;
+}
+
+}  // namespace swept

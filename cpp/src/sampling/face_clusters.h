@@ -1,0 +1,35 @@
+// Groups of neighbouring faces with like normals: most are decided as a whole, so that the culling
+// of enclosed faces does not have to look at every face in every step. Cost: O(faces) to build.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "sampling/body_topology.h"
+#include "swept/types.h"
+
+namespace swept {
+
+struct FaceCluster {
+  std::uint32_t firstFace = 0, faceCount = 0;  ///< in FaceClusters::faces
+  std::uint32_t firstEdge = 0, edgeCount = 0;  ///< in FaceClusters::innerEdges
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0;  ///< mm, ball about the centre that holds all vertices
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  double cosCone = 1, sinCone = 0;  ///< every normal is within this of the axis
+  double leastHeight = 0;           ///< mm, of its triangles
+};
+
+struct FaceClusters {
+  std::vector<FaceCluster> clusters;
+  std::vector<std::uint32_t> faces;        ///< faces by cluster
+  std::vector<std::uint32_t> clusterOf;    ///< per face
+  std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
+  std::vector<std::uint32_t> borderEdges;  ///< all others
+};
+
+FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology);
+
+}  // namespace swept
