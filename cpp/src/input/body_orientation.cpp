@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "input/ray_columns.h"
+#include "base/ray_columns.h"
 
 namespace swept {
 namespace {

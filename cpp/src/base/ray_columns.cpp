@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "input/ray_columns.h"
+#include "base/ray_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Rays along +x through a triangle mesh, for point-in-solid questions of the body check.
+// Rays along +x through a triangle mesh, for point-in-solid questions.
 // In:    triangles. Out: for a line (y, z) the crossings in rising x, each with its direction.
 // Cost:  O(n) to build, one column of triangles a line.
 // Invariants: a line through a shared edge or vertex meets a closed surface consistently (half-open

@@ -1,0 +1,22 @@
+// Checks a mesh against what an envelope promises.
+// In:    any mesh. Out: MeshCheck (swept/report.h): closed, manifold, oriented, finite, counts of
+//        every fault, volume, area, self-intersections.
+// Units: mm. Cost: O(n log n).
+// Oriented means: every edge as often one way as the other, and every shell's normals away from its
+// material, taking shells in turn as outer and inner by how deep they lie in one another.
+// A non-manifold vertex has more than one fan of triangles; fans end at edges that do not have
+// exactly two triangles.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "swept/report.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+/// As checkMesh() of swept/compute.h; without `withSelfIntersections` those are not counted (-1).
+/// Throws Error(InvalidInput, "BadIndex") if a triangle refers to no vertex, and Error(Cancelled).
+MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run);
+
+}  // namespace swept

@@ -1,0 +1,38 @@
+// How the triangles of a mesh hang together: edges, fans round vertices, shells.
+// In:    triangles with valid indices. Out: counts, neighbours, and the vertices that need a closer
+//        look for self-intersections.
+// Cost:  O(n); about 50 bytes a triangle.
+// Invariants: nothing depends on the number of threads.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/edge_table.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+constexpr std::uint32_t kNoNeighbour = 0xffffffffu;
+
+struct MeshTopology {
+  std::int64_t openEdges = 0;         ///< one triangle
+  std::int64_t nonManifoldEdges = 0;  ///< more than two triangles
+  std::int64_t oddEdges = 0;          ///< an odd number of triangles
+  std::int64_t misorientedEdges = 0;  ///< closed, but not as often one way as the other
+  std::int64_t nonManifoldVertices = 0;
+  std::int64_t unusedVertices = 0;
+  std::int64_t shells = 0;  ///< pieces joined by edges of two triangles
+  /// Half-edge on the other side of each half-edge where the edge has two triangles.
+  std::vector<std::uint32_t> across;
+  std::vector<std::int32_t> shellOf;  ///< per triangle; shells are numbered by their first triangle
+  /// 1: the triangles round this vertex are not known to be free of each other. All others, seen
+  /// along some direction, lie round their vertex like the sectors of a disc, once round.
+  std::vector<std::uint8_t> entangled;
+};
+
+MeshTopology findTopology(const TriMesh& mesh, RunContext& run);
+
+}  // namespace swept
