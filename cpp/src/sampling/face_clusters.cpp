@@ -9,8 +9,8 @@
 namespace swept {
 namespace {
 
-constexpr std::uint32_t kMostFaces = 48;
-constexpr float kLeastCosine = 0.94f;  ///< to the seed's normal: a cone of at most 20 degrees
+constexpr std::uint32_t kMostFaces = 24;
+constexpr float kLeastCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// Neighbours of each face across edges with exactly two, equally oriented faces.
@@ -65,6 +65,32 @@ void measure(const TriMesh& body, const BodyTopology& topology, const FaceCluste
   cluster.sinCone = std::sin(angle);
 }
 
+void groupBorders(const BodyTopology& topology, FaceClusters& out) {
+  const auto pairOf = [&](std::uint32_t e) {
+    const BodyEdge& edge = topology.edges[e];
+    if (edge.right < 0) return std::uint64_t{0xffffffffffffffffu};
+    return static_cast<std::uint64_t>(out.clusterOf[edge.left]) << 32 |
+           static_cast<std::uint64_t>(out.clusterOf[edge.right]) << 1 | (edge.opposed ? 1u : 0u);
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  order.reserve(out.borderEdges.size());
+  for (const std::uint32_t e : out.borderEdges) order.emplace_back(pairOf(e), e);
+  std::sort(order.begin(), order.end());
+  for (std::uint32_t n = 0; n < order.size(); ++n) {
+    out.borderEdges[n] = order[n].second;
+    if (n == 0 || order[n].first != order[n - 1].first) {
+      const BodyEdge& edge = topology.edges[order[n].second];
+      FaceClusters::Border border;
+      border.firstEdge = n;
+      border.left = static_cast<std::int32_t>(out.clusterOf[edge.left]);
+      border.right = edge.right < 0 ? -1 : static_cast<std::int32_t>(out.clusterOf[edge.right]);
+      border.opposed = edge.opposed;
+      out.borders.push_back(border);
+    }
+    ++out.borders.back().edgeCount;
+  }
+}
+
 }  // namespace
 
 FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
@@ -110,6 +136,21 @@ FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
       out.borderEdges.push_back(e);
     }
   }
+  groupBorders(topology, out);
+  out.balls.resize(faces);
+  parallelBlocks(faces, 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::uint32_t f = out.faces[n];
+      const auto& t = body.triangles[f];
+      const Eigen::Vector3d &a = body.vertices[t[0]], &b = body.vertices[t[1]],
+                            &c = body.vertices[t[2]];
+      const Eigen::Vector3d centre = (a.cwiseMin(b).cwiseMin(c) + a.cwiseMax(b).cwiseMax(c)) / 2;
+      const double radius2 = std::max(
+          {(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()});
+      out.balls[n] = {centre.cast<float>(), static_cast<float>(std::sqrt(radius2)),
+                      topology.normals[f], topology.heights[f]};
+    }
+  });
   parallelBlocks(out.clusters.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       out.clusters[c].firstEdge = start[c];

@@ -24,10 +24,28 @@ struct FaceCluster {
 
 struct FaceClusters {
   std::vector<FaceCluster> clusters;
-  std::vector<std::uint32_t> faces;        ///< faces by cluster
-  std::vector<std::uint32_t> clusterOf;    ///< per face
-  std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
-  std::vector<std::uint32_t> borderEdges;  ///< all others
+  std::vector<std::uint32_t> faces;       ///< faces by cluster
+  std::vector<std::uint32_t> clusterOf;   ///< per face
+  std::vector<std::uint32_t> innerEdges;  ///< edges whose two faces are in one cluster, by cluster
+  std::vector<std::uint32_t> borderEdges;  ///< all others, by pair of clusters
+
+  /// Border edges that have one pair of clusters and the same sense of "same way".
+  struct Border {
+    std::uint32_t firstEdge = 0, edgeCount = 0;
+    std::int32_t left = 0;
+    std::int32_t right = -1;  ///< cluster; -1: rims and the like, never enclosed
+    bool opposed = false;
+  };
+  std::vector<Border> borders;
+
+  /// What a first look at a face needs, in the order of `faces`.
+  struct FaceBall {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();  ///< mm
+    float radius = 0;                                  ///< mm, all corners are within
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    float height = 0;  ///< mm, smallest of the triangle
+  };
+  std::vector<FaceBall> balls;
 };
 
 FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology);

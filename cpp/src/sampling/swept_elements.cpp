@@ -23,27 +23,51 @@ struct FaceDirections::Step {
   Eigen::Vector3d shift;
   double angle = 0;  // rad, at least the turn of the step
   double snap = 0;   // mm
+  Eigen::Matrix3f bendFloat, turnBackFloat;
+  Eigen::Vector3f shiftFloat;
+  float rounding = 0;  // mm: of d in float
 };
 
 FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& clusters)
     : input_(&input),
       clusters_(&clusters),
       clusterDirection_(clusters.clusters.size()),
-      faceDirection_(input.body.triangles.size()) {}
+      faceDirection_(input.body.triangles.size()) {
+  for (const FaceCluster& c : clusters.clusters) {
+    farthest_ = std::max(farthest_, c.centre.norm() + c.radius);
+  }
+}
 
 int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) const {
   const Eigen::Vector3d d = step.bend * cluster.centre + step.shift;
   const double length = d.norm(), spread = step.angle * cluster.radius;
-  const double along = cluster.axis.dot(d);
-  const double across = std::sqrt(std::max(0.0, length * length - along * along));
-  // Smallest |n . d| over the cone, for the side on which the axis points.
-  const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
   const double travel = length + spread;
   const double margin = spread +
-                        travel * (step.angle + step.angle * step.angle + kRounding +
+                        travel * (step.angle * step.angle + kRounding +
                                   snapAngle(cluster.leastHeight, input_->grid.cell)) +
                         step.snap;
-  return least > margin ? (along > 0 ? 1 : -1) : 0;
+  // Smallest n . d over the cone on the side where the axis points, at either end of the step.
+  const auto side = [&](double along) {
+    const double across = std::sqrt(std::max(0.0, length * length - along * along));
+    const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
+    return least > margin ? (along > 0 ? 1 : -1) : 0;
+  };
+  const int first = side(cluster.axis.dot(d));
+  return first != 0 && first == side(cluster.axis.dot(step.turnBack * d)) ? first : 0;
+}
+
+/// The middle of the face alone: n . d changes by at most angle * radius over the ball. Most faces
+/// are decided here.
+int FaceDirections::decideBall(const FaceClusters::FaceBall& ball, const Step& step) const {
+  const Eigen::Vector3f d = step.bendFloat * ball.centre + step.shiftFloat;
+  const float first = ball.normal.dot(d), second = ball.normal.dot(step.turnBackFloat * d);
+  const auto angle = static_cast<float>(step.angle);
+  const float reach = angle * ball.radius;
+  const float travel = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) + reach;
+  const auto snap = static_cast<float>(snapAngle(ball.height, input_->grid.cell));
+  const float margin = reach + travel * (angle * angle + 1e-5f + snap) +
+                       static_cast<float>(step.snap) + step.rounding;
+  return (std::min(first, second) > margin) - (std::max(first, second) < -margin);
 }
 
 int FaceDirections::decideFace(std::size_t face, const Step& step) const {
@@ -73,15 +97,22 @@ void FaceDirections::compute(std::size_t k) {
   step.bend = turn - Eigen::Matrix3d::Identity();
   step.turnBack = turn.transpose();
   step.shift = p.rotation.transpose() * (q.translation - p.translation);
-  step.angle = step.bend.norm();  // sqrt(2) times twice the sine of half the turn: no less than it
+  // Twice the sine of half the turn, by which no vector can change more; and a little room.
+  step.angle = step.bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
   step.snap = 4 * kSnapCells * input_->grid.cell;
+  step.bendFloat = step.bend.cast<float>();
+  step.turnBackFloat = step.turnBack.cast<float>();
+  step.shiftFloat = step.shift.cast<float>();
+  step.rounding = 1e-6f * static_cast<float>(step.shift.norm() + step.angle * farthest_);
   for (std::size_t c = 0; c < clusterDirection_.size(); ++c) {
     const FaceCluster& cluster = clusters_->clusters[c];
     clusterDirection_[c] = static_cast<std::int8_t>(decideCluster(cluster, step));
     if (clusterDirection_[c] != 0) continue;
     for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
-      const std::uint32_t face = clusters_->faces[cluster.firstFace + n];
-      faceDirection_[face] = static_cast<std::int8_t>(decideFace(face, step));
+      const std::uint32_t at = cluster.firstFace + n, face = clusters_->faces[at];
+      const int direction = decideBall(clusters_->balls[at], step);
+      faceDirection_[face] =
+          static_cast<std::int8_t>(direction != 0 ? direction : decideFace(face, step));
     }
   }
 }

@@ -38,10 +38,12 @@ class FaceDirections {
  private:
   struct Step;
   int decideCluster(const FaceCluster& cluster, const Step& step) const;
+  int decideBall(const FaceClusters::FaceBall& ball, const Step& step) const;
   int decideFace(std::size_t face, const Step& step) const;
 
   const SamplerInput* input_;
   const FaceClusters* clusters_;
+  double farthest_ = 0;  // mm, of the body from its origin
   std::vector<std::int8_t> clusterDirection_, faceDirection_;
 };
 

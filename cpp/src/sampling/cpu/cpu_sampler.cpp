@@ -168,7 +168,16 @@ class SweepSampler {
         patch(clusters_.innerEdges[cluster.firstEdge + n]);
       }
     }
-    for (const std::uint32_t e : clusters_.borderEdges) patch(e);
+    for (const FaceClusters::Border& border : clusters_.borders) {
+      if (input_.cull && border.right >= 0) {
+        const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
+        const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
+        if (left != 0 && left == (border.opposed ? -right : right)) continue;
+      }
+      for (std::uint32_t n = 0; n < border.edgeCount; ++n) {
+        patch(clusters_.borderEdges[border.firstEdge + n]);
+      }
+    }
   }
 
   const SamplerInput& input_;
