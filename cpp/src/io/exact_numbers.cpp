@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "io/exact_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+
+#include "io/text_scanner.h"
+
+namespace swept {
+namespace {
+
+std::string readAll(std::istream& stream) {
+  stream.clear();
+  stream.seekg(0, std::ios::end);
+  const auto size = stream.tellg();
+  stream.seekg(0);
+  std::string text(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+double number(TextScanner& scan, std::string_view word) {
+  double value = 0;
+  if (!parseNumber(word, value)) scan.expected("a number", word);
+  return value;
+}
+
+std::int64_t integer(TextScanner& scan, std::string_view word) {
+  std::int64_t value = 0;
+  if (!parseInteger(word, value)) scan.expected("a whole number", word);
+  return value;
+}
+
+Eigen::Vector3d threeNumbers(TextScanner& scan) {
+  Eigen::Vector3d p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = number(scan, scan.word());
+  return p;
+}
+
+// Six digits suffice: the positions themselves are kept beside.
+void appendVertex(const Eigen::Vector3d& p, const char* key, std::string& text) {
+  text += key;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<char, 40> buffer{};
+    const double value = std::isfinite(p[axis]) ? p[axis] : 0.0;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::scientific, 6);
+    text.append(buffer.data(), end.ptr);
+    text += axis == 2 ? '\n' : ' ';
+  }
+}
+
+void skipBytes(std::istream& stream, std::uint64_t count) {
+  stream.ignore(static_cast<std::streamsize>(count));
+}
+
+std::uint64_t littleOrBig(const unsigned char* bytes, int count, bool big) {
+  std::uint64_t value = 0;
+  for (int i = 0; i < count; ++i) {
+    value = value << 8 | bytes[big ? i : count - 1 - i];
+  }
+  return value;
+}
+
+double realAt(const unsigned char* bytes, int count, bool big) {
+  const std::uint64_t bits = littleOrBig(bytes, count, big);
+  if (count == 8) return std::bit_cast<double>(bits);
+  return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+}
+
+struct CoordinateColumns {
+  std::array<int, 3> offset{-1, -1, -1};  // bytes from the start of the vertex
+  std::array<int, 3> width{0, 0, 0};
+  bool usable = false;  // all three are floating, one at least is double
+};
+
+CoordinateColumns coordinateColumns(const PlyElement& element) {
+  CoordinateColumns columns;
+  int at = 0;
+  bool allReal = true;
+  bool anyDouble = false;
+  for (const PlyProperty& property : element.properties) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (property.name != std::string(1, static_cast<char>('x' + axis))) continue;
+      columns.offset[axis] = at;
+      columns.width[axis] = property.bytes;
+      allReal = allReal && property.isFloat;
+      anyDouble = anyDouble || property.bytes == 8;
+    }
+    at += property.bytes;
+  }
+  const bool all = std::none_of(columns.offset.begin(), columns.offset.end(),
+                                [](int offset) { return offset < 0; });
+  columns.usable = all && allReal && anyDouble && !element.hasLists();
+  return columns;
+}
+
+// Walks one list element by element so that no count is believed before the bytes are known to
+// exist.
+void walkElement(std::istream& stream, const PlyElement& element, bool big, std::uint64_t fileBytes,
+                 const std::string& path) {
+  std::array<unsigned char, 8> count{};
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    for (const PlyProperty& property : element.properties) {
+      if (property.countBytes == 0) {
+        skipBytes(stream, static_cast<std::uint64_t>(property.bytes));
+        continue;
+      }
+      stream.read(reinterpret_cast<char*>(count.data()), property.countBytes);
+      const std::uint64_t entries = littleOrBig(count.data(), property.countBytes, big);
+      if (!stream || entries > fileBytes / static_cast<std::uint64_t>(property.bytes)) {
+        throw Error(Status::InvalidInput, "BadFile",
+                    "'" + path + "': " + element.name + " " + std::to_string(i) +
+                        (stream ? " claims " + std::to_string(entries) +
+                                      " entries, more than the file can hold; it is damaged"
+                                : " is missing; the file is truncated"));
+      }
+      skipBytes(stream, entries * static_cast<std::uint64_t>(property.bytes));
+    }
+  }
+  if (stream.eof()) {
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' ends inside the element '" + element.name + "'; it is truncated");
+  }
+}
+
+ExactNumbers readBinaryPly(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes,
+                           const std::string& path) {
+  const bool big = header.format == PlyHeader::Format::BigEndian;
+  ExactNumbers exact;
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(header.dataStart));
+  for (const PlyElement& element : header.elements) {
+    const CoordinateColumns columns = coordinateColumns(element);
+    if (element.name == "vertex" && columns.usable) {
+      std::vector<unsigned char> row(element.leastBytes());
+      exact.vertices.reserve(element.count);
+      for (std::uint64_t i = 0; i < element.count; ++i) {
+        stream.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size()));
+        Eigen::Vector3d p;
+        for (int axis = 0; axis < 3; ++axis) {
+          p[axis] = realAt(row.data() + columns.offset[axis], columns.width[axis], big);
+        }
+        exact.vertices.push_back(p);
+      }
+      exact.present = true;
+    } else if (element.hasLists()) {
+      walkElement(stream, element, big, fileBytes, path);
+    } else {
+      skipBytes(stream, element.leastBytes() * element.count);
+    }
+  }
+  return exact;
+}
+
+ExactNumbers readTextPly(std::istream& stream, const PlyHeader& header, const std::string& path) {
+  const std::string text = readAll(stream);
+  TextScanner scan(std::string_view(text).substr(header.dataStart), path, header.lines + 1);
+  ExactNumbers exact;
+  exact.present = true;
+  for (const PlyElement& element : header.elements) {
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      Eigen::Vector3d p = Eigen::Vector3d::Zero();
+      for (const PlyProperty& property : element.properties) {
+        std::int64_t entries = 1;
+        if (property.countBytes != 0) {
+          entries = integer(scan, scan.wordAnywhere());
+          if (entries < 0 || entries > static_cast<std::int64_t>(text.size())) {
+            scan.bad("a list of " + std::to_string(entries) + " entries; the file is damaged");
+          }
+        }
+        for (std::int64_t k = 0; k < entries; ++k) {
+          const double value = number(scan, scan.wordAnywhere());
+          const bool coordinate =
+              property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+          if (coordinate) p[property.name[0] - 'x'] = value;
+        }
+      }
+      if (element.name == "vertex") exact.vertices.push_back(p);
+    }
+  }
+  return exact;
+}
+
+[[noreturn]] void notFinite(const std::string& path, const std::string& where) {
+  throw Error(Status::InvalidInput, "NonFiniteVertex",
+              "'" + path + "', " + where +
+                  ": a coordinate is not a finite number; "
+                  "export the mesh again from its source");
+}
+
+}  // namespace
+
+bool parseNumber(std::string_view text, double& value) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.empty() || text.front() == '+') return false;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return false;
+  if (error == std::errc::result_out_of_range) {
+    // Smaller than the smallest double is zero; larger than the largest is no number to work with.
+    const std::size_t mark = text.find_first_of("eE");
+    const bool tiny =
+        mark != std::string_view::npos && mark + 1 < text.size() && text[mark + 1] == '-';
+    value = 0;
+    return tiny;
+  }
+  return error == std::errc{};
+}
+
+bool parseInteger(std::string_view text, std::int64_t& value) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.empty() || text.front() == '+') return false;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+ExactNumbers readExactPly(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes,
+                          const std::string& path) {
+  return header.format == PlyHeader::Format::Ascii ? readTextPly(stream, header, path)
+                                                   : readBinaryPly(stream, header, fileBytes, path);
+}
+
+ExactNumbers readExactObj(std::istream& stream, const std::string& path) {
+  const std::string text = readAll(stream);
+  TextScanner scan(text, path);
+  ExactNumbers exact;
+  exact.present = true;
+  exact.cleaned.reserve(text.size());
+  std::int64_t highest = 0;
+  std::int64_t highestLine = 0;
+  do {
+    const std::string_view key = scan.word();
+    if (key == "v") {
+      exact.vertices.push_back(threeNumbers(scan));
+      appendVertex(exact.vertices.back(), "v ", exact.cleaned);
+    } else if (key == "f") {
+      int corners = 0;
+      exact.cleaned += 'f';
+      for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
+        const auto count = static_cast<std::int64_t>(exact.vertices.size());
+        std::int64_t index = integer(scan, word.substr(0, word.find('/')));
+        if (index < 0) index += count + 1;
+        if (index <= 0) scan.expected("a vertex number that exists", word);
+        if (index > highest) {
+          highest = index;
+          highestLine = scan.line();
+        }
+        exact.cleaned += ' ' + std::to_string(index);
+        ++corners;
+      }
+      exact.cleaned += '\n';
+      if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
+    }
+  } while (scan.nextLine());
+  if (highest > static_cast<std::int64_t>(exact.vertices.size())) {
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "', line " + std::to_string(highestLine) + ": refers to vertex " +
+                    std::to_string(highest) + ", but the file has " +
+                    std::to_string(exact.vertices.size()));
+  }
+  return exact;
+}
+
+ExactNumbers readExactOff(std::istream& stream, const std::string& path) {
+  const std::string text = readAll(stream);
+  TextScanner scan(text, path);
+  const auto nextFilledLine = [&scan] {
+    std::string_view word = scan.word();
+    while (word.empty() || word.front() == '#') {
+      if (!scan.nextLine()) scan.bad("the file ends too early; it is truncated");
+      word = scan.word();
+    }
+    return word;
+  };
+  // Colours, normals and texture behind the position are skipped.
+  const std::string_view kind = nextFilledLine();
+  static const std::vector<std::string_view> kinds{"OFF",   "COFF",   "NOFF",   "CNOFF",  "NCOFF",
+                                                   "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) scan.expected("'OFF'", kind);
+  std::string_view word = scan.word();
+  if (word == "BINARY") scan.bad("binary OFF is not read; save it as text or as PLY");
+  if (word.empty() || word.front() == '#') {
+    scan.nextLine();
+    word = nextFilledLine();
+  }
+  std::array<std::int64_t, 2> counts{};
+  counts[0] = integer(scan, word);
+  counts[1] = integer(scan, scan.word());
+  const auto bytes = static_cast<std::int64_t>(text.size());
+  if (counts[0] < 0 || counts[1] < 0 || counts[0] > bytes / 5 || counts[1] > bytes / 7) {
+    scan.bad("the counts " + std::to_string(counts[0]) + " and " + std::to_string(counts[1]) +
+             " do not fit a file of " + std::to_string(bytes) + " bytes; it is truncated");
+  }
+  ExactNumbers exact;
+  exact.present = true;
+  exact.vertices.reserve(static_cast<std::size_t>(counts[0]));
+  exact.cleaned.reserve(text.size());
+  exact.cleaned = "OFF\n" + std::to_string(counts[0]) + " " + std::to_string(counts[1]) + " 0\n";
+  for (std::int64_t i = 0; i < counts[0]; ++i) {
+    scan.nextLine();
+    Eigen::Vector3d p;
+    p[0] = number(scan, nextFilledLine());
+    for (int axis = 1; axis < 3; ++axis) p[axis] = number(scan, scan.word());
+    exact.vertices.push_back(p);
+    appendVertex(p, "", exact.cleaned);
+  }
+  for (std::int64_t i = 0; i < counts[1]; ++i) {
+    scan.nextLine();
+    const std::int64_t corners = integer(scan, nextFilledLine());
+    if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
+    exact.cleaned += std::to_string(corners);
+    for (std::int64_t k = 0; k < corners; ++k) {
+      word = scan.word();
+      const std::int64_t index = integer(scan, word);
+      if (index < 0 || index >= counts[0]) scan.expected("a vertex number that exists", word);
+      exact.cleaned += ' ' + std::to_string(index);
+    }
+    exact.cleaned += '\n';
+  }
+  return exact;
+}
+
+void checkTextStl(std::istream& stream, const std::string& path) {
+  const std::string text = readAll(stream);
+  TextScanner scan(text, path);
+  std::int64_t vertices = 0;
+  do {
+    const std::string_view key = scan.word();
+    if (key != "vertex" && key != "VERTEX") continue;
+    if (!threeNumbers(scan).allFinite()) notFinite(path, "line " + std::to_string(scan.line()));
+    ++vertices;
+  } while (scan.nextLine());
+  if (vertices % 3 != 0) {
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' has " + std::to_string(vertices) +
+                    " vertices, which is no multiple of 3; it is truncated");
+  }
+}
+
+void checkBinaryStl(std::istream& stream, const std::string& path) {
+  stream.clear();
+  stream.seekg(84);
+  std::array<unsigned char, 50> facet{};
+  for (std::int64_t i = 0; stream.read(reinterpret_cast<char*>(facet.data()), facet.size()); ++i) {
+    for (int k = 3; k < 12; ++k) {
+      if (std::isfinite(realAt(facet.data() + 4 * k, 4, false))) continue;
+      notFinite(path, "triangle " + std::to_string(i));
+    }
+  }
+}
+
+}  // namespace swept

@@ -1,0 +1,46 @@
+// Lines of a plain, gzip or xz file, one at a time, whatever the size of the file.
+// In:   path (UTF-8); the packing is told by the first bytes, not by the name.
+// Out:  lines without their end (LF or CRLF), without a UTF-8 byte-order mark.
+// Throws Error(InvalidInput, "BadFile") for damaged packing, UTF-16, NUL bytes, endless lines and
+// Error(ResourceLimit, "FileTooLarge") when the unpacked text passes kMaxTextBytes.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace swept {
+
+constexpr std::uint64_t kMaxTextBytes = 8ULL << 30;
+constexpr std::size_t kMaxLineBytes = 1 << 16;
+
+/// Delivers unpacked bytes.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  /// Up to `capacity` bytes; 0 at the end.
+  virtual std::size_t read(char* buffer, std::size_t capacity) = 0;
+};
+
+std::unique_ptr<ByteSource> openByteSource(const std::string& path);
+
+class LineSource {
+ public:
+  explicit LineSource(const std::string& path);
+  /// False at the end of the file.
+  bool next(std::string& line);
+  std::int64_t number() const { return number_; }  ///< of the line last delivered, from 1
+
+ private:
+  bool fill();
+
+  std::string path_;
+  std::unique_ptr<ByteSource> source_;
+  std::string buffer_;
+  std::size_t at_ = 0;
+  std::uint64_t total_ = 0;
+  std::int64_t number_ = 0;
+};
+
+}  // namespace swept

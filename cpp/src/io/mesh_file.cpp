@@ -1,0 +1,270 @@
+// Mesh files through OpenMesh's readers and writers (see openmesh_bridge.h for why not its mesh).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <OpenMesh/Core/IO/IOManager.hh>
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+
+#include "io/exact_numbers.h"
+#include "io/openmesh_bridge.h"
+#include "io/ply_header.h"
+#include "io/polygon_split.h"
+#include "io/safe_file.h"
+#include "swept/io.h"
+
+namespace swept {
+namespace {
+
+constexpr std::size_t kMaxPolygonCorners = 20000;
+constexpr std::uint64_t kMaxElements = 2147483647;  // vertex numbers have 32 bits
+
+[[noreturn]] void badFile(const std::string& text) {
+  throw Error(Status::InvalidInput, "BadFile", text);
+}
+
+// OpenMesh's readers keep state between calls and print their complaints: one call at a time, and
+// what they say goes into our message instead of onto the user's terminal.
+class OpenMeshCall {
+ public:
+  OpenMeshCall() : lock_(mutex()) {
+    omerr().disconnect(std::cerr);
+    omerr().connect(text_);
+    omlog().disconnect(std::clog);
+  }
+  ~OpenMeshCall() {
+    omerr().disconnect(text_);
+    omerr().connect(std::cerr);
+    omlog().connect(std::clog);
+  }
+  OpenMeshCall(const OpenMeshCall&) = delete;
+  OpenMeshCall& operator=(const OpenMeshCall&) = delete;
+
+  /// What was printed, on one line.
+  std::string said() const {
+    std::string text = text_.str();
+    for (char& c : text) {
+      if (c == '\n' || c == '\r') c = ' ';
+    }
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text.empty() ? std::string("no reason given") : text.substr(0, 300);
+  }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex instance;
+    return instance;
+  }
+  std::lock_guard<std::mutex> lock_;
+  std::ostringstream text_;
+};
+
+bool isMeshSuffix(const std::string& suffix) {
+  return suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off";
+}
+
+// A text STL may not say "solid" and a binary one may: the size decides.
+bool isBinaryStl(std::istream& stream, std::uint64_t fileBytes, const std::string& path) {
+  std::array<char, 84> head{};
+  stream.read(head.data(), head.size());
+  const auto got = stream.gcount();
+  stream.clear();
+  stream.seekg(0);
+  const bool saysSolid = got >= 5 && std::memcmp(head.data(), "solid", 5) == 0;
+  if (got < 84) {
+    if (!saysSolid) badFile("'" + path + "' is too short for an STL file");
+    return false;
+  }
+  const auto byte = [&](int i) {
+    return static_cast<std::uint64_t>(static_cast<unsigned char>(head[i]));
+  };
+  const std::uint64_t count = byte(80) | byte(81) << 8 | byte(82) << 16 | byte(83) << 24;
+  const std::uint64_t needed = 84 + 50 * count;
+  if (needed == fileBytes || (needed < fileBytes && !saysSolid)) return true;
+  if (saysSolid) return false;
+  badFile("'" + path + "' claims " + std::to_string(count) + " triangles, which take " +
+          std::to_string(needed) + " bytes, but has " + std::to_string(fileBytes) +
+          "; it is truncated or not an STL file");
+}
+
+TriMesh toTriangles(const ListImporter& found, const std::string& path) {
+  const auto vertexCount = static_cast<std::int64_t>(found.vertices.size());
+  TriMesh mesh;
+  mesh.triangles.reserve(found.n_faces());
+  for (std::size_t f = 0; f < found.n_faces(); ++f) {
+    const std::span<const std::int32_t> corners(
+        found.corners.data() + found.faceStart[f],
+        static_cast<std::size_t>(found.faceStart[f + 1] - found.faceStart[f]));
+    for (const std::int32_t corner : corners) {
+      if (corner >= 0 && corner < vertexCount) continue;
+      badFile("'" + path + "': face " + std::to_string(f) + " refers to vertex " +
+              std::to_string(corner) + ", but there are " + std::to_string(vertexCount) +
+              " vertices (counted from 0)");
+    }
+    if (corners.size() > kMaxPolygonCorners) {
+      badFile("'" + path + "': face " + std::to_string(f) + " has " +
+              std::to_string(corners.size()) + " corners (limit " +
+              std::to_string(kMaxPolygonCorners) + "); triangulate the mesh before export");
+    }
+    splitPolygon(found.vertices, corners, mesh.triangles);
+  }
+  return mesh;
+}
+
+struct OpenedFile {
+  std::ifstream stream;
+  std::uint64_t bytes = 0;
+};
+
+OpenedFile openFile(const std::string& path) {
+  const std::filesystem::path name = pathFromUtf8(path);
+  std::error_code code;
+  if (!std::filesystem::exists(name, code)) badFile("'" + path + "' does not exist");
+  if (!std::filesystem::is_regular_file(name, code)) badFile("'" + path + "' is not a file");
+  OpenedFile file;
+  file.bytes = std::filesystem::file_size(name, code);
+  file.stream.open(name, std::ios::binary);
+  if (code || !file.stream) badFile("'" + path + "' cannot be opened for reading");
+  if (file.bytes == 0) badFile("'" + path + "' is empty (0 bytes)");
+  return file;
+}
+
+// OpenMesh writes single precision only; a PLY file holds the very mesh that was checked instead.
+void writeExactPly(const TriMesh& mesh, std::ostream& stream) {
+  static_assert(std::endian::native == std::endian::little && sizeof(Eigen::Vector3d) == 24);
+  stream << "ply\nformat binary_little_endian 1.0\ncomment unit mm\nelement vertex "
+         << std::to_string(mesh.vertices.size())
+         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+         << std::to_string(mesh.triangles.size())
+         << "\nproperty list uchar int vertex_indices\nend_header\n";
+  stream.write(reinterpret_cast<const char*>(mesh.vertices.data()),
+               static_cast<std::streamsize>(24 * mesh.vertices.size()));
+  constexpr std::size_t kRow = 13;
+  std::vector<char> rows;
+  for (std::size_t first = 0; first < mesh.triangles.size(); first += 4096) {
+    const std::size_t end = std::min(mesh.triangles.size(), first + 4096);
+    rows.resize(kRow * (end - first));
+    for (std::size_t t = first; t < end; ++t) {
+      char* row = rows.data() + kRow * (t - first);
+      row[0] = 3;
+      std::memcpy(row + 1, mesh.triangles[t].data(), 12);
+    }
+    stream.write(rows.data(), static_cast<std::streamsize>(rows.size()));
+  }
+}
+
+void writeThroughOpenMesh(const TriMesh& mesh, const std::string& suffix, const std::string& path,
+                          std::ostream& stream) {
+  ListExporter exporter(mesh);
+  OpenMesh::IO::Options options;
+  if (suffix == "stl") options += OpenMesh::IO::Options::Binary | OpenMesh::IO::Options::LSB;
+  constexpr std::streamsize kDigits = 9;  // single precision, exactly
+  OpenMeshCall call;
+  if (!OpenMesh::IO::IOManager().write(stream, suffix, exporter, options, kDigits)) {
+    throw Error(Status::ExportFailed, "WriteFailed",
+                "writing '" + path + "' failed: " + call.said());
+  }
+}
+
+void scaleAndCheck(TriMesh& mesh, double factor) {
+  if (!(factor > 0) || !std::isfinite(factor)) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "millimetres per unit must be a positive number");
+  }
+  if (factor == 1.0) return;
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= factor;
+}
+
+}  // namespace
+
+TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
+  const std::string suffix = suffixOf(path);
+  if (!isMeshSuffix(suffix)) {
+    badFile("'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
+  }
+  OpenedFile file = openFile(path);
+  OpenMesh::IO::Options options;
+  ExactNumbers exact;
+  std::uint64_t expectedVertices = 0;
+  std::uint64_t expectedFaces = 0;
+  if (suffix == "ply") {
+    const PlyHeader header = readPlyHeader(file.stream, file.bytes, path);
+    expectedVertices = header.find("vertex")->count;
+    expectedFaces = header.find("face")->count;
+    exact = readExactPly(file.stream, header, file.bytes, path);
+    if (header.format != PlyHeader::Format::Ascii) options += OpenMesh::IO::Options::Binary;
+  } else if (suffix == "stl") {
+    if (isBinaryStl(file.stream, file.bytes, path)) {
+      options += OpenMesh::IO::Options::Binary;
+      checkBinaryStl(file.stream, path);
+    } else {
+      checkTextStl(file.stream, path);
+    }
+  } else {
+    exact = suffix == "obj" ? readExactObj(file.stream, path) : readExactOff(file.stream, path);
+  }
+  file.stream.clear();
+  file.stream.seekg(0);
+
+  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // each takes a byte at least
+  ListImporter found(limit, 4 * limit);
+  {
+    OpenMeshCall call;
+    std::istringstream cleaned(std::move(exact.cleaned));
+    const bool fromText = suffix == "obj" || suffix == "off";
+    std::istream& source = fromText ? static_cast<std::istream&>(cleaned) : file.stream;
+    if (!OpenMesh::IO::IOManager().read(source, suffix, found, options)) {
+      badFile("'" + path + "' cannot be read: " + call.said());
+    }
+  }
+  if (suffix == "ply" &&
+      (found.n_vertices() != expectedVertices || found.n_faces() != expectedFaces)) {
+    badFile("'" + path + "' promises " + std::to_string(expectedVertices) + " vertices and " +
+            std::to_string(expectedFaces) + " faces, found " + std::to_string(found.n_vertices()) +
+            " and " + std::to_string(found.n_faces()) + "; the file is truncated");
+  }
+  if (exact.vertices.size() == found.vertices.size() && exact.present) {
+    found.vertices = std::move(exact.vertices);
+  }
+  TriMesh mesh = toTriangles(found, path);
+  mesh.vertices = std::move(found.vertices);
+  scaleAndCheck(mesh, millimetresPerUnit);
+  return mesh;
+}
+
+void writeMesh(const TriMesh& mesh, const std::string& path) {
+  const std::string suffix = suffixOf(path);
+  if (!isMeshSuffix(suffix)) {
+    throw Error(
+        Status::ExportFailed, "BadFormat",
+        "'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
+  }
+  if (mesh.vertices.size() > kMaxElements || mesh.triangles.size() > kMaxElements) {
+    throw Error(Status::ExportFailed, "TooManyFaces",
+                "'" + path + "': mesh files count to " + std::to_string(kMaxElements) +
+                    ", the mesh has " + std::to_string(mesh.triangles.size()) + " triangles");
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::int32_t index : mesh.triangles[t]) {
+      if (index >= 0 && static_cast<std::size_t>(index) < mesh.vertices.size()) continue;
+      throw Error(Status::InvalidInput, "BadIndex",
+                  "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(index) +
+                      " of " + std::to_string(mesh.vertices.size()));
+    }
+  }
+  SafeFile file(path);
+  if (suffix == "ply") {
+    writeExactPly(mesh, file.stream());
+  } else {
+    writeThroughOpenMesh(mesh, suffix, path, file.stream());
+  }
+  file.commit();
+}
+
+}  // namespace swept

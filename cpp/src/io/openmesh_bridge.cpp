@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "io/openmesh_bridge.h"
+
+#include <algorithm>
+#include <string>
+
+namespace swept {
+namespace {
+
+using OpenMesh::FaceHandle;
+using OpenMesh::VertexHandle;
+
+[[noreturn]] void tooMany(const char* what, std::uint64_t limit) {
+  throw Error(Status::InvalidInput, "BadFile",
+              std::string("the file claims more ") + what + " than its size allows (" +
+                  std::to_string(limit) + "); it is damaged or truncated");
+}
+
+}  // namespace
+
+VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3d& point) {
+  if (vertices.size() >= maxVertices_) tooMany("vertices", maxVertices_);
+  vertices.emplace_back(point[0], point[1], point[2]);
+  return VertexHandle(static_cast<int>(vertices.size() - 1));
+}
+
+VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3f& point) {
+  return add_vertex(OpenMesh::Vec3d(point[0], point[1], point[2]));
+}
+
+VertexHandle ListImporter::add_vertex() { return add_vertex(OpenMesh::Vec3d(0.0)); }
+
+FaceHandle ListImporter::add_face(const VHandles& handles) {
+  if (corners.size() + handles.size() > maxCorners_) tooMany("face corners", maxCorners_);
+  for (const VertexHandle& handle : handles) corners.push_back(handle.idx());
+  faceStart.push_back(corners.size());
+  return FaceHandle(static_cast<int>(faceStart.size() - 2));
+}
+
+void ListImporter::set_point(VertexHandle vertex, const OpenMesh::Vec3f& point) {
+  const int index = vertex.idx();
+  if (index < 0 || static_cast<std::size_t>(index) >= vertices.size()) return;
+  vertices[static_cast<std::size_t>(index)] = Eigen::Vector3d(point[0], point[1], point[2]);
+}
+
+void ListImporter::reserve(unsigned int nV, unsigned int /*nE*/, unsigned int nF) {
+  // The counts come from the file: believe them only as far as the file is long.
+  vertices.reserve(std::min<std::uint64_t>(nV, maxVertices_));
+  faceStart.reserve(std::min<std::uint64_t>(nF, maxCorners_ / 3) + 1);
+  corners.reserve(std::min<std::uint64_t>(3 * static_cast<std::uint64_t>(nF), maxCorners_));
+}
+
+OpenMesh::Vec3d ListExporter::pointd(VertexHandle vertex) const {
+  const Eigen::Vector3d& p = mesh_.vertices[static_cast<std::size_t>(vertex.idx())];
+  return {p.x(), p.y(), p.z()};
+}
+
+OpenMesh::Vec3f ListExporter::point(VertexHandle vertex) const {
+  return OpenMesh::Vec3f(pointd(vertex));
+}
+
+unsigned int ListExporter::get_vhandles(FaceHandle face, std::vector<VertexHandle>& handles) const {
+  handles.clear();
+  for (const std::int32_t index : mesh_.triangles[static_cast<std::size_t>(face.idx())]) {
+    handles.emplace_back(index);
+  }
+  return 3;
+}
+
+OpenMesh::Vec3d ListExporter::normald(FaceHandle face) const {
+  const auto& t = mesh_.triangles[static_cast<std::size_t>(face.idx())];
+  const Eigen::Vector3d& a = mesh_.vertices[static_cast<std::size_t>(t[0])];
+  const Eigen::Vector3d& b = mesh_.vertices[static_cast<std::size_t>(t[1])];
+  const Eigen::Vector3d& c = mesh_.vertices[static_cast<std::size_t>(t[2])];
+  const Eigen::Vector3d n = (b - a).cross(c - a);
+  const double length = n.norm();
+  if (!(length > 0)) return OpenMesh::Vec3d(0.0);
+  return {n.x() / length, n.y() / length, n.z() / length};
+}
+
+OpenMesh::Vec3f ListExporter::normal(FaceHandle face) const {
+  return OpenMesh::Vec3f(normald(face));
+}
+
+}  // namespace swept

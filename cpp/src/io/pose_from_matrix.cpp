@@ -1,0 +1,85 @@
+// Row-major 4x4 matrix -> rigid pose, with the reason named where it is none.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Dense>
+#include <cmath>
+#include <sstream>
+
+#include "swept/io.h"
+
+namespace swept {
+namespace {
+
+constexpr double kRigidLimit = 1e-4;
+
+[[noreturn]] void notRigid(std::int64_t index, const std::string& what) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "pose " << index << ": " << what << " (limit " << kRigidLimit
+       << "); export placements as rotation and translation only";
+  throw Error(Status::InvalidInput, "NotRigid", text.str());
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
+// Says what a linear part that is no rotation does instead.
+std::string describe(const Eigen::Matrix3d& m, double deviation) {
+  const Eigen::Vector3d lengths = m.colwise().norm();
+  const double spread = lengths.maxCoeff() - lengths.minCoeff();
+  const Eigen::Matrix3d unit = m * lengths.cwiseInverse().asDiagonal();
+  const double skew = (unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(lengths.minCoeff() > 0)) return "a column of the rotation part is zero";
+  if (skew > kRigidLimit) {
+    return "shear: the axes are not square to one another by " + number(skew);
+  }
+  if (spread > kRigidLimit) {
+    return "scale: the axes are stretched by " + number(lengths[0]) + ", " + number(lengths[1]) +
+           ", " + number(lengths[2]);
+  }
+  return "scale: everything is stretched by " + number(lengths.mean()) +
+         ", which leaves the rotation part off by " + number(deviation);
+}
+
+}  // namespace
+
+Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t index,
+                    double* deviation) {
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> full(matrix);
+  for (int i = 0; i < 16; ++i) {
+    if (std::isfinite(matrix[i])) continue;
+    throw Error(Status::InvalidInput, "BadPose",
+                "pose " + std::to_string(index) + ": matrix entry " + std::to_string(i / 4 + 1) +
+                    "," + std::to_string(i % 4 + 1) + " (row, column) is not a finite number");
+  }
+  const Eigen::RowVector4d last = full.row(3);
+  if ((last - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {
+    const bool transposed = full.col(3).head<3>().isZero() && last[3] == 1.0;
+    notRigid(index, "the last row is " + number(last[0]) + " " + number(last[1]) + " " +
+                        number(last[2]) + " " + number(last[3]) + " instead of 0 0 0 1" +
+                        (transposed ? "; the matrix seems to be stored by columns" : ""));
+  }
+  const Eigen::Matrix3d rotation = full.topLeftCorner<3, 3>();
+  const double off =
+      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (deviation != nullptr) *deviation = off;
+  if (off > kRigidLimit) notRigid(index, describe(rotation, off));
+  if (rotation.determinant() < 0) {
+    notRigid(index,
+             "mirror: the determinant of the rotation part is " + number(rotation.determinant()));
+  }
+  // Nearest rotation in the least-squares sense: the orthogonal factor of the polar decomposition.
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotation, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Pose pose;
+  pose.timeSeconds = timeSeconds;
+  pose.rotation = Eigen::Quaterniond(Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose()));
+  pose.rotation.normalize();
+  pose.translation = full.topRightCorner<3, 1>();
+  return pose;
+}
+
+}  // namespace swept

@@ -1,0 +1,65 @@
+// A folder that lives as long as one test.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "swept/types.h"
+
+namespace swept::test {
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    static int counter = 0;
+    const bool memory = std::filesystem::exists("/dev/shm");  // thousands of small files
+    path_ = (memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
+            ("swept-test-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(file(name), std::ios::binary) << bytes;
+    return file(name);
+  }
+  static std::string read(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
+                                                  std::filesystem::directory_iterator()));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Runs `call`, which must throw Error with this status and code; gives back its text.
+template <class Call>
+std::string errorText(Status status, const std::string& code, Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    EXPECT_EQ(statusName(error.status()), std::string(statusName(status))) << error.what();
+    EXPECT_EQ(error.code(), code) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "no error where " << code << " was due";
+  return {};
+}
+
+}  // namespace swept::test
