@@ -1,0 +1,42 @@
+// Plane outlines of straight lines and arcs, and the solids above them.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "support/truth.h"
+
+namespace swept::test {
+
+/// One piece of an outline, run through with the material on its left.
+struct ProfilePiece {
+  Eigen::Vector2d from, to;
+  bool arc = false;
+  Eigen::Vector2d centre{0, 0};
+  double radius = 0, startAngle = 0, sweepAngle = 0;  ///< rad, counter-clockwise positive
+};
+
+class Profile {
+ public:
+  void polygon(const std::vector<Eigen::Vector2d>& corners);
+  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+  void arc(const Eigen::Vector2d& centre, double radius, double startAngle, double sweepAngle);
+
+  double area() const;
+  double length() const;
+  /// Negative inside.
+  double signedDistance(const Eigen::Vector2d& p) const;
+  /// Points along the outline, `spacing` apart or closer.
+  std::vector<Eigen::Vector2d> points(double spacing) const;
+  /// Corners at which the direction changes by more than 10 degrees.
+  std::vector<Eigen::Vector2d> corners() const;
+
+  /// Fills distance, surface, creases, volume and area with those of the prism from z0 to z1.
+  void extrude(double z0, double z1, double spacing, Truth& truth) const;
+
+ private:
+  std::vector<ProfilePiece> pieces_;
+};
+
+}  // namespace swept::test

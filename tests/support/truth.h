@@ -1,0 +1,37 @@
+// Sweeps whose envelope is known in closed form.
+// A truth has the moving body, its motion, the distance of any point to the true envelope, points
+// on it and on its creases, its volume and its area. Units mm. SPDX-License-Identifier:
+// LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept::test {
+
+struct Truth {
+  std::string name;
+  TriMesh body;
+  Trajectory motion;
+  std::function<double(const Eigen::Vector3d&)> distance;  ///< unsigned, to the envelope
+  std::vector<Eigen::Vector3d> surface;                    ///< points on the envelope
+  std::vector<Eigen::Vector3d> creases;                    ///< points on its sharp edges
+  double volume = 0;
+  double area = 0;
+  double thickness = 0;  ///< thinnest wall of the envelope, where that is what the case is about
+};
+
+/// The whole list: ball along a line, box along a general line, box turning about an edge, cylinder
+/// along its axis, ball on a circle for more than a turn, square ring along and across its axis,
+/// helix of a ball, two equal keys, generator with a sealed cavity.
+std::vector<Truth> allTruths();
+/// Plates of the given thickness: moved in their plane, across it, and turned in their plane.
+std::vector<Truth> thinPlates(double thickness);
+
+/// The same sweep, seen from another frame.
+Truth placed(Truth truth, const Eigen::Isometry3d& frame);
+
+}  // namespace swept::test

@@ -1,0 +1,146 @@
+// Sweeps with a closed form, at several cell sizes and orientations.
+// Bars: distance to the truth at most 1 cell everywhere, at creases at most 0.25 cell, volume error
+// at most 0.05 x area x cell, and the checker passes. They are relative to cell and area, never to
+// the size of the whole. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "support/mesh_distance.h"
+#include "support/shapes.h"
+#include "support/truth.h"
+#include "swept/compute.h"
+
+namespace swept::test {
+namespace {
+
+struct Frame {
+  const char* name;
+  Eigen::Isometry3d placement;
+};
+
+std::vector<Frame> frames() {
+  return {{"straight", placement({0, 0, 1}, 0, {0, 0, 0})},
+          {"odd", placement({3, -2, 5}, 37.3, {11.7, -3.1, 0.9})},
+          {"skew", placement({-1, 4, 2}, 158.9, {-250.3, 71.9, 33.3})}};
+}
+
+struct Measured {
+  double outToTruth = 0, truthToOut = 0, creaseMost = 0, creaseMean = 0, volumeError = 0;
+};
+
+Measured measure(const Truth& truth, const Result& result) {
+  Measured m;
+  const double cell = result.report.cellSize;
+  const TriMesh& mesh = result.mesh;
+  for (const auto& v : mesh.vertices) m.outToTruth = std::max(m.outToTruth, truth.distance(v));
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d centre =
+        (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+    m.outToTruth = std::max(m.outToTruth, truth.distance(centre));
+  }
+  const MeshDistance tree(mesh);
+  for (const auto& p : truth.surface) m.truthToOut = std::max(m.truthToOut, tree.distance(p));
+  for (const auto& p : truth.creases) {
+    const double d = tree.distance(p);
+    m.creaseMost = std::max(m.creaseMost, d);
+    m.creaseMean += d / static_cast<double>(truth.creases.size());
+  }
+  m.outToTruth /= cell;
+  m.truthToOut /= cell;
+  m.creaseMost /= cell;
+  m.creaseMean /= cell;
+  m.volumeError = std::abs(result.report.check.volume - truth.volume) / (truth.area * cell);
+  return m;
+}
+
+/// Computes and holds the result against the truth.
+void expectTruth(const Truth& truth, const Options& options, const std::string& label) {
+  SCOPED_TRACE(label);
+  RunContext run;
+  const Result result = compute(truth.body, truth.motion, options, run);
+  ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
+  EXPECT_TRUE(result.report.check.passes());
+  EXPECT_EQ(result.report.check.selfIntersections, 0);
+  const Measured m = measure(truth, result);
+  std::printf(
+      "%-44s cell %.4f  out %.3f  in %.3f  crease max %.3f mean %.4f  volume %.4f  si %lld\n",
+      label.c_str(), result.report.cellSize, m.outToTruth, m.truthToOut, m.creaseMost, m.creaseMean,
+      m.volumeError, static_cast<long long>(result.report.check.selfIntersections));
+  EXPECT_LE(m.outToTruth, 1.0);
+  EXPECT_LE(m.truthToOut, 1.0);
+  EXPECT_LE(m.creaseMost, 0.25);
+  EXPECT_LE(m.volumeError, 0.05);
+}
+
+const std::vector<Truth>& truths() {
+  static const std::vector<Truth> all = allTruths();
+  return all;
+}
+
+class AnalyticSweep : public testing::TestWithParam<int> {};
+
+TEST_P(AnalyticSweep, MeetsTheBars) {
+  const Truth& truth = truths()[GetParam()];
+  for (const Frame& frame : frames()) {
+    const Truth here = placed(truth, frame.placement);
+    for (const int resolution : {33, 64, 110}) {
+      Options options;
+      options.resolution = resolution;
+      expectTruth(here, options, truth.name + "/" + frame.name + "/" + std::to_string(resolution));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AnalyticSweep, testing::Range(0, static_cast<int>(truths().size())),
+                         [](const auto& chosen) { return truths()[chosen.param].name; });
+
+/// A plate of a tenth of a cell: both sides are there, volume within 1 %.
+TEST(ThinPlate, OfATenthOfACell) {
+  const double cell = 0.15;
+  for (const Truth& plate : thinPlates(0.1 * cell)) {
+    for (const Frame& frame : frames()) {
+      const Truth here = placed(plate, frame.placement);
+      Options options;
+      options.cellSize = cell;
+      const std::string label = plate.name + "/" + frame.name;
+      expectTruth(here, options, label);
+      SCOPED_TRACE(label);
+      RunContext run;
+      const Result result = compute(here.body, here.motion, options, run);
+      ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
+      EXPECT_NEAR(result.report.check.volume, plate.volume, 0.01 * plate.volume);
+    }
+  }
+}
+
+/// One pose: the body itself, re-meshed.
+TEST(AnalyticSweep, bad_input_18_one_pose_is_the_body) {
+  Truth truth = allTruths()[8];
+  truth.motion.poses.resize(1);
+  Options options;
+  options.resolution = 60;
+  expectTruth(truth, options, "one_pose");
+}
+
+/// There and back again sweeps what there sweeps.
+TEST(AnalyticSweep, BackAndForthEqualsForth) {
+  for (const int index : {1, 2, 4}) {
+    Truth truth = truths()[index];
+    auto& poses = truth.motion.poses;
+    const std::size_t n = poses.size();
+    for (std::size_t i = n - 1; i-- > 0;) {
+      Pose pose = poses[i];
+      pose.timeSeconds = static_cast<double>(2 * (n - 1) - i);
+      poses.push_back(pose);
+    }
+    Options options;
+    options.resolution = 64;
+    expectTruth(truth, options, truth.name + "/back_and_forth");
+  }
+}
+
+}  // namespace
+}  // namespace swept::test
