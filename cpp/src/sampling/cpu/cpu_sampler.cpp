@@ -4,8 +4,9 @@
 #include "base/parallel.h"
 #include "sampling/cpu/rasterise.h"
 #include "sampling/crossing_records.h"
+#include "sampling/kept_elements.h"
 #include "sampling/sampler.h"
-#include "sampling/swept_elements.h"
+#include "sampling/snap.h"
 
 namespace swept {
 namespace {
@@ -64,10 +65,7 @@ class ItemSampler {
   void pose(std::size_t placement, std::vector<SnappedPoint>& points) const {
     const Placement p = input_.grid.toGrid(input_.motion.placements[placement]);
     points.resize(input_.body.vertices.size());
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      const Eigen::Vector3d g = p.apply(input_.body.vertices[v]);
-      points[v] = {snapCoordinate(g[0]), snapCoordinate(g[1]), snapCoordinate(g[2])};
-    }
+    for (std::size_t v = 0; v < points.size(); ++v) points[v] = snap(p, input_.body.vertices[v]);
   }
 
   void faces(const WorkItem& item, std::size_t placement, const std::vector<SnappedPoint>& points) {
@@ -114,78 +112,27 @@ void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& o
 class SweepSampler {
  public:
   SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out)
-      : input_(input),
-        clusters_(clusters),
-        sampler_(input, out),
-        before_(input, clusters),
-        after_(input, clusters) {}
+      : steps_(input.motion.steps()), kept_(input, clusters), sampler_(input, out) {}
 
   void sample(const WorkItem& item, RunContext& run) {
-    const std::size_t steps = input_.motion.steps();
-    if (item.begin > 0) before_.compute(item.begin - 1);
     sampler_.pose(item.begin, now_);
+    kept_.start(item.begin);
     for (std::size_t k = item.begin; k < item.end; ++k) {
-      run.checkpoint(Phase::Sampling, k, steps);
-      hasBefore_ = k > 0;
-      hasAfter_ = k < steps;
-      if (hasAfter_) after_.compute(k);
-      sampleFaces(k);
-      if (!hasAfter_) break;
+      run.checkpoint(Phase::Sampling, k, steps_);
+      kept_.forFaces([&](std::uint32_t f) { sampler_.face(f, k, now_); });
+      if (k == steps_) break;
       sampler_.pose(k + 1, next_);
-      samplePatches(k);
-      std::swap(before_, after_);
+      kept_.forPatches([&](std::uint32_t e) { sampler_.patch(e, k, now_, next_); });
+      if (k + 1 < item.end) kept_.advance();
       std::swap(now_, next_);
     }
   }
 
  private:
-  bool enclosed(int before, int after) const {
-    return input_.cull && faceIsEnclosed(before, after, hasBefore_, hasAfter_, input_.orientable);
-  }
-  void sampleFaces(std::size_t k) {
-    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
-      const FaceCluster& cluster = clusters_.clusters[c];
-      if (enclosed(hasBefore_ ? before_.ofCluster(c) : 0, hasAfter_ ? after_.ofCluster(c) : 0)) {
-        continue;
-      }
-      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
-        const std::uint32_t f = clusters_.faces[cluster.firstFace + n];
-        if (!enclosed(hasBefore_ ? before_.ofFace(f) : 0, hasAfter_ ? after_.ofFace(f) : 0)) {
-          sampler_.face(f, k, now_);
-        }
-      }
-    }
-  }
-  void samplePatches(std::size_t k) {
-    const auto patch = [&](std::uint32_t e) {
-      if (input_.cull && patchIsEnclosed(input_.topology.edges[e], after_)) return;
-      sampler_.patch(e, k, now_, next_);
-    };
-    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
-      if (input_.cull && after_.ofCluster(c) != 0) continue;
-      const FaceCluster& cluster = clusters_.clusters[c];
-      for (std::uint32_t n = 0; n < cluster.edgeCount; ++n) {
-        patch(clusters_.innerEdges[cluster.firstEdge + n]);
-      }
-    }
-    for (const FaceClusters::Border& border : clusters_.borders) {
-      if (input_.cull && border.right >= 0) {
-        const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
-        const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
-        if (left != 0 && left == (border.opposed ? -right : right)) continue;
-      }
-      for (std::uint32_t n = 0; n < border.edgeCount; ++n) {
-        patch(clusters_.borderEdges[border.firstEdge + n]);
-      }
-    }
-  }
-
-  const SamplerInput& input_;
-  const FaceClusters& clusters_;
+  std::size_t steps_;
+  KeptElements kept_;
   ItemSampler sampler_;
-  FaceDirections before_, after_;
   std::vector<SnappedPoint> now_, next_;
-  bool hasBefore_ = false, hasAfter_ = false;
 };
 
 }  // namespace

@@ -13,16 +13,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sampling/snap.h"
+
 namespace swept {
-
-constexpr int kSubBits = 17;
-constexpr std::int32_t kSubUnits = 1 << kSubBits;
-using SnappedPoint = std::array<std::int32_t, 3>;
-
-/// Grid coordinate (cells, > 0) -> odd integer.
-inline std::int32_t snapCoordinate(double g) {
-  return 2 * static_cast<std::int32_t>(g * (kSubUnits / 2)) + 1;
-}
 
 namespace detail {
 
