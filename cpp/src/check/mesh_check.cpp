@@ -164,7 +164,7 @@ bool shellsOriented(const TriMesh& mesh, const MeshTopology& topology, RunContex
   return true;
 }
 
-MeshCheck checkInArena(const TriMesh& mesh, bool withSelfIntersections, RunContext& run) {
+MeshCheck checkInArena(const TriMesh& mesh, SelfIntersections* found, RunContext& run) {
   run.checkpoint(Phase::Check);
   MeshCheck check;
   check.vertices = static_cast<std::int64_t>(mesh.vertices.size());
@@ -189,11 +189,11 @@ MeshCheck checkInArena(const TriMesh& mesh, bool withSelfIntersections, RunConte
   check.degenerateTriangles = sums.degenerate;
   check.oriented =
       check.misorientedEdges == 0 && check.closed && shellsOriented(mesh, topology, run);
-  if (!withSelfIntersections) return check;
+  if (found == nullptr) return check;
 
-  const SelfIntersections found = findSelfIntersections(mesh, topology.entangled, run);
-  check.selfIntersections = found.count;
-  for (const auto& pair : found.pairs) {
+  *found = findSelfIntersections(mesh, topology.entangled, run);
+  check.selfIntersections = found->count;
+  for (const auto& pair : found->pairs) {
     if (check.firstIntersections.size() == 32) break;
     check.firstIntersections.emplace_back(pair.first, pair.second);
   }
@@ -203,9 +203,15 @@ MeshCheck checkInArena(const TriMesh& mesh, bool withSelfIntersections, RunConte
 }  // namespace
 
 MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run) {
-  if (run.threads <= 0) return checkInArena(mesh, withSelfIntersections, run);
+  SelfIntersections found;
+  SelfIntersections* wanted = withSelfIntersections ? &found : nullptr;
+  if (run.threads <= 0) return checkInArena(mesh, wanted, run);
   tbb::task_arena arena(run.threads);
-  return arena.execute([&] { return checkInArena(mesh, withSelfIntersections, run); });
+  return arena.execute([&] { return checkInArena(mesh, wanted, run); });
+}
+
+MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run) {
+  return checkInArena(mesh, &found, run);
 }
 
 MeshCheck checkMesh(const TriMesh& mesh, RunContext& run) { return checkMesh(mesh, true, run); }

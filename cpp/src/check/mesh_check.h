@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "check/self_intersections.h"
 #include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -18,5 +19,8 @@ namespace swept {
 /// As checkMesh() of swept/compute.h; without `withSelfIntersections` those are not counted (-1).
 /// Throws Error(InvalidInput, "BadIndex") if a triangle refers to no vertex, and Error(Cancelled).
 MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run);
+
+/// The same, and all pairs of triangles that meet, not only the first ones.
+MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run);
 
 }  // namespace swept

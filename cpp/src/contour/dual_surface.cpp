@@ -12,7 +12,7 @@ namespace swept {
 namespace {
 
 /// Vertices keep this far from their cell's walls, so that those of neighbours never coincide.
-constexpr double kCellMargin = 0.005;
+constexpr double kCellMargin = 1e-4;
 
 /// Gathers the cells of one column (i, j) from the edge lists of the lattice lines round it.
 class CellColumn {

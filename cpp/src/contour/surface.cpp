@@ -103,7 +103,8 @@ class PolygonBuilder {
 
 struct LayerPolygons {
   std::vector<std::array<std::int32_t, 3>> triangles;  // >= kExtra: extra vertex of this layer
-  std::vector<Eigen::Vector3d> extra;                  // cells
+  std::vector<std::uint32_t> crossingOf;
+  std::vector<Eigen::Vector3d> extra;  // cells
   std::vector<double> extraTime;
   std::int64_t fans = 0;
 };
@@ -120,34 +121,6 @@ struct FacePoints {
   std::vector<Eigen::Vector3d> points;                 // cells
   std::vector<double> times;
 };
-
-struct CrossingPlace {
-  int axis;
-  std::int32_t i, j, k;
-};
-
-/// Finds where a crossing lies from its index alone (only for the few on ambiguous faces).
-CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
-  auto layer =
-      std::upper_bound(grid.layers.begin(), grid.layers.end(), index,
-                       [](std::uint32_t x, const HermiteLayer& l) { return x < l.firstCrossing; }) -
-      1;
-  for (int axis = 2; axis >= 0; --axis) {
-    const auto& edges = layer->edges[axis];
-    if (edges.empty() || edges.front().first > index) continue;
-    const auto edge =
-        std::upper_bound(edges.begin(), edges.end(), index,
-                         [](std::uint32_t x, const HermiteEdge& e) { return x < e.first; }) -
-        1;
-    const auto& start = layer->columnStart[axis];
-    const auto column = std::upper_bound(start.begin(), start.end(),
-                                         static_cast<std::uint32_t>(edge - edges.begin())) -
-                        1;
-    return {axis, static_cast<std::int32_t>(layer - grid.layers.begin()),
-            static_cast<std::int32_t>(column - start.begin()), edge->k};
-  }
-  throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
-}
 
 FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
                           const PolygonBuilder& polygons) {
@@ -255,6 +228,7 @@ class LayerEmitter {
     const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
       if (seenFromLow) std::swap(b, c);
       out.triangles.push_back({a, b, c});
+      out.crossingOf.push_back(crossing);
     };
     if (split == Split::Diagonal02) {
       triangle(ring[0], ring[1], ring[2]);
@@ -279,6 +253,28 @@ class LayerEmitter {
 };
 
 }  // namespace
+
+CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
+  auto layer =
+      std::upper_bound(grid.layers.begin(), grid.layers.end(), index,
+                       [](std::uint32_t x, const HermiteLayer& l) { return x < l.firstCrossing; }) -
+      1;
+  for (int axis = 2; axis >= 0; --axis) {
+    const auto& edges = layer->edges[axis];
+    if (edges.empty() || edges.front().first > index) continue;
+    const auto edge =
+        std::upper_bound(edges.begin(), edges.end(), index,
+                         [](std::uint32_t x, const HermiteEdge& e) { return x < e.first; }) -
+        1;
+    const auto& start = layer->columnStart[axis];
+    const auto column = std::upper_bound(start.begin(), start.end(),
+                                         static_cast<std::uint32_t>(edge - edges.begin())) -
+                        1;
+    return {axis, static_cast<std::int32_t>(layer - grid.layers.begin()),
+            static_cast<std::int32_t>(column - start.begin()), edge->k};
+  }
+  throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
+}
 
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run) {
   DualSurface dual = buildDualSurface(grid, options.components, run);
@@ -314,6 +310,8 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
   auto& mesh = surface.mesh;
   mesh.vertices.resize(vertexCount);
   mesh.triangles.resize(triangleCount);
+  surface.crossingOf.resize(triangleCount);
+  surface.dualVertices = dualVertices;
   surface.contactTime.resize(vertexCount);
   const auto place = [&](std::size_t at, const Eigen::Vector3d& g, double time) {
     mesh.vertices[at] = grid.plan.origin + grid.plan.cell * g;
@@ -342,6 +340,8 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
       }
       mesh.triangles[triangleBase[i] + t] = triangle;
     }
+    std::copy(part.crossingOf.begin(), part.crossingOf.end(),
+              surface.crossingOf.begin() + static_cast<std::ptrdiff_t>(triangleBase[i]));
     part = LayerPolygons{};
   });
   return surface;

@@ -20,11 +20,22 @@ namespace swept {
 struct Surface {
   TriMesh mesh;
   std::vector<double> contactTime;
-  std::int64_t fans = 0;        ///< quads fanned about their crossing
+  std::vector<std::uint32_t>
+      crossingOf;  ///< per triangle: the crossing whose polygon it is part of
+  std::size_t dualVertices =
+      0;                  ///< the first so many vertices are those of components, then extra ones
+  std::int64_t fans = 0;  ///< quads fanned about their crossing
   std::int64_t facePoints = 0;  ///< vertices put on cell faces
 };
 
 /// Consumes the Hermite grid's crossings no more than it reads them; the grid is left as it was.
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run);
+
+/// Lattice edge of a crossing, found from its index alone: O(log crossings).
+struct CrossingPlace {
+  int axis = 0;
+  std::int32_t i = 0, j = 0, k = 0;
+};
+CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index);
 
 }  // namespace swept

@@ -12,9 +12,11 @@
 
 #include "base/memory.h"
 #include "base/timer.h"
+#include "check/mesh_check.h"
 #include "contour/surface.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
+#include "mend/mend.h"
 #include "sampling/body_topology.h"
 #include "sampling/grid_plan.h"
 #include "sampling/hermite.h"
@@ -115,9 +117,11 @@ class Run {
     stage("motion");
 
     HermiteGrid hermite = sample(topology, options_.cull);
-    contour(hermite);
-    hermite = HermiteGrid{};
-    check();
+    Surface surface = contourUniform(hermite, options_, run_);
+    stage("contour");
+    checkAndMend(surface, hermite);
+    result_.mesh = std::move(surface.mesh);
+    result_.contactTime = std::move(surface.contactTime);
   }
 
  private:
@@ -179,16 +183,27 @@ class Run {
                                 text.str() + "; these sheets get a thickness of 0.002 cell"});
   }
 
-  void contour(const HermiteGrid& hermite) {
-    Surface surface = contourUniform(hermite, options_, run_);
-    result_.mesh = std::move(surface.mesh);
-    result_.contactTime = std::move(surface.contactTime);
-    stage("contour");
-  }
-
-  void check() {
-    report_.check = checkMesh(result_.mesh, run_);
+  void checkAndMend(Surface& surface, const HermiteGrid& hermite) {
+    SelfIntersections pairs;
+    report_.check = checkMesh(surface.mesh, pairs, run_);
     stage("check");
+    if (pairs.count > 0 && options_.components == ComponentMethod::Consistent) {
+      const std::int64_t before = pairs.count;
+      pairs = mendSelfIntersections(surface, hermite, pairs, run_);
+      // Everything that was changed has been looked at again for pairs; the rest is checked anew.
+      report_.check = checkMesh(surface.mesh, false, run_);
+      report_.check.selfIntersections = pairs.count;
+      for (const auto& pair : pairs.pairs) {
+        if (report_.check.firstIntersections.size() == 32) break;
+        report_.check.firstIntersections.emplace_back(pair.first, pair.second);
+      }
+      report_.warnings.push_back({"Mended",
+                                  before - pairs.count,
+                                  {},
+                                  std::to_string(before) + " pairs of triangles met at first; " +
+                                      std::to_string(pairs.count) + " are left after mending"});
+      stage("mend");
+    }
     if (report_.check.selfIntersections > 0) {
       report_.warnings.push_back(
           {"SelfIntersections",

@@ -5,6 +5,10 @@
 #include <cmath>
 
 namespace swept {
+namespace {
+/// Cells that crossings keep from lattice points: those of three edges at one point stay apart.
+constexpr double kFromPoint = 1e-3;
+}  // namespace
 
 CrossingRefiner::CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked)
     : input_(input), marked_(marked) {
@@ -83,9 +87,9 @@ Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::
   const double exact = hit.along - line[axis];
   // A grazing face or a degenerate patch has no good intersection: keep what the sampler saw.
   constexpr double kTrusted = 0.25;
-  crossing.fraction = std::isfinite(exact) && std::abs(exact - fraction) < kTrusted
-                          ? static_cast<float>(std::clamp(exact, 0.0, 1.0))
-                          : fraction;
+  const double position =
+      std::isfinite(exact) && std::abs(exact - fraction) < kTrusted ? exact : fraction;
+  crossing.fraction = static_cast<float>(std::clamp(position, kFromPoint, 1 - kFromPoint));
   const double length = hit.normal.norm();
   if (length > 0) {
     const bool towardsHigh = hit.normal[axis] > 0;

@@ -18,8 +18,7 @@ constexpr float kLeastWall = 2e-3f;
 void separate(Crossing& low, Crossing& high) {
   const float gap = high.fraction - low.fraction;
   if (gap >= kLeastWall) return;
-  const float middle =
-      std::clamp((low.fraction + high.fraction) / 2, kLeastWall / 2, 1 - kLeastWall / 2);
+  const float middle = std::clamp((low.fraction + high.fraction) / 2, kLeastWall, 1 - kLeastWall);
   low.fraction = middle - kLeastWall / 2;
   high.fraction = middle + kLeastWall / 2;
 }

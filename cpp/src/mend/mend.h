@@ -1,0 +1,22 @@
+// Mends self-intersections of an envelope where they are, without dropping a face.
+//
+// In: surface with the pairs of triangles that meet. Out: the same surface, closed and manifold as
+// before, with the pairs that are left. Only polygons near a pair are touched, in rounds: first
+// they are fanned about their crossing (every triangle then stays in its own cells, Ju and Udeshi
+// 2006), then the vertices of components move towards their mass points, which lie in the hull of
+// the crossings, half way and then all the way, then their neighbours follow. A triangle spans at
+// most the cells round one lattice edge, so it can only meet triangles a few cells away: the region
+// looked at again is a few cells wider than what is changed. Cost: one pass over the triangles to
+// find the regions, then O(region) a round. SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "check/self_intersections.h"
+#include "contour/surface.h"
+
+namespace swept {
+
+/// Returns the pairs that are left; `moved` and `fanned` of the report text are added to `surface`.
+SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& grid,
+                                        const SelfIntersections& found, RunContext& run);
+
+}  // namespace swept
