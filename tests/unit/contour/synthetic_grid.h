@@ -1,0 +1,56 @@
+// Hermite grids made by hand: signs of lattice points, which edges carry two crossings, and a
+// geometry drawn from a seed. For tests of what depends on the configuration and not on a body.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "data/hermite_grid.h"
+#include "swept/types.h"
+
+namespace swept::test {
+
+/// Signs and marks of a box of lattice points; everything is outside and unmarked at first.
+class SyntheticGrid {
+ public:
+  SyntheticGrid(std::int32_t nx, std::int32_t ny, std::int32_t nz);
+
+  void setInside(std::int32_t i, std::int32_t j, std::int32_t k) { inside_[index(i, j, k)] = 1; }
+  bool inside(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    return inside_[index(i, j, k)] != 0;
+  }
+  /// The edge from (i, j, k) along axis, both ends outside, passes through a thin wall.
+  void setWall(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
+    walls_[3 * index(i, j, k) + static_cast<std::size_t>(axis)] = 1;
+  }
+  const std::array<std::int32_t, 3>& points() const { return points_; }
+
+  /// How crossings are placed: all in the middle with normals along their edge, or by chance.
+  enum class Geometry { Regular, Random };
+  HermiteGrid build(Geometry geometry, std::uint64_t seed) const;
+
+ private:
+  std::size_t index(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    return (static_cast<std::size_t>(i) * points_[1] + j) * points_[2] + k;
+  }
+  std::array<std::int32_t, 3> points_;
+  std::vector<std::uint8_t> inside_, walls_;
+};
+
+/// Counted by a path of its own: no code shared with the contouring or the mesh checker.
+struct Faults {
+  std::int64_t openEdges = 0;         ///< directed edges without exactly one partner
+  std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles
+  std::int64_t badVertices = 0;       ///< triangles round the vertex are not one closed ring
+  std::int64_t degenerate = 0;        ///< triangles with a repeated vertex
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< where the first one lies
+  bool any() const { return openEdges + nonManifoldEdges + badVertices + degenerate > 0; }
+};
+Faults findFaults(const TriMesh& mesh);
+
+/// Numbers that depend on the seed and the counter only.
+std::uint64_t mix(std::uint64_t x);
+
+}  // namespace swept::test
