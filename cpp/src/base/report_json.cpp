@@ -4,7 +4,20 @@
 namespace swept {
 namespace {
 
-void writeCheck(const MeshCheck& check, JsonWriter& json) {
+void writeFinding(const Finding& finding, JsonWriter& json) {
+  json.beginObject();
+  json.field("code", finding.code);
+  json.field("count", finding.count);
+  json.key("first").beginArray();
+  for (const std::int64_t index : finding.first) json.value(index);
+  json.endArray();
+  json.field("text", finding.text);
+  json.endObject();
+}
+
+}  // namespace
+
+void writeCheckFields(const MeshCheck& check, JsonWriter& json) {
   json.field("vertices", check.vertices);
   json.field("triangles", check.triangles);
   json.field("shells", check.shells);
@@ -28,24 +41,11 @@ void writeCheck(const MeshCheck& check, JsonWriter& json) {
   json.field("area", check.area);
 }
 
-void writeFinding(const Finding& finding, JsonWriter& json) {
-  json.beginObject();
-  json.field("code", finding.code);
-  json.field("count", finding.count);
-  json.key("first").beginArray();
-  for (const std::int64_t index : finding.first) json.value(index);
-  json.endArray();
-  json.field("text", finding.text);
-  json.endObject();
-}
-
-}  // namespace
-
 void writeReportFields(const Report& report, JsonWriter& json) {
   json.field("status", statusName(report.status));
   json.field("code", report.code);
   json.field("message", report.message);
-  writeCheck(report.check, json);
+  writeCheckFields(report.check, json);
   json.field("cell", report.cellSize);
   json.key("grid").beginArray();
   for (const std::int64_t n : report.grid) json.value(n);

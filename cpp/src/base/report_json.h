@@ -8,6 +8,7 @@
 namespace swept {
 
 /// Writes the keys of README.md, "The report", into an object that the caller has opened.
+void writeCheckFields(const MeshCheck& check, JsonWriter& json);
 void writeReportFields(const Report& report, JsonWriter& json);
 
 }  // namespace swept

@@ -1,0 +1,44 @@
+// numpy in, plain structs out, and the other way round.
+// In:   arrays of any layout and dtype that converts without loss; shapes are checked.
+// Out:  copies for the core (it runs without the interpreter's lock), read-only views for Python
+// that keep the memory of the result alive. Throws py::value_error, py::type_error for shapes and
+// types, Error(InvalidInput) for content. SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept::python {
+
+namespace py = pybind11;
+
+TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles);
+
+/// (times, quaternions, translations), (times, matrices) or matrices (K, 4, 4).
+Trajectory trajectoryFromObject(const py::object& motion, const std::string& interpolation);
+py::tuple trajectoryToArrays(const Trajectory& trajectory);
+
+/// str, bytes or os.PathLike -> UTF-8.
+std::string pathFromObject(const py::object& path);
+
+/// JSON text -> dict.
+py::object parseJson(const std::string& text);
+
+/// Read-only array over memory that `owner` keeps alive.
+template <class T>
+py::array readOnlyView(const T* data, std::vector<py::ssize_t> shape,
+                       const std::shared_ptr<const void>& owner) {
+  using Owner = std::shared_ptr<const void>;
+  const py::capsule base(new Owner(owner), [](void* kept) { delete static_cast<Owner*>(kept); });
+  py::array_t<T> view(std::move(shape), data, base);
+  view.attr("setflags")(py::arg("write") = false);
+  return view;
+}
+
+}  // namespace swept::python

@@ -1,0 +1,89 @@
+// Texts of help(_swept): shapes, dtypes, units, errors.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace swept::python {
+
+constexpr const char* kModuleDoc =
+    R"(Envelopes of moving bodies: numpy arrays in and out, lengths in mm, times in s.
+
+Long calls release the interpreter's lock; watch and cancel them from another thread through a
+RunContext. Ctrl-C cancels as well. Failures raise Error or one of its subclasses.)";
+
+constexpr const char* kRunContextDoc =
+    R"(RunContext(threads=0, memory_limit_mb=0)
+
+Watches and cancels one run from any thread. threads 0: all cores; memory_limit_mb 0: three quarters
+of what is free. Use one for one run: progress does not start over.)";
+
+constexpr const char* kMeshDoc =
+    "Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), both read-only views.";
+
+constexpr const char* kResultDoc =
+    R"(Result of compute(): mesh (Mesh), report (dict), contact_time, feature_edges.
+The arrays are read-only views that share the result's memory; copy them to change them.)";
+
+constexpr const char* kComputeDoc =
+    R"(compute(vertices, triangles, motion, interpolation='linear', run=None, **options) -> Result
+
+Envelope of a body moved along a trajectory.
+
+vertices   float (N, 3), mm
+triangles  int (M, 3), counter-clockwise seen from outside
+motion     one of
+             (times (K,) s, quaternions (K, 4) in the order x, y, z, w, translations (K, 3) mm)
+             (times (K,) s, matrices (K, 4, 4))
+             matrices (K, 4, 4), at the times 0, 1, 2, ...
+           x_world = R x + t
+interpolation  'none' (union of posed copies), 'linear' (lerp + slerp) or 'screw'
+run        RunContext to watch and cancel
+
+Options: resolution=128 (cells along the longest side) or cell=0.0 (mm); components='consistent'
+('dc', 'dmc', 'equivalence', 'greedy'); backend='auto' ('cpu', 'gpu'); keep_cavities=False; cull=True;
+tolerance=0.0 (mm, simplification); offset=0.0 (mm); conservative=False; position_filter=0.0 (mm);
+chord=0.02 (cells); weld=1e-6 (of the box diagonal); threads=0; memory_limit_mb=0.
+
+Raises Error with .status, .code and .report: InvalidInput, ResourceLimit, OutOfMemory, Cancelled,
+DeviceUnavailable, DeviceLost, InternalError. Wrong shapes raise ValueError, wrong types TypeError.)";
+
+constexpr const char* kEstimateDoc =
+    R"(estimate(vertices, triangles, motion, interpolation='linear', **options) -> dict
+
+What compute() would take: grid (3 ints), cell (mm), memory_bytes, seconds, triangles; the last three
+are rough. Arguments and errors as those of compute().)";
+
+constexpr const char* kCheckMeshDoc =
+    R"(check_mesh(vertices, triangles, run=None) -> dict
+
+Checks a mesh: passes, vertices, triangles, shells, finite, closed, manifold, oriented, open_edges,
+non_manifold_edges, non_manifold_vertices, misoriented_edges, degenerate_triangles, unused_vertices,
+self_intersections, first_intersections, volume (mm^3), area (mm^2).)";
+
+constexpr const char* kReadMeshDoc =
+    R"(read_mesh(path, unit='mm') -> Mesh
+
+Reads PLY, STL, OBJ or OFF. unit: of the numbers in the file: mm, cm, m, in. Raises InvalidInput
+(code BadFile) with the place of what is wrong.)";
+
+constexpr const char* kWriteMeshDoc =
+    R"(write_mesh(path, vertices, triangles)
+
+Writes PLY (double precision), STL, OBJ or OFF (single precision), in mm. An existing file is replaced
+only when the new one is complete. Raises ExportFailed.)";
+
+constexpr const char* kReadTrajectoryDoc =
+    R"(read_trajectory_csv(path, unit='mm') -> (times (K,), quaternions (K, 4), translations (K, 3))
+
+Reads t,tx,ty,tz,qx,qy,qz,qw or 16 matrix numbers a row; comma, semicolon or tab; plain, gzip or xz.
+times in s, quaternions x, y, z, w, translations in mm. Raises InvalidInput (code BadFile,
+EmptyTrajectory, NotRigid, BadPose) with line and column.)";
+
+constexpr const char* kWriteSolidDoc =
+    R"(write_solid(path, vertices, triangles, merge_coplanar=True, planar_tolerance=1e-6,
+            max_faces=120000, product_name='Swept envelope', schema='AP214IS', run=None) -> dict
+
+Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked before
+it replaces an old one. Returns solids, faces, edges, valid, volume, mesh_volume, file_bytes and
+seconds. Raises ExportFailed, Cancelled.)";
+
+}  // namespace swept::python

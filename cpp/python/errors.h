@@ -1,0 +1,20 @@
+// Python exceptions of the module: Error and one class a status below it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "swept/types.h"
+
+namespace swept::python {
+
+/// Creates the classes and makes the module turn swept::Error and std::bad_alloc into them.
+void bindErrors(pybind11::module_& module);
+
+/// Raises the class of `status` with .status, .code and .report (dict or None).
+[[noreturn]] void raise(Status status, const std::string& code, const std::string& message,
+                        const pybind11::object& report);
+
+}  // namespace swept::python

@@ -1,0 +1,304 @@
+// The compiled module `_swept`: the core for Python, numpy in and out.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+
+#include "arrays.h"
+#include "base/report_json.h"
+#include "docstrings.h"
+#include "errors.h"
+#include "io/safe_file.h"
+#include "job.h"
+#include "swept/compute.h"
+#include "swept/io.h"
+#ifdef HAVE_SWEPT_STEP
+#include "swept/step_export.h"
+#endif
+
+#ifndef SWEPT_VERSION
+#define SWEPT_VERSION "unknown"
+#endif
+
+namespace swept::python {
+namespace {
+
+using RunPointer = std::shared_ptr<RunContext>;
+
+/// A mesh whose arrays Python looks at without copying.
+struct Mesh {
+  std::shared_ptr<const TriMesh> data;
+
+  py::array vertices() const {
+    return readOnlyView(reinterpret_cast<const double*>(data->vertices.data()),
+                        {static_cast<py::ssize_t>(data->vertices.size()), 3}, data);
+  }
+  py::array triangles() const {
+    return readOnlyView(reinterpret_cast<const std::int32_t*>(data->triangles.data()),
+                        {static_cast<py::ssize_t>(data->triangles.size()), 3}, data);
+  }
+};
+
+struct ComputeResult {
+  std::shared_ptr<const Result> data;
+  py::object report;
+
+  Mesh mesh() const { return {std::shared_ptr<const TriMesh>(data, &data->mesh)}; }
+  py::array contactTime() const {
+    return readOnlyView(data->contactTime.data(),
+                        {static_cast<py::ssize_t>(data->contactTime.size())}, data);
+  }
+  py::array featureEdges() const {
+    return readOnlyView(reinterpret_cast<const std::int32_t*>(data->featureEdges.data()),
+                        {static_cast<py::ssize_t>(data->featureEdges.size()), 2}, data);
+  }
+};
+
+std::uint64_t bytesFromMegabytes(double megabytes) {
+  if (!(megabytes >= 0) || megabytes > 1e12) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "memory_limit_mb must be 0 (default) or a positive number of MiB");
+  }
+  return static_cast<std::uint64_t>(megabytes * 1048576.0);
+}
+
+RunPointer runFromObject(const py::object& run) {
+  return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
+}
+
+// One option of compute() and estimate(); what is no number, name or flag is a TypeError.
+template <class T>
+T castOption(const std::string& name, const py::handle& value) {
+  try {
+    return value.cast<T>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("option " + name + " cannot be " + py::repr(value).cast<std::string>());
+  }
+}
+
+void takeOption(const std::string& name, const py::handle& value, Options& options,
+                RunContext& run) {
+  if (name == "resolution")
+    options.resolution = castOption<int>(name, value);
+  else if (name == "cell")
+    options.cellSize = castOption<double>(name, value);
+  else if (name == "components")
+    options.components = parseComponentMethod(castOption<std::string>(name, value));
+  else if (name == "backend")
+    options.backend = parseBackend(castOption<std::string>(name, value));
+  else if (name == "keep_cavities")
+    options.keepCavities = castOption<bool>(name, value);
+  else if (name == "cull")
+    options.cull = castOption<bool>(name, value);
+  else if (name == "tolerance")
+    options.tolerance = castOption<double>(name, value);
+  else if (name == "offset")
+    options.offset = castOption<double>(name, value);
+  else if (name == "conservative")
+    options.conservative = castOption<bool>(name, value);
+  else if (name == "position_filter")
+    options.positionFilter = castOption<double>(name, value);
+  else if (name == "chord")
+    options.chordTolerance = castOption<double>(name, value);
+  else if (name == "weld")
+    options.weldTolerance = castOption<double>(name, value);
+  else if (name == "threads")
+    run.threads = castOption<int>(name, value);
+  else if (name == "memory_limit_mb")
+    run.memoryLimitBytes = bytesFromMegabytes(castOption<double>(name, value));
+  else
+    throw py::type_error("unknown option '" + name + "'");
+}
+
+Options optionsFrom(const py::kwargs& keywords, RunContext& run) {
+  Options options;
+  for (const auto& [name, value] : keywords) {
+    takeOption(name.cast<std::string>(), value, options, run);
+  }
+  return options;
+}
+
+ComputeResult pyCompute(const py::object& vertices, const py::object& triangles,
+                        const py::object& motion, const std::string& interpolation,
+                        const py::object& run, const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const Options options = optionsFrom(keywords, *context);
+  const TriMesh body = meshFromArrays(vertices, triangles);
+  const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
+  auto result = std::make_shared<Result>(
+      runWithoutLock(*context, [&] { return compute(body, trajectory, options, *context); }));
+  const py::object report = parseJson(toJson(result->report));
+  if (result->report.status != Status::Ok) {
+    raise(result->report.status, result->report.code, result->report.message, report);
+  }
+  return {result, report};
+}
+
+py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
+                    const py::object& motion, const std::string& interpolation,
+                    const py::kwargs& keywords) {
+  RunContext run;
+  const Options options = optionsFrom(keywords, run);
+  const TriMesh body = meshFromArrays(vertices, triangles);
+  const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
+  const Estimate found = runWithoutLock(run, [&] { return estimate(body, trajectory, options); });
+  py::dict result;
+  result["grid"] = py::cast(found.grid);
+  result["cell"] = found.cellSize;
+  result["memory_bytes"] = found.memoryBytes;
+  result["seconds"] = found.seconds;
+  result["triangles"] = found.triangles;
+  return result;
+}
+
+py::object pyCheckMesh(const py::object& vertices, const py::object& triangles,
+                       const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const MeshCheck check = runWithoutLock(*context, [&] { return checkMesh(mesh, *context); });
+  JsonWriter json;
+  json.beginObject();
+  json.field("passes", check.passes());
+  writeCheckFields(check, json);
+  json.endObject();
+  return parseJson(json.text());
+}
+
+Mesh pyReadMesh(const py::object& path, const std::string& unit) {
+  const std::string name = pathFromObject(path);
+  const double scale = parseLengthUnit(unit);
+  const py::gil_scoped_release release;
+  return {std::make_shared<const TriMesh>(readMesh(name, scale))};
+}
+
+void pyWriteMesh(const py::object& path, const py::object& vertices, const py::object& triangles) {
+  const std::string name = pathFromObject(path);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const py::gil_scoped_release release;
+  writeMesh(mesh, name);
+}
+
+py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
+  const std::string name = pathFromObject(path);
+  const double scale = parseLengthUnit(unit);
+  Trajectory trajectory;
+  {
+    const py::gil_scoped_release release;
+    trajectory = readTrajectoryCsv(name, scale, Interpolation::None);
+  }
+  return trajectoryToArrays(trajectory);
+}
+
+py::dict pyWriteSolid([[maybe_unused]] const py::object& path,
+                      [[maybe_unused]] const py::object& vertices,
+                      [[maybe_unused]] const py::object& triangles,
+                      [[maybe_unused]] bool mergeCoplanar, [[maybe_unused]] double planarTolerance,
+                      [[maybe_unused]] std::int64_t maxFaces,
+                      [[maybe_unused]] const std::string& productName,
+                      [[maybe_unused]] const std::string& schema,
+                      [[maybe_unused]] const py::object& run) {
+#ifdef HAVE_SWEPT_STEP
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  StepOptions options;
+  options.mergeCoplanar = mergeCoplanar;
+  options.planarTolerance = planarTolerance;
+  options.maxFaces = maxFaces;
+  options.productName = productName;
+  options.schema = schema;
+  const StepReport report = runWithoutLock(*context, [&] {
+    checkTarget(name);
+    return writeSolid(mesh, name, options, *context);
+  });
+  py::dict result;
+  result["solids"] = report.solids;
+  result["faces"] = report.faces;
+  result["edges"] = report.edges;
+  result["valid"] = report.valid;
+  result["volume"] = report.volume;
+  result["mesh_volume"] = report.meshVolume;
+  result["file_bytes"] = report.fileBytes;
+  result["seconds_build"] = report.secondsBuild;
+  result["seconds_write"] = report.secondsWrite;
+  result["seconds_reread"] = report.secondsReread;
+  return result;
+#else
+  throw Error(Status::ExportFailed, "BadFormat",
+              "this module was built without OpenCASCADE and cannot write solids");
+#endif
+}
+
+void bindClasses(py::module_& module) {
+  py::class_<RunContext, RunPointer>(module, "RunContext", kRunContextDoc)
+      .def(py::init([](int threads, double memoryLimitMegabytes) {
+             auto run = std::make_shared<RunContext>();
+             run->threads = threads;
+             run->memoryLimitBytes = bytesFromMegabytes(memoryLimitMegabytes);
+             return run;
+           }),
+           py::arg("threads") = 0, py::arg("memory_limit_mb") = 0.0)
+      .def("cancel", &RunContext::cancel, "Asks the run to stop; returns at once.")
+      .def_property_readonly("cancelled", &RunContext::isCancelled)
+      .def_property_readonly("progress", &RunContext::progress, "Whole run, 0 to 1; never falls.")
+      .def_property_readonly(
+          "phase", [](const RunContext& run) { return phaseName(run.phase()); },
+          "Name of the stage under way.")
+      .def_property_readonly("checkpoints", &RunContext::checkpoints)
+      .def_readwrite("threads", &RunContext::threads)
+      .def_readwrite("cancel_at_checkpoint", &RunContext::cancelAtCheckpoint,
+                     "For tests: cancel at this checkpoint, counted from 1; 0: never.");
+  py::class_<Mesh>(module, "Mesh", kMeshDoc)
+      .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
+      .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only");
+  py::class_<ComputeResult>(module, "Result", kResultDoc)
+      .def_property_readonly("mesh", &ComputeResult::mesh)
+      .def_property_readonly(
+          "vertices", [](const ComputeResult& result) { return result.mesh().vertices(); },
+          "float64 (N, 3), mm, read-only")
+      .def_property_readonly(
+          "triangles", [](const ComputeResult& result) { return result.mesh().triangles(); },
+          "int32 (M, 3), read-only")
+      .def_readonly("report", &ComputeResult::report, "dict, keys as in README.md")
+      .def_property_readonly("contact_time", &ComputeResult::contactTime,
+                             "float64 (N,): s at which the vertex is touched; may be empty")
+      .def_property_readonly("feature_edges", &ComputeResult::featureEdges,
+                             "int32 (E, 2): vertex pairs along creases; may be empty");
+}
+
+void bindFunctions(py::module_& module) {
+  module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
+             py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none());
+  module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),
+             py::arg("motion"), py::arg("interpolation") = "linear");
+  module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
+             py::arg("run") = py::none());
+  module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
+  module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
+             py::arg("triangles"));
+  module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),
+             py::arg("unit") = "mm");
+  module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
+             py::arg("triangles"), py::arg("merge_coplanar") = true,
+             py::arg("planar_tolerance") = 1e-6, py::arg("max_faces") = std::int64_t{120000},
+             py::arg("product_name") = "Swept envelope", py::arg("schema") = "AP214IS",
+             py::arg("run") = py::none());
+}
+
+}  // namespace
+}  // namespace swept::python
+
+PYBIND11_MODULE(_swept, module) {
+  using namespace swept::python;
+  module.doc() = kModuleDoc;
+  module.attr("__version__") = SWEPT_VERSION;
+#ifdef HAVE_SWEPT_STEP
+  module.attr("HAS_SOLIDS") = true;
+#else
+  module.attr("HAS_SOLIDS") = false;
+#endif
+  bindErrors(module);
+  bindClasses(module);
+  bindFunctions(module);
+}
