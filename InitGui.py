@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench class. Names at the top of this file are not visible in the methods: import there."""
+import FreeCADGui
+
+
+class SweptVolumeWorkbench(FreeCADGui.Workbench):
+    """Swept envelopes of moving parts."""
+
+    def __init__(self):
+        import sweptvolume
+        from sweptvolume.texts import translate
+
+        self.__class__.MenuText = translate("Workbench", "Swept Volume")
+        self.__class__.ToolTip = translate(
+            "Workbench", "The space that moving parts need: motions, swept envelopes, solids, STEP"
+        )
+        self.__class__.Icon = sweptvolume.icon("SweptVolumeWorkbench")
+
+    def Initialize(self):
+        from sweptvolume import commands
+
+        commands.register()
+        commands.fill_workbench(self)
+
+    def Activated(self):
+        from sweptvolume import core
+
+        core.tell_if_missing()
+
+    def ContextMenu(self, recipient):
+        from sweptvolume import commands
+
+        commands.fill_context_menu(self, recipient)
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"
+
+
+def _start():
+    import sweptvolume
+
+    FreeCADGui.addLanguagePath(sweptvolume.resource("translations"))
+    FreeCADGui.updateLocale()
+    FreeCADGui.addIconPath(sweptvolume.resource("icons"))
+    FreeCADGui.addWorkbench(SweptVolumeWorkbench())
+
+
+_start()

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands: one file each, registered here in the order of menu and toolbar."""
+import FreeCADGui as Gui
+
+from ..texts import translate
+
+#: Module below commands/; "" is a separator.
+_MODULES = [
+    "motion_from_file",
+    "motion_from_selection",
+    "reload_motion",
+    "",
+    "create_envelope",
+    "edit_envelope",
+    "recompute_envelope",
+    "",
+    "make_solid",
+    "export_envelope",
+    "",
+    "demo_command",
+]
+#: Commands that belong in the menu only.
+_MENU_ONLY = {"SweptVolume_EditEnvelope", "SweptVolume_Demo"}
+_names = []
+
+
+def register():
+    """Registers all commands with FreeCAD, once."""
+    import importlib
+
+    if _names:
+        return
+    for name in _MODULES:
+        if not name:
+            _names.append("Separator")
+            continue
+        command = importlib.import_module("." + name, __name__).Command()
+        Gui.addCommand(command.NAME, command)
+        _names.append(command.NAME)
+
+
+def fill_workbench(workbench):
+    title = translate("Workbench", "Swept Volume")
+    workbench.appendToolbar(title, [name for name in _names if name not in _MENU_ONLY])
+    workbench.appendMenu("&" + title, list(_names))
+
+
+def fill_context_menu(workbench, recipient):
+    from ..panels import selection
+
+    if recipient not in ("View", "Tree"):
+        return
+    names = []
+    if selection.motion() or selection.parts():
+        names.append("SweptVolume_Envelope")
+    if selection.envelope():
+        names += ["SweptVolume_Recompute", "SweptVolume_Solid", "SweptVolume_Export"]
+    if names:
+        workbench.appendContextMenu("", ["Separator"] + names)

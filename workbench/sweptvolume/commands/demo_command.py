@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Demo: opens the shipped example."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_Demo"
+    TEXT = mark("Commands", "Open the demo")
+    TIP = mark("Commands", "Opens the example: a starter motor is fitted past its neighbours")
+    NEEDS_DOCUMENT = False
+
+    def run(self, document):
+        from .. import demo
+
+        demo.build()

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Export envelope: STEP, BREP or a mesh file."""
+from ..convert import InputProblem
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_Export"
+    TEXT = mark("Commands", "Export envelope...")
+    TIP = mark(
+        "Commands", "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way"
+    )
+
+    def run(self, document):
+        from ..panels import file_dialogs, run_panel, selection, tasks
+
+        source, solid = selection.source(), selection.solid()
+        if source is None and solid is not None:
+            source = solid.Source
+        if source is None:
+            raise InputProblem(translate("Messages", "Select an envelope first."))
+        path = file_dialogs.ask_export(source.Label)
+        if path:
+            run_panel.show(tasks.ExportTask(source, path), self.NAME)

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Make solid: the B-rep solid of the selected envelope."""
+from ..convert import InputProblem
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_Solid"
+    TEXT = mark("Commands", "Make solid")
+    TIP = mark(
+        "Commands",
+        "Makes a solid of the selected envelope for booleans, measuring and STEP; of a selected solid: "
+        "makes it again",
+    )
+
+    def run(self, document):
+        from ..panels import run_panel, selection, tasks
+
+        obj, source = selection.solid(), selection.source()
+        if obj is None and source is None:
+            raise InputProblem(translate("Messages", "Select an envelope first."))
+        run_panel.show(tasks.SolidTask(document, source, obj), self.NAME)

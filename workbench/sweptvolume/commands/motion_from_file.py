@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion from file: a CSV with its unit."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_MotionFromFile"
+    TEXT = mark("Commands", "Motion from file...")
+    TIP = mark(
+        "Commands",
+        "Reads a motion from a CSV file: time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw) or 16 "
+        "matrix numbers a row",
+    )
+
+    def run(self, document):
+        from ..panels import file_panel
+
+        path = file_panel.ask_file()
+        if path:
+            file_panel.show(document, path)

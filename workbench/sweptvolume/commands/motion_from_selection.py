@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion from selection: one pose for each selected object, in the order of selection."""
+from ..convert import InputProblem
+from ..features import motion
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_MotionFromSelection"
+    TEXT = mark("Commands", "Motion from selected placements")
+    TIP = mark(
+        "Commands",
+        "Makes a motion from the placements of the selected objects, in the order of selection. It "
+        "stays linked: moving an object moves its pose",
+    )
+
+    def run(self, document):
+        from ..panels import selection
+
+        objects = selection.placed()
+        if len(objects) < 2:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "Select at least two objects whose placements are the poses, in the order of the "
+                    "motion: copies or links of the part, or local coordinate systems.",
+                )
+            )
+        document.openTransaction(translate("Commands", self.TEXT))
+        try:
+            obj = motion.motion_from_objects(document, objects)
+            document.recompute([obj])
+        except BaseException:
+            document.abortTransaction()
+            raise
+        document.commitTransaction()

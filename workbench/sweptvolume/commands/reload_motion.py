@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reload motion: reads the file or the source again."""
+from ..convert import InputProblem
+from ..features import motion
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_ReloadMotion"
+    TEXT = mark("Commands", "Reload motion")
+    TIP = mark("Commands", "Reads the file or the source of the selected motion again")
+
+    def run(self, document):
+        from ..panels import selection
+
+        obj = selection.motion()
+        if obj is None:
+            raise InputProblem(translate("Messages", "Select a motion first."))
+        document.openTransaction(translate("Commands", self.TEXT))
+        try:
+            motion.reload_source(obj)
+            document.recompute()
+        except BaseException:
+            document.abortTransaction()
+            raise
+        document.commitTransaction()

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD objects <-> numpy arrays. Units: mm, s. No GUI.
+
+Ways chosen by measurement: meshes go in and out as binary PLY, solids are meshed by MeshPart.
+Coordinates of a FreeCAD mesh are single precision, so bodies are taken in their own local frame and
+moved to the world in double precision.
+"""
+import io
+import os
+import tempfile
+
+import FreeCAD as App
+import numpy as np
+
+from .texts import translate
+
+#: Angular deflection of meshed solids (rad); the linear one follows the cell.
+ANGULAR_DEFLECTION = 0.35
+
+
+class InputProblem(ValueError):
+    """Something selected cannot be swept; the text says what, why and what to do."""
+
+
+class Body:
+    """Triangles in world coordinates (mm) as they stand now, and the placement of the first part."""
+
+    def __init__(self, vertices, triangles, placement, labels):
+        self.vertices = vertices
+        self.triangles = triangles
+        self.placement = placement
+        self.labels = labels
+
+
+# --- placements
+
+
+def matrix_of(placement):
+    """Placement -> 4x4 float64."""
+    return np.array(placement.toMatrix().A, dtype=float).reshape(4, 4)
+
+
+def pose_arrays(placements):
+    """Placements -> translations (n,3) in mm, quaternions (n,4) as x,y,z,w."""
+    translations = np.array([tuple(p.Base) for p in placements], dtype=float).reshape(-1, 3)
+    rotations = np.array([p.Rotation.Q for p in placements], dtype=float).reshape(-1, 4)
+    return translations, rotations
+
+
+def placements_from(translations, rotations):
+    """The way back from pose_arrays."""
+    return [
+        App.Placement(App.Vector(*map(float, t)), App.Rotation(*map(float, q)))
+        for t, q in zip(translations, rotations)
+    ]
+
+
+def transform(matrix, points):
+    """Applies a 4x4 matrix to (n,3) points."""
+    return points @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+# --- meshes
+
+
+def mesh_from_arrays(vertices, triangles):
+    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept."""
+    import Mesh
+
+    head = (
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n"
+        "property float y\nproperty float z\nelement face {}\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    ).format(len(vertices), len(triangles))
+    faces = np.zeros(len(triangles), dtype=[("c", "u1"), ("i", "<i4", 3)])
+    faces["c"] = 3
+    faces["i"] = triangles
+    data = head.encode() + np.ascontiguousarray(vertices, "<f4").tobytes() + faces.tobytes()
+    mesh = Mesh.Mesh()
+    mesh.read(io.BytesIO(data), "PLY")
+    return mesh
+
+
+def arrays_from_mesh(mesh):
+    """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
+    local = mesh.copy()
+    local.Placement = App.Placement()
+    handle, path = tempfile.mkstemp(suffix=".ply")
+    os.close(handle)
+    try:
+        local.write(path)
+        with open(path, "rb") as file:
+            data = file.read()
+    finally:
+        os.remove(path)
+    start = data.index(b"end_header\n") + len(b"end_header\n")
+    head = data[:start].decode("ascii")
+    points = int(head.split("element vertex ")[1].split()[0])
+    facets = int(head.split("element face ")[1].split()[0])
+    vertices = np.frombuffer(data, "<f4", points * 3, start).reshape(-1, 3).astype(float)
+    kind = [("c", "u1"), ("i", "<i4", 3)]
+    triangles = np.frombuffer(data, kind, facets, start + 12 * points)["i"].astype(np.int32)
+    return vertices, triangles
+
+
+def arrays_from_shape(shape, deflection):
+    """Solid(s) -> vertices, triangles in the shape's own frame. `deflection`: mm, chord height."""
+    import MeshPart
+
+    if not shape.Solids and not any(s.isClosed() for s in shape.Shells):
+        raise InputProblem(
+            translate(
+                "Messages",
+                "the shape has no solid (faces: {0}). Sweep a solid or a closed mesh; Part > Convert to "
+                "solid or Part > Shape builder close a shape.",
+            ).format(len(shape.Faces))
+        )
+    # A copy: the triangulation is cached in the shape, a finer one would be reused for ever.
+    local = shape.copy()
+    local.Placement = App.Placement()
+    mesh = MeshPart.meshFromShape(
+        Shape=local,
+        LinearDeflection=float(deflection),
+        AngularDeflection=ANGULAR_DEFLECTION,
+        Relative=False,
+    )
+    if mesh.CountFacets == 0:
+        raise InputProblem(translate("Messages", "the shape gave no triangles."))
+    return arrays_from_mesh(mesh)
+
+
+# --- objects of a document
+
+
+def split_path(root, sub):
+    """Drops a trailing element name ("L.Box.Face3" -> "L.Box.")."""
+    return sub[: sub.rfind(".") + 1] if sub else ""
+
+
+def root_path(obj):
+    """(root, sub) through which an object given alone is seen in the document.
+
+    The first chain of groups is taken, so that moving a group around the object is noticed.
+    """
+    for root, sub in getattr(obj, "Parents", []) or []:
+        if root.isDerivedFrom("App::DocumentObject") and not root.isDerivedFrom("App::Link"):
+            return root, sub
+    return obj, ""
+
+
+def pairs_of(links):
+    """Value of a LinkSubList property -> flat list of (root, sub)."""
+    pairs = []
+    for root, subs in links or []:
+        names = [subs] if isinstance(subs, str) else list(subs)
+        pairs += [(root, name) for name in (names or [""])]
+    return pairs
+
+
+def label_of(root, sub):
+    """What the tree shows for a path, for messages."""
+    target = root.getSubObject(sub, retType=1)
+    return target.Label if target is not None else "{}.{}".format(root.Label, sub)
+
+
+def global_placement(root, sub):
+    """Placement of the object at the end of a path, seen from the document."""
+    return root.getSubObject(sub, retType=3)
+
+
+def _global_matrix(root, sub):
+    """World from the frame of the linked geometry: placements, scales and transforms of links."""
+    target = root.getSubObject(sub, retType=1)
+    path = np.array(root.getSubObject(sub, retType=4).A, dtype=float).reshape(4, 4)
+    inner = target.getLinkedObject(True, App.Matrix(), False)[1]
+    return path @ np.array(inner.A, dtype=float).reshape(4, 4)
+
+
+def leaves(root, sub="", hidden=False):
+    """All shapes and meshes below a path: list of (linked object, path).
+
+    Hidden children are left out (they are inputs of booleans as a rule), the path itself is not.
+    """
+    target = root.getSubObject(sub, retType=1)
+    if target is None:
+        raise InputProblem(
+            translate("Messages", '"{0}" no longer leads to an object; choose the part again.').format(
+                root.Label + "." + sub
+            )
+        )
+    if hidden and not getattr(target, "Visibility", True):
+        return []
+    linked = target.getLinkedObject(True)
+    if hasattr(linked, "Mesh") and linked.isDerivedFrom("Mesh::Feature"):
+        return [(linked, sub)]
+    if hasattr(linked, "Shape") and linked.isDerivedFrom("Part::Feature"):
+        return [(linked, sub)]
+    found = []
+    for child in target.getSubObjects():
+        # Groups may name elements of a shape here; only names that end in a dot are objects.
+        if child.endswith("."):
+            found += leaves(root, sub + child, hidden=True)
+    return found
+
+
+def _leaf_arrays(linked, deflection):
+    if linked.isDerivedFrom("Mesh::Feature"):
+        return arrays_from_mesh(linked.Mesh)
+    return arrays_from_shape(linked.Shape, deflection)
+
+
+def _solid_like(linked):
+    """Helper geometry inside groups (datum planes, sketches) is passed over silently."""
+    return linked.isDerivedFrom("Mesh::Feature") or bool(linked.Shape.Solids or linked.Shape.Shells)
+
+
+def no_part_text():
+    return translate("Messages", "no moving part is given: choose a solid or a mesh that moves.")
+
+
+def body_from(pairs, deflection):
+    """All generators of a LinkSubList as one body. `deflection`: mm, for solids."""
+    if not pairs:
+        raise InputProblem(no_part_text())
+    vertices, triangles, labels, count = [], [], [], 0
+    for root, sub in pairs:
+        label = label_of(root, sub)
+        labels.append(label)
+        parts = leaves(root, sub)
+        if len(parts) > 1:
+            parts = [part for part in parts if _solid_like(part[0])]
+        if not parts:
+            raise InputProblem(
+                translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
+            )
+        for linked, path in parts:
+            try:
+                points, facets = _leaf_arrays(linked, deflection)
+            except InputProblem as problem:
+                raise InputProblem('"{}": {}'.format(label, problem)) from None
+            vertices.append(transform(_global_matrix(root, path), points))
+            triangles.append(facets + count)
+            count += len(points)
+    placement = global_placement(*pairs[0])
+    return Body(np.vstack(vertices), np.vstack(triangles).astype(np.int32), placement, labels)
+
+
+#: Triangles over the eight corners of the first box that box_corners() returns.
+BOX_TRIANGLES = np.array(
+    [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)]
+    + [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)],
+    dtype=np.int32,
+)
+
+
+def box_corners(pairs):
+    """The eight world corners of each leaf's box (k,3): cheap, no meshing."""
+    corners = []
+    for root, sub in pairs:
+        parts = leaves(root, sub)
+        for linked, path in parts:
+            if len(parts) > 1 and not _solid_like(linked):
+                continue
+            data = linked.Mesh.copy() if linked.isDerivedFrom("Mesh::Feature") else linked.Shape.copy()
+            data.Placement = App.Placement()
+            box = data.BoundBox
+            if not box.isValid():
+                continue
+            local = np.array(
+                [
+                    (x, y, z)
+                    for x in (box.XMin, box.XMax)
+                    for y in (box.YMin, box.YMax)
+                    for z in (box.ZMin, box.ZMax)
+                ]
+            )
+            corners.append(transform(_global_matrix(root, path), local))
+    if not corners:
+        raise InputProblem(translate("Messages", "the moving part is empty."))
+    return np.vstack(corners)
+
+
+def signature(pairs):
+    """Text that changes when the geometry or the place of a generator changes; cheap to make."""
+    words = []
+    for root, sub in pairs:
+        for linked, path in leaves(root, sub):
+            words.append(np.array2string(_global_matrix(root, path), precision=9))
+            if linked.isDerivedFrom("Mesh::Feature"):
+                data = linked.Mesh
+                size = (data.CountPoints, data.CountFacets, round(data.Area, 6), round(data.Volume, 6))
+            else:
+                data = linked.Shape
+                size = (len(data.Faces), len(data.Vertexes), round(data.Area, 6), round(data.Length, 6))
+                if data.Solids:
+                    size += tuple(round(s.Volume, 6) for s in data.Solids)
+            box = data.BoundBox
+            words.append(repr(size) + repr((round(box.DiagonalLength, 7), tuple(box.Center))))
+    return "\n".join(words)

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The only importer of the compiled module `_swept`.
+
+Searched in this order: the folder in the environment variable SWEPT_CORE, build/python of the
+repository, then the ordinary Python path. Nothing is imported before somebody needs it, so the
+workbench starts, opens documents and shows stored results without the module.
+"""
+import importlib
+import importlib.util
+import os
+import sys
+
+import FreeCAD as App
+
+from . import ROOT
+from .texts import translate
+
+_module = None
+_problem = None
+_told = False
+
+
+class CoreMissing(RuntimeError):
+    """The compiled module was not found or cannot be loaded; the text says what to do."""
+
+
+def _search_folders():
+    folders = []
+    if os.environ.get("SWEPT_CORE"):
+        folders.append(os.environ["SWEPT_CORE"])
+    folders.append(os.path.join(ROOT, "build", "python"))
+    return folders
+
+
+def _load_from(folder):
+    """Imports _swept from one folder without leaving that folder on the path."""
+    sys.path.insert(0, folder)
+    try:
+        return importlib.import_module("_swept")
+    finally:
+        sys.path.remove(folder)
+
+
+def _find():
+    tried = []
+    for folder in _search_folders():
+        names = os.listdir(folder) if os.path.isdir(folder) else []
+        if not any(n.startswith("_swept") and n.endswith((".so", ".pyd")) for n in names):
+            tried.append("{}: not there".format(folder))
+            continue
+        try:
+            return _load_from(folder), None
+        except ImportError as error:
+            tried.append("{}: {}".format(folder, error))
+    try:
+        return importlib.import_module("_swept"), None
+    except ImportError as error:
+        tried.append("Python path: {}".format(error))
+    return None, tried
+
+
+def _missing_text(tried):
+    python = "{}.{}".format(*sys.version_info[:2])
+    return translate(
+        "Messages",
+        "The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.\n"
+        "Build it once, in the folder {1}:\n"
+        "    cmake --preset release && cmake --build build\n"
+        "README.md lists the packages this needs. A core that lies elsewhere is named by the "
+        "environment variable SWEPT_CORE.\nTried:\n  {2}",
+    ).format(python, ROOT, "\n  ".join(tried))
+
+
+def module():
+    """The compiled module; raises CoreMissing with a text for users."""
+    global _module, _problem
+    if _module is None:
+        _module, tried = _find()
+        if _module is None:
+            _problem = _missing_text(tried)
+            raise CoreMissing(_problem)
+    return _module
+
+
+def available():
+    """Whether the compiled module can be loaded."""
+    try:
+        module()
+    except CoreMissing:
+        return False
+    return True
+
+
+def tell_if_missing():
+    """Says once a session, in the report view, how to build the core; never raises."""
+    global _told
+    if not _told and not available():
+        _told = True
+        App.Console.PrintWarning(_problem + "\n")
+
+
+class CoreError(RuntimeError):
+    """A run that gave no result. `status`: InvalidInput, ResourceLimit, Cancelled...; `code`: finding."""
+
+    def __init__(self, status, code, message):
+        super().__init__(message or code or status)
+        self.status = status
+        self.code = code
+
+
+class Request:
+    """Input of one run: plain arrays, independent of any document.
+
+    vertices (n,3) mm, triangles (m,3), times (k,) s, translations (k,3) mm, rotations (k,4) x,y,z,w.
+    """
+
+    def __init__(self, vertices, triangles, times, translations, rotations, interpolation, options):
+        self.vertices = vertices
+        self.triangles = triangles
+        self.times = times
+        self.translations = translations
+        self.rotations = rotations
+        self.interpolation = interpolation
+        self.options = options
+
+
+class Outcome:
+    """Result of a run that ended Ok."""
+
+    def __init__(self, report, vertices, triangles, contact_time):
+        self.report = report
+        self.vertices = vertices
+        self.triangles = triangles
+        self.contact_time = contact_time

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all our document objects share: properties added once, nothing stored in the proxy."""
+import FreeCAD as App
+
+from ..texts import translate
+
+READ_ONLY = 1
+HIDDEN = 2
+
+
+class Feature:
+    """Base of the proxies. Subclasses give KIND and properties(), a list of tuples
+    (type, name, group, help, default, editor mode)."""
+
+    KIND = ""
+
+    def __init__(self, obj):
+        self.add_properties(obj)
+        obj.Proxy = self
+
+    def properties(self):
+        return []
+
+    def add_properties(self, obj):
+        """Adds what is absent, so that documents of older versions gain new properties."""
+        for kind, name, group, text, default, mode in self.properties():
+            if name not in obj.PropertiesList:
+                obj.addProperty(kind, name, group, translate("Properties", text))
+                if default is not None:
+                    setattr(obj, name, default)
+            elif kind == "App::PropertyEnumeration" and isinstance(default, list):
+                now = getattr(obj, name)
+                if obj.getEnumerationsOfProperty(name) != default:
+                    setattr(obj, name, default)
+                    if now in default:
+                        setattr(obj, name, now)
+            if mode:
+                obj.setEditorMode(name, mode)
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+
+    def __setstate__(self, state):
+        return None
+
+
+def kind_of(obj):
+    """KIND of our proxy behind an object, "" for anything else."""
+    return getattr(getattr(obj, "Proxy", None), "KIND", "")
+
+
+def objects_of_kind(document, kind):
+    return [obj for obj in document.Objects if kind_of(obj) == kind]
+
+
+def set_changed(obj, name, value):
+    """Sets a property only if that changes it: no needless touch, no needless undo entry."""
+    if getattr(obj, name) != value:
+        setattr(obj, name, value)
+
+
+def attach_view(obj, maker):
+    """Gives the object its view provider where there is a GUI. `maker` is "module:Class"."""
+    if not App.GuiUp or getattr(obj, "ViewObject", None) is None:
+        return
+    import importlib
+
+    module, name = maker.split(":")
+    getattr(importlib.import_module(module), name)(obj.ViewObject)

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion: times and placements kept in the document, linked to where they came from."""
+from .. import core
+from ..convert import InputProblem
+from ..texts import mark, translate
+from ..trajectory import sources
+from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
+from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
+
+TYPE = "App::FeaturePython"
+UNITS = ["mm", "cm", "m", "in"]
+
+
+class Motion(Feature):
+    """Proxy of the motion object."""
+
+    KIND = "SweptVolume::Motion"
+
+    def properties(self):
+        return [
+            (
+                "App::PropertyFloatList",
+                "Times",
+                "Motion",
+                mark("Properties", "Time of each pose (s), growing"),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyPlacementList",
+                "Placements",
+                "Motion",
+                mark("Properties", "Pose of the moving part at each time"),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyEnumeration",
+                "Interpolation",
+                "Motion",
+                mark(
+                    "Properties",
+                    "What the part does between two poses. Linear: straight line and even turn. Screw: "
+                    "one screw movement. None: it only stands at the poses",
+                ),
+                list(INTERPOLATIONS),
+                0,
+            ),
+            ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
+            (
+                "App::PropertyEnumeration",
+                "SourceType",
+                "Source",
+                mark("Properties", "Where the poses come from"),
+                list(sources.KINDS),
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyFile",
+                "SourceFile",
+                "Source",
+                mark("Properties", "File of the poses; Reload motion reads it again"),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyEnumeration",
+                "SourceUnit",
+                "Source",
+                mark("Properties", "Unit of the lengths in the file"),
+                list(UNITS),
+                0,
+            ),
+            (
+                "App::PropertyLinkListGlobal",
+                "SourceObjects",
+                "Source",
+                mark("Properties", "Objects whose placements or shape give the poses"),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyString",
+                "SourceSettings",
+                "Source",
+                mark("Properties", "Settings of the source"),
+                None,
+                HIDDEN,
+            ),
+            (
+                "App::PropertyInteger",
+                "Count",
+                "Result",
+                mark("Properties", "Number of poses"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyFloat",
+                "Duration",
+                "Result",
+                mark("Properties", "Last time minus first time (s)"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyString",
+                "Status",
+                "Result",
+                mark("Properties", "Whether the motion can be used"),
+                None,
+                READ_ONLY,
+            ),
+        ]
+
+    def __init__(self, obj):
+        super().__init__(obj)
+        obj.Interpolation = "Linear"
+
+    def execute(self, obj):
+        """Reads live sources again; files and driven properties wait for Reload motion."""
+        try:
+            if sources.is_live(obj.SourceType):
+                store(obj, sources.read(settings_of(obj)), touch=False)
+            poses = poses_of(obj)
+        except (InputProblem, core.CoreMissing) as problem:
+            set_changed(obj, "Status", str(problem))
+            raise
+        set_changed(obj, "Count", len(poses))
+        span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
+        set_changed(obj, "Duration", span)
+        set_changed(obj, "Status", "" if len(poses) else translate("Messages", "no poses yet"))
+
+
+def settings_of(obj):
+    """The source of a motion object as a plain value."""
+    return sources.Settings(
+        kind=obj.SourceType,
+        file=obj.SourceFile,
+        unit=obj.SourceUnit,
+        objects=list(obj.SourceObjects),
+        extra=obj.SourceSettings,
+    )
+
+
+def is_motion(obj):
+    return kind_of(obj) == Motion.KIND
+
+
+def poses_of(obj):
+    """Poses of a motion object; raises InputProblem naming it."""
+    try:
+        return Poses(obj.Times, obj.Placements)
+    except InputProblem as problem:
+        raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
+
+
+def store(obj, poses, touch=True):
+    """Writes poses into a motion object."""
+    times, placements = list(poses.times), list(poses.placements)
+    same = list(obj.Times) == times and len(obj.Placements) == len(placements)
+    same = same and all(a.isSame(b, 1e-12) for a, b in zip(obj.Placements, placements))
+    if touch or not same:
+        obj.Times = times
+        obj.Placements = placements
+
+
+def reload_source(obj):
+    """Reads the source again, whatever its kind (not for stored poses)."""
+    store(obj, sources.read(settings_of(obj)))
+
+
+def make_motion(document, label=None):
+    """An empty motion object."""
+    obj = document.addObject(TYPE, "Motion")
+    Motion(obj)
+    obj.Label = label or translate("Messages", "Motion")
+    attach_view(obj, "sweptvolume.views.motion_view:MotionView")
+    return obj
+
+
+def motion_from_poses(document, times, placements, interpolation="Linear", frame="Absolute"):
+    """A motion object holding the given poses."""
+    poses = Poses(times, placements)
+    obj = make_motion(document)
+    store(obj, poses)
+    obj.Interpolation = interpolation
+    obj.Frame = frame
+    return obj
+
+
+def motion_from_file(document, path, unit="mm", interpolation="Linear", frame="Absolute"):
+    """A motion object filled from a CSV file (`t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers)."""
+    poses = sources.read(sources.Settings(kind="File", file=path, unit=unit))
+    obj = make_motion(document)
+    obj.SourceType = "File"
+    obj.SourceFile = path
+    obj.SourceUnit = unit
+    store(obj, poses)
+    obj.Interpolation = interpolation
+    obj.Frame = frame
+    return obj
+
+
+def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
+    """A motion object linked to the placements of objects, one pose an object, in order."""
+    settings = sources.Settings(kind="Placements", objects=list(objects), step=step)
+    poses = sources.read(settings)
+    obj = make_motion(document)
+    obj.SourceType = "Placements"
+    obj.SourceObjects = list(objects)
+    obj.SourceSettings = settings.extra
+    store(obj, poses)
+    obj.Interpolation = interpolation
+    return obj
+
+
+def capture(obj, placement, time=None):
+    """Adds the given placement as the last pose; the motion becomes one of stored poses."""
+    times = list(obj.Times)
+    if time is None:
+        time = times[-1] + 1.0 if times else 0.0
+    poses = Poses(times + [time], list(obj.Placements) + [placement])
+    obj.SourceType = "Stored"
+    store(obj, poses)
+
+
+__all__ = [
+    "Motion",
+    "capture",
+    "even_times",
+    "is_motion",
+    "make_motion",
+    "motion_from_file",
+    "motion_from_objects",
+    "motion_from_poses",
+    "poses_of",
+    "reload_source",
+    "settings_of",
+    "store",
+]

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solid: the B-rep solid of an envelope, parametric on it.
+
+As with the envelope, `execute` only marks; a run is request() - core.write_solid() - apply().
+"""
+import hashlib
+import os
+import tempfile
+
+import numpy as np
+
+from .. import convert, core
+from ..convert import InputProblem
+from ..texts import mark, translate
+from . import envelope as envelope_feature
+from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
+from .envelope import FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
+
+TYPE = "Part::FeaturePython"
+
+#: Coordinates of a FreeCAD mesh carry 24 bits; flat regions are found within a few units of the last.
+SINGLE_PRECISION = 2.0**-22
+
+
+class Solid(Feature):
+    """Proxy of the solid."""
+
+    KIND = "SweptVolume::Solid"
+
+    def properties(self):
+        return [
+            (
+                "App::PropertyLinkGlobal",
+                "Source",
+                "Solid",
+                mark("Properties", "Envelope (or any closed mesh) of which this is the solid"),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyBool",
+                "MergeCoplanar",
+                "Solid",
+                mark("Properties", "Flat regions become single faces"),
+                True,
+                0,
+            ),
+            (
+                "App::PropertyInteger",
+                "MaxFaces",
+                "Solid",
+                mark("Properties", "More faces than this are refused: set Tolerance of the envelope"),
+                120000,
+                0,
+            ),
+            (
+                "App::PropertyString",
+                "Status",
+                "Result",
+                mark("Properties", "State of the result"),
+                NOT_COMPUTED,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyString",
+                "Message",
+                "Result",
+                mark("Properties", "Why the last run failed"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyInteger",
+                "Faces",
+                "Result",
+                mark("Properties", "Faces of the solid"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyVolume",
+                "Volume",
+                "Result",
+                mark("Properties", "Volume of the solid"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyString",
+                "InputHash",
+                "Result",
+                mark("Properties", "Inputs of the stored result"),
+                None,
+                HIDDEN,
+            ),
+        ]
+
+    def execute(self, obj):
+        """Marks the solid stale or current; keeps the shape."""
+        update_status(obj)
+
+
+def is_solid(obj):
+    return kind_of(obj) == Solid.KIND
+
+
+def can_be_source(obj):
+    """Whether a solid can be made of an object: a mesh with triangles."""
+    return obj.isDerivedFrom("Mesh::Feature") and obj.Mesh.CountFacets > 0
+
+
+def input_hash(obj):
+    source = obj.Source
+    if source is None or not can_be_source(source):
+        return ""
+    words = [convert.signature([(source, "")]), str(obj.MergeCoplanar)]
+    if envelope_feature.is_envelope(source):
+        words.append(source.InputHash)
+    return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+
+
+def update_status(obj):
+    """Stale when the envelope's mesh changed, or when the envelope itself is stale."""
+    now = input_hash(obj)
+    if obj.InputHash and obj.InputHash == now:
+        source_stale = envelope_feature.is_envelope(obj.Source) and obj.Source.Status != UP_TO_DATE
+        set_changed(obj, "Status", STALE if source_stale else UP_TO_DATE)
+    elif obj.InputHash:
+        set_changed(obj, "Status", STALE)
+    elif obj.Status != FAILED:
+        set_changed(obj, "Status", NOT_COMPUTED)
+
+
+class Request:
+    """A mesh and how it becomes a solid; no document behind it."""
+
+    def __init__(self, vertices, triangles, merge, max_faces, name):
+        self.vertices = vertices
+        self.triangles = triangles
+        self.merge = merge
+        self.max_faces = max_faces
+        self.name = name
+
+    def write(self, path, control):
+        """Writes STEP or BREP by suffix; returns the core's report (dict). Raises core.CoreError."""
+        reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
+        return core.write_solid(
+            self.vertices,
+            self.triangles,
+            path,
+            control,
+            merge_coplanar=self.merge,
+            planar_tolerance=max(1e-6, reach * SINGLE_PRECISION),
+            max_faces=self.max_faces,
+            product_name=self.name,
+        )
+
+
+def request_for(source, merge=True, max_faces=120000, world=False):
+    """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame."""
+    if source is None or not can_be_source(source):
+        raise InputProblem(
+            translate("Messages", "compute the envelope first: there is no mesh to make a solid of.")
+        )
+    vertices, triangles = convert.arrays_from_mesh(source.Mesh)
+    if world:
+        placement = convert.global_placement(*convert.root_path(source))
+        vertices = convert.transform(convert.matrix_of(placement), vertices)
+    return Request(vertices, triangles, merge, max_faces, source.Label)
+
+
+def request(obj):
+    return request_for(obj.Source, bool(obj.MergeCoplanar), int(obj.MaxFaces))
+
+
+def work(req, control):
+    """Any thread: returns (BREP file, report). The caller removes the file."""
+    handle, path = tempfile.mkstemp(suffix=".brep")
+    os.close(handle)
+    try:
+        return path, req.write(path, control)
+    except BaseException:
+        os.remove(path)
+        raise
+
+
+def apply(obj, value, hash_at_start):
+    """Loads the finished solid into the object."""
+    import Part
+
+    path, report = value
+    try:
+        shape = Part.Shape()
+        shape.importBrep(path)
+    finally:
+        os.remove(path)
+    if shape.ShapeType == "Compound" and len(shape.Solids) == 1:
+        shape = shape.Solids[0]
+    shape.Placement = obj.Source.Placement
+    obj.Shape = shape
+    obj.Faces = len(shape.Faces)
+    obj.Volume = shape.Volume
+    obj.Message = ""
+    obj.InputHash = hash_at_start
+    update_status(obj)
+
+
+def fail(obj, text):
+    obj.Status = FAILED
+    obj.Message = text
+
+
+def compute(obj, control=None):
+    """Makes the solid in this thread (scripts, no GUI): one undo step."""
+    hash_at_start = input_hash(obj)
+    value = work(request(obj), control or core.Control())
+    obj.Document.openTransaction(translate("Messages", "Make solid"))
+    apply(obj, value, hash_at_start)
+    obj.purgeTouched()
+    obj.Document.commitTransaction()
+    return value[1]
+
+
+def make_solid(document, source, label=None, **settings):
+    """A solid object, not yet computed."""
+    obj = document.addObject(TYPE, "EnvelopeSolid")
+    Solid(obj)
+    obj.Label = label or translate("Messages", "{0} solid").format(source.Label)
+    obj.Source = source
+    for name, value in settings.items():
+        setattr(obj, name, value)
+    attach_view(obj, "sweptvolume.views.solid_view:SolidView")
+    return obj

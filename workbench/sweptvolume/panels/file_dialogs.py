@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Dialogs that ask for a file."""
+import os
+
+import FreeCADGui as Gui
+
+from ..texts import translate
+from .widgets import QtWidgets
+
+_KINDS = [
+    ("STEP", "*.step *.stp", ".step"),
+    ("BREP", "*.brep *.brp", ".brep"),
+    ("STL", "*.stl", ".stl"),
+    ("PLY", "*.ply", ".ply"),
+    ("OBJ", "*.obj", ".obj"),
+    ("OFF", "*.off", ".off"),
+]
+
+
+def ask_export(name):
+    """File to write, with a suffix; "" when cancelled."""
+    filters = ["{} ({})".format(title, patterns) for title, patterns, _ in _KINDS]
+    path, chosen = QtWidgets.QFileDialog.getSaveFileName(
+        Gui.getMainWindow(), translate("Panels", "Export envelope"), name + ".step", ";;".join(filters)
+    )
+    if path and not os.path.splitext(path)[1]:
+        path += _KINDS[filters.index(chosen)][2] if chosen in filters else ".step"
+    return path

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel: a motion from a CSV file, with the unit of its lengths."""
+import os
+
+import FreeCADGui as Gui
+
+from .. import core
+from ..convert import InputProblem, pose_arrays
+from ..features import motion
+from ..features.motion import UNITS
+from ..texts import translate
+from ..trajectory import csv_file
+from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
+from . import widgets
+from .widgets import QtWidgets
+
+
+class FilePanel:
+    """Shows what the file holds in the chosen unit before it is taken."""
+
+    def __init__(self, document, path):
+        self.document = document
+        self.form, layout = widgets.window(
+            translate("Panels", "Motion from file"), "SweptVolume_MotionFromFile"
+        )
+        rows = widgets.group(translate("Panels", "File"), layout)
+        self.path = QtWidgets.QLineEdit(path)
+        browse = QtWidgets.QPushButton("...")
+        browse.clicked.connect(self.browse)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.path, 1)
+        line.addWidget(browse)
+        rows.addRow(line)
+        self.unit = widgets.choice(UNITS, "mm")
+        self.unit.setObjectName("SweptVolumeUnit")
+        self.interpolation = widgets.choice(list(INTERPOLATIONS), "Linear")
+        self.frame = widgets.choice(FRAMES, "Absolute")
+        self.frame.setToolTip(translate("Properties", FRAME_HELP))
+        rows.addRow(translate("Panels", "Unit of length"), self.unit)
+        rows.addRow(translate("Panels", "Between poses"), self.interpolation)
+        rows.addRow(translate("Panels", "A pose is"), self.frame)
+        self.info = widgets.message_label()
+        layout.addWidget(self.info)
+        layout.addStretch(1)
+        self.path.editingFinished.connect(self.look)
+        self.unit.currentIndexChanged.connect(self.look)
+        self.look()
+
+    def browse(self):
+        path = ask_file()
+        if path:
+            self.path.setText(path)
+            self.look()
+
+    def look(self, *ignored):
+        """Reads the file and says what is in it."""
+        try:
+            poses = csv_file.read(self.path.text(), self.unit.currentData())
+        except (InputProblem, core.CoreMissing) as problem:
+            widgets.show_message(self.info, str(problem))
+            return
+        points = pose_arrays(poses.placements)[0]
+        size = points.max(axis=0) - points.min(axis=0)
+        text = translate("Panels", "{0} poses, {1:g} to {2:g} s, moving {3:.4g} x {4:.4g} x {5:.4g} mm")
+        widgets.show_message(self.info, text.format(len(poses), poses.times[0], poses.times[-1], *size))
+
+    def accept(self):
+        title = translate("Messages", "Motion from file")
+        self.document.openTransaction(title)
+        try:
+            obj = motion.motion_from_file(
+                self.document,
+                self.path.text(),
+                self.unit.currentData(),
+                self.interpolation.currentData(),
+                self.frame.currentData(),
+            )
+            obj.Label = os.path.splitext(os.path.basename(self.path.text()))[0]
+            self.document.recompute([obj])
+        except (InputProblem, core.CoreMissing) as problem:
+            self.document.abortTransaction()
+            widgets.show_message(self.info, str(problem))
+            return False
+        self.document.commitTransaction()
+        Gui.Control.closeDialog()
+        return True
+
+    def reject(self):
+        Gui.Control.closeDialog()
+        return True
+
+
+def ask_file():
+    """File dialog; "" when cancelled."""
+    kinds = translate("Panels", "Motions") + " (*.csv *.txt *.csv.gz *.csv.xz);;"
+    kinds += translate("Panels", "All files") + " (*)"
+    answer = QtWidgets.QFileDialog.getOpenFileName(
+        Gui.getMainWindow(), translate("Panels", "Motion from file"), "", kinds
+    )
+    return answer[0]
+
+
+def show(document, path):
+    panel = FilePanel(document, path)
+    Gui.Control.showDialog(panel)
+    return panel

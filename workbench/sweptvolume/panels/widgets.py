@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Small pieces that every panel uses, built from FreeCAD's own widgets."""
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
+    QtWidgets = QtGui
+
+from .. import icon
+from ..texts import translate
+
+
+def window(title, icon_name):
+    """The form of a task panel."""
+    form = QtWidgets.QWidget()
+    form.setWindowTitle(title)
+    form.setWindowIcon(QtGui.QIcon(icon(icon_name)))
+    layout = QtWidgets.QVBoxLayout(form)
+    layout.setContentsMargins(4, 4, 4, 4)
+    return form, layout
+
+
+def group(title, parent_layout):
+    """A titled box with label-field rows."""
+    box = QtWidgets.QGroupBox(title)
+    rows = QtWidgets.QFormLayout(box)
+    rows.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+    rows.setContentsMargins(6, 6, 6, 6)
+    parent_layout.addWidget(box)
+    return rows
+
+
+def length(value, minimum=0.0, step=None):
+    """FreeCAD's own field for lengths: units, expressions."""
+    field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+    field.setProperty("unit", "mm")
+    field.setProperty("minimum", float(minimum))
+    if step is not None:
+        field.setProperty("singleStep", float(step))
+    field.setProperty("rawValue", float(value))
+    return field
+
+
+def choice(names, now, texts=None):
+    """Combo box; the data of an entry is its untranslated name."""
+    box = QtWidgets.QComboBox()
+    for i, name in enumerate(names):
+        box.addItem(texts[i] if texts else name, name)
+    if now in names:
+        box.setCurrentIndex(list(names).index(now))
+    return box
+
+
+def hint(field, text):
+    field.setToolTip(text)
+    return field
+
+
+def standard_buttons(*buttons):
+    """PySide2 wants an int, PySide6 the flags themselves."""
+    value = buttons[0]
+    for button in buttons[1:]:
+        value = value | button
+    try:
+        return int(value)
+    except TypeError:
+        return value
+
+
+def button_of(form, standard):
+    """A standard button of the open task panel, or None. Found from the panel's own form upwards."""
+    parent = form.parentWidget()
+    while parent is not None:
+        for box in parent.findChildren(QtWidgets.QDialogButtonBox):
+            button = box.button(standard)
+            if button is not None:
+                return button
+        parent = parent.parentWidget()
+    return None
+
+
+def show_message(label, text):
+    """Text for people below a panel; hidden when empty."""
+    label.setText(text)
+    label.setVisible(bool(text))
+
+
+def message_label():
+    label = QtWidgets.QLabel()
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    label.hide()
+    return label
+
+
+class RunBox(QtWidgets.QGroupBox):
+    """Progress of a run with the button that stops it; hidden while nothing runs."""
+
+    def __init__(self):
+        super().__init__(translate("Panels", "Progress"))
+        layout = QtWidgets.QVBoxLayout(self)
+        row = QtWidgets.QHBoxLayout()
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.stop = QtWidgets.QPushButton(translate("Panels", "Stop"))
+        self.stop.setObjectName("SweptVolumeStop")
+        self.stage = QtWidgets.QLabel()
+        row.addWidget(self.bar, 1)
+        row.addWidget(self.stop)
+        layout.addLayout(row)
+        layout.addWidget(self.stage)
+        self.hide()
+
+    def follow(self, run):
+        self.bar.setValue(0)
+        self.stage.setText("")
+        run.progress.connect(self._progress)
+        self.stop.clicked.connect(run.cancel)
+        self.show()
+
+    def _progress(self, part, phase):
+        self.bar.setValue(int(part * 1000))
+        self.stage.setText(phase)
+
+
+def warn(title, text):
+    """A modal message, where no panel is open to show it."""
+    QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, text)

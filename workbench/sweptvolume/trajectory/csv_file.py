@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion files, read by the core: the same reader as the command line, the same messages."""
+import os
+
+from .. import core
+from ..convert import InputProblem, placements_from
+from ..texts import translate
+from .poses import Poses
+
+
+def read(path, unit):
+    """CSV `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers a row, also .gz and .xz. Unit: mm|cm|m|in."""
+    if not path or not os.path.isfile(path):
+        raise InputProblem(
+            translate("Messages", 'the motion file "{0}" does not exist; choose another.').format(path)
+        )
+    try:
+        times, translations, rotations = core.read_motion(path, unit)
+    except core.CoreError as error:
+        raise InputProblem("{}: {}".format(os.path.basename(path), error)) from None
+    return Poses(times, placements_from(translations, rotations))

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Poses from the placements of objects: copies of the part, links, local coordinate systems."""
+from ..convert import InputProblem, global_placement, root_path
+from ..texts import translate
+from .poses import Poses, even_times
+
+
+def placements(objects, step):
+    """One pose an object, in the order given; `step`: s between two."""
+    found = []
+    for obj in objects:
+        if not hasattr(obj, "Placement"):
+            raise InputProblem(
+                translate("Messages", '"{0}" has no placement and cannot be a pose.').format(obj.Label)
+            )
+        found.append(global_placement(*root_path(obj)))
+    if not found:
+        raise InputProblem(translate("Messages", "choose at least one object with a placement."))
+    return Poses(even_times(len(found), step), found)

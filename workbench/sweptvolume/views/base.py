@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What our view providers share."""
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import icon, runner
+from ..features.envelope import CANCELLED, FAILED, NOT_COMPUTED, STALE
+
+#: State -> ending of the icon's name.
+_MARKS = {STALE: "_stale", CANCELLED: "_stale", FAILED: "_failed", NOT_COMPUTED: "_empty"}
+
+
+def state_icon(name, obj):
+    """Icon of an object with a result: running, stale, failed and never computed are marked."""
+    if runner.is_running(obj):
+        return icon(name + "_running")
+    return icon(name + _MARKS.get(getattr(obj, "Status", ""), ""))
+
+
+def run_command(obj, command):
+    """Runs one of our commands on one object, as if it were selected."""
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    Gui.runCommand(command)
+
+
+class View:
+    """Base of the view provider proxies."""
+
+    def __init__(self, view):
+        view.Proxy = self
+
+    def attach(self, view):
+        self.Object = view.Object
+
+    def updateData(self, obj, name):
+        if name == "Status" and getattr(obj, "ViewObject", None) is not None:
+            obj.ViewObject.signalChangeIcon()
+
+    def add_menu(self, menu, text, icon_name, action):
+        from PySide import QtGui
+
+        entry = menu.addAction(QtGui.QIcon(icon(icon_name)), text)
+        entry.triggered.connect(lambda *ignored: action())
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+
+    def __setstate__(self, state):
+        return None
+
+
+def set_if_there(view, **values):
+    """View properties differ between versions of FreeCAD: sets those that exist."""
+    for name, value in values.items():
+        if name in view.PropertiesList:
+            try:
+                setattr(view, name, value)
+            except (TypeError, ValueError) as error:
+                App.Console.PrintLog("Swept Volume: {} not set: {}\n".format(name, error))

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the solid of an envelope looks."""
+from ..texts import translate
+from .base import View, run_command, set_if_there, state_icon
+
+COLOUR = (0.93, 0.78, 0.20)
+
+
+class SolidView(View):
+    """View provider of the solid."""
+
+    def __init__(self, view):
+        super().__init__(view)
+        set_if_there(view, ShapeColor=COLOUR, Transparency=0, DisplayMode="Shaded")
+
+    def getIcon(self):
+        return state_icon("SweptVolume_Solid", self.Object)
+
+    def setupContextMenu(self, view, menu):
+        obj = view.Object
+        for text, name in (
+            (translate("Commands", "Make solid again"), "SweptVolume_Solid"),
+            (translate("Commands", "Export"), "SweptVolume_Export"),
+        ):
+            self.add_menu(menu, text, name, lambda name=name: run_command(obj, name))
