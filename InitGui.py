@@ -36,13 +36,9 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-def _start():
-    import sweptvolume
+import sweptvolume  # noqa: E402 (found on the path that Init.py prepared)
 
-    FreeCADGui.addLanguagePath(sweptvolume.resource("translations"))
-    FreeCADGui.updateLocale()
-    FreeCADGui.addIconPath(sweptvolume.resource("icons"))
-    FreeCADGui.addWorkbench(SweptVolumeWorkbench())
-
-
-_start()
+FreeCADGui.addLanguagePath(sweptvolume.resource("translations"))
+FreeCADGui.updateLocale()
+FreeCADGui.addIconPath(sweptvolume.resource("icons"))
+FreeCADGui.addWorkbench(SweptVolumeWorkbench())
