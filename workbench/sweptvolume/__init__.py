@@ -10,7 +10,7 @@ import os
 __version__ = "0.1.0"
 
 #: The repository or the folder into which it was installed as a FreeCAD module.
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 
 def resource(*names):

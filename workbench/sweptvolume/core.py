@@ -132,3 +132,65 @@ class Outcome:
         self.vertices = vertices
         self.triangles = triangles
         self.contact_time = contact_time
+
+
+class Control:
+    """Cancel flag and progress of one run, usable from any thread."""
+
+    def __init__(self):
+        self.context = module().RunContext()
+
+    def cancel(self):
+        self.context.cancel()
+
+    def progress(self):
+        """Overall progress, 0 to 1."""
+        return _value(self.context.progress)
+
+    def phase(self):
+        """Name of the stage under way."""
+        return str(_value(self.context.phase))
+
+
+def _value(thing):
+    return thing() if callable(thing) else thing
+
+
+def compute(request, control):
+    """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
+    r = request
+    report, vertices, triangles = module().compute(
+        r.vertices,
+        r.triangles,
+        r.times,
+        r.translations,
+        r.rotations,
+        r.interpolation,
+        r.options,
+        control.context,
+    )
+    if report["status"] != "Ok":
+        raise CoreError(report["status"], report["code"], report["message"])
+    return Outcome(report, vertices, triangles, None)
+
+
+def estimate(request):
+    """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError."""
+    r = request
+    return module().estimate(
+        r.vertices, r.triangles, r.times, r.translations, r.rotations, r.interpolation, r.options
+    )
+
+
+def write_solid(vertices, triangles, path, control, merge_coplanar, planar_tolerance, max_faces, product_name):
+    """Closed mesh -> STEP or BREP by suffix. Returns the report (dict); raises CoreError."""
+    return module().write_solid(
+        vertices,
+        triangles,
+        path,
+        control.context,
+        merge_coplanar,
+        planar_tolerance,
+        max_faces,
+        product_name,
+    )

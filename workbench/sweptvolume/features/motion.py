@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motion: times and placements kept in the document, linked to where they came from."""
 from .. import core
-from ..convert import InputProblem
+from ..convert import InputProblem, matrix_of
 from ..texts import mark, translate
 from ..trajectory import sources
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
@@ -159,10 +159,15 @@ def store(obj, poses, touch=True):
     """Writes poses into a motion object."""
     times, placements = list(poses.times), list(poses.placements)
     same = list(obj.Times) == times and len(obj.Placements) == len(placements)
-    same = same and all(a.isSame(b, 1e-12) for a, b in zip(obj.Placements, placements))
+    same = same and all(_same(a, b) for a, b in zip(obj.Placements, placements))
     if touch or not same:
         obj.Times = times
         obj.Placements = placements
+
+
+def _same(a, b):
+    """Equal up to rounding (== of placements fails after a round trip)."""
+    return abs(matrix_of(a) - matrix_of(b)).max() <= 1e-12
 
 
 def reload_source(obj):

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The demo: a starter motor is fitted past exhaust, engine and bell housing.
+
+build() makes the document; main() does the whole job by the ordinary calls of the workbench and
+writes its files: FCStd, STEP, picture.
+"""
+import os
+
+import FreeCAD as App
+
+from . import demo_parts
+from .features import envelope, motion, solid
+from .texts import translate
+
+DOCUMENT = "SweptVolumeDemo"
+RESOLUTION = 160
+#: Largest deviation by simplification (mm).
+TOLERANCE = 0.1
+
+
+class Demo:
+    """The objects of the demo."""
+
+    def __init__(self, document, starter, motion_obj):
+        self.document = document
+        self.starter = starter
+        self.motion = motion_obj
+        self.envelope = None
+        self.solid = None
+
+
+def build():
+    """A new document with the parts and the installation path."""
+    document = App.newDocument(DOCUMENT)
+    document.UndoMode = 1
+    document.openTransaction(translate("Messages", "Demo"))
+    neighbours = document.addObject("App::Part", "Neighbours")
+    neighbours.Label = translate("Messages", "Neighbours")
+    starter = None
+    for name, label, model, colour in demo_parts.PARTS:
+        obj = document.addObject("Part::Feature", name)
+        obj.Label = label
+        obj.Shape = model()
+        if obj.ViewObject is not None:
+            obj.ViewObject.ShapeColor = colour
+        if starter is None:
+            starter = obj
+        else:
+            neighbours.addObject(obj)
+    times, placements = demo_parts.path()
+    path = motion.motion_from_poses(document, times, placements)
+    path.Label = translate("Messages", "Installation path")
+    starter.Placement = placements[-1]
+    document.recompute()
+    document.commitTransaction()
+    look(document)
+    return Demo(document, starter, path)
+
+
+def add_envelope(demo, **settings):
+    """The envelope object of the demo, not yet computed."""
+    values = dict(Resolution=RESOLUTION, Tolerance=TOLERANCE)
+    values.update(settings)
+    demo.envelope = envelope.make_envelope(demo.document, [demo.starter], demo.motion, **values)
+    demo.document.recompute()
+    return demo.envelope
+
+
+def add_solid(demo):
+    """The solid object of the demo's envelope, not yet made."""
+    demo.solid = solid.make_solid(demo.document, demo.envelope)
+    demo.document.recompute()
+    return demo.solid
+
+
+def look(document):
+    """Chooses a view in which path and neighbours are seen."""
+    if not App.GuiUp:
+        return
+    import FreeCADGui as Gui
+
+    view = Gui.getDocument(document.Name).activeView()
+    view.setCameraOrientation(view_rotation().Q)
+    Gui.SendMsgToActiveView("ViewFit")
+
+
+def view_rotation():
+    """Camera orientation: from outside, in front and below, where the starter comes in."""
+    out = App.Vector(-0.42, 0.86, 0.30).normalize()  # from the scene to the camera
+    right = App.Vector(0, 0, 1).cross(out).normalize()
+    up = out.cross(right)
+    m = App.Matrix(right.x, up.x, out.x, 0, right.y, up.y, out.y, 0, right.z, up.z, out.z, 0, 0, 0, 0, 1)
+    return App.Rotation(m)
+
+
+def output_folder(wanted=""):
+    """Folder for the files: the given one, else out/ where the program was started."""
+    folder = os.path.abspath(wanted or os.environ.get("SWEPT_OUT") or "out")
+    os.makedirs(folder, exist_ok=True)
+    return folder
