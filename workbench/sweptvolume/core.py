@@ -5,8 +5,8 @@ Searched in this order: the folder in the environment variable SWEPT_CORE, build
 repository, then the ordinary Python path. Nothing is imported before somebody needs it, so the
 workbench starts, opens documents and shows stored results without the module.
 """
+import contextlib
 import importlib
-import importlib.util
 import os
 import sys
 
@@ -134,6 +134,15 @@ class Outcome:
         self.contact_time = contact_time
 
 
+@contextlib.contextmanager
+def _errors():
+    """The module's exceptions as CoreError, the only kind the workbench knows."""
+    try:
+        yield
+    except module().Error as error:
+        raise CoreError(error.status, error.code, str(error)) from None
+
+
 class Control:
     """Cancel flag and progress of one run, usable from any thread."""
 
@@ -145,52 +154,48 @@ class Control:
 
     def progress(self):
         """Overall progress, 0 to 1."""
-        return _value(self.context.progress)
+        return self.context.progress
 
     def phase(self):
         """Name of the stage under way."""
-        return str(_value(self.context.phase))
+        return self.context.phase
 
 
-def _value(thing):
-    return thing() if callable(thing) else thing
+def _arguments(request):
+    motion = (request.times, request.rotations, request.translations)
+    return request.vertices, request.triangles, motion, request.interpolation
 
 
 def compute(request, control):
     """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
-    r = request
-    report, vertices, triangles = module().compute(
-        r.vertices,
-        r.triangles,
-        r.times,
-        r.translations,
-        r.rotations,
-        r.interpolation,
-        r.options,
-        control.context,
-    )
-    if report["status"] != "Ok":
-        raise CoreError(report["status"], report["code"], report["message"])
-    return Outcome(report, vertices, triangles, None)
+    with _errors():
+        found = module().compute(*_arguments(request), run=control.context, **request.options)
+    return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
 
 
 def estimate(request):
     """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError."""
-    r = request
-    return module().estimate(
-        r.vertices, r.triangles, r.times, r.translations, r.rotations, r.interpolation, r.options
-    )
+    with _errors():
+        return module().estimate(*_arguments(request), **request.options)
 
 
-def write_solid(vertices, triangles, path, control, merge_coplanar, planar_tolerance, max_faces, product_name):
-    """Closed mesh -> STEP or BREP by suffix. Returns the report (dict); raises CoreError."""
-    return module().write_solid(
-        vertices,
-        triangles,
-        path,
-        control.context,
-        merge_coplanar,
-        planar_tolerance,
-        max_faces,
-        product_name,
-    )
+def read_motion(path, unit):
+    """Motion file -> times (s), translations (mm), quaternions (x, y, z, w). Raises CoreError."""
+    with _errors():
+        times, rotations, translations = module().read_trajectory_csv(path, unit)
+    return times, translations, rotations
+
+
+def write_mesh(vertices, triangles, path):
+    """PLY, STL, OBJ or OFF by suffix. Raises CoreError."""
+    with _errors():
+        module().write_mesh(path, vertices, triangles)
+
+
+def write_solid(vertices, triangles, path, control, **options):
+    """Closed mesh -> STEP or BREP by suffix; options as the module's write_solid.
+
+    Returns the report (dict); raises CoreError.
+    """
+    with _errors():
+        return module().write_solid(path, vertices, triangles, run=control.context, **options)

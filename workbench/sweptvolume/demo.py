@@ -13,7 +13,7 @@ from .features import envelope, motion, solid
 from .texts import translate
 
 DOCUMENT = "SweptVolumeDemo"
-RESOLUTION = 160
+RESOLUTION = 96
 #: Largest deviation by simplification (mm).
 TOLERANCE = 0.1
 

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the headless FreeCAD tests share: a fresh document each, small bodies, motions."""
+import os
+import tempfile
+import unittest
+
+import FreeCAD as App
+
+from sweptvolume import core
+from sweptvolume.features import envelope, motion
+
+V = App.Vector
+SHARED = os.path.join(
+    os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))), "..", "shared", "data"
+)
+
+
+def shift(x=0.0, y=0.0, z=0.0):
+    return App.Placement(V(x, y, z), App.Rotation())
+
+
+def turn(degrees, axis=V(0, 0, 1), base=V(0, 0, 0)):
+    return App.Placement(base, App.Rotation(axis, degrees))
+
+
+class Case(unittest.TestCase):
+    """A document with undo; `folder` is removed afterwards."""
+
+    NEEDS_CORE = False
+
+    def setUp(self):
+        if self.NEEDS_CORE and not core.available():
+            self.skipTest("the compiled core _swept is not built")
+        self.doc = App.newDocument("SweptTest")
+        self.doc.UndoMode = 1
+        self._folder = tempfile.TemporaryDirectory()
+        self.folder = self._folder.name
+
+    def tearDown(self):
+        for name in list(App.listDocuments()):
+            App.closeDocument(name)
+        self._folder.cleanup()
+
+    def box(self, name="Box", size=10.0):
+        obj = self.doc.addObject("Part::Box", name)
+        obj.Length = obj.Width = obj.Height = size
+        return obj
+
+    def line(self, length=30.0):
+        """A motion straight along x."""
+        return motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(length)])
+
+    def envelope(self, parts, path, **settings):
+        settings.setdefault("Resolution", 40)
+        obj = envelope.make_envelope(self.doc, parts, path, **settings)
+        self.doc.recompute()
+        return obj
+
+    def file(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as out:
+            out.write(text)
+        return path
+
+    def assert_placement(self, a, b, tolerance=1e-9):
+        difference = max(abs(x - y) for x, y in zip(a.toMatrix().A, b.toMatrix().A))
+        self.assertLessEqual(difference, tolerance, "{} != {}".format(a, b))

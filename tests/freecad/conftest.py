@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lets plain Python import FreeCAD with a private profile that holds this module and nothing else."""
+import os
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+
+
+def _private_profile():
+    home = tempfile.mkdtemp(prefix="swept-freecad-")
+    os.makedirs(os.path.join(home, "Mod"))
+    os.symlink(ROOT, os.path.join(home, "Mod", "SweptVolume"))
+    return home
+
+
+os.environ.setdefault("FREECAD_USER_HOME", _private_profile())
+for _folder in ("/usr/lib/freecad-python3/lib", "/usr/share/freecad/Ext"):
+    if os.path.isdir(_folder) and _folder not in sys.path:
+        sys.path.append(_folder)
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+try:
+    import FreeCAD  # noqa: F401 (runs our Init.py, which puts workbench/ on the path)
+except ImportError as error:
+    # Not a silent skip: pytest prints the reason with every file it leaves out.
+    collect_ignore_glob = ["test_*.py"]
+    print("tests/freecad skipped: FreeCAD cannot be imported ({})".format(error))

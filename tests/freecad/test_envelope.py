@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Envelope, solid, export: the main job in a document without a window."""
+import os
+
+import FreeCAD as App
+import Part
+
+from case import Case, V, shift, turn
+from sweptvolume import core, export
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import envelope, motion, solid
+
+
+class Computed(Case):
+    NEEDS_CORE = True
+
+    def computed(self, **settings):
+        self.part = self.box()
+        self.path = self.line()
+        obj = self.envelope([self.part], self.path, **settings)
+        envelope.compute(obj)
+        return obj
+
+    def assert_mesh_box(self, obj, low, high, reach):
+        box = obj.Mesh.BoundBox
+        found = (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)
+        for a, b in zip(found, tuple(low) + tuple(high)):
+            self.assertAlmostEqual(a, b, delta=reach, msg=str(found))
+
+
+class Envelope(Computed):
+    def test_moved_box(self):
+        obj = self.computed()
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        self.assertTrue(obj.Mesh.isSolid())
+        self.assertAlmostEqual(obj.Volume.Value, 4000, delta=0.05 * 1800 * obj.UsedCellSize.Value)
+        self.assert_mesh_box(obj, (0, 0, 0), (40, 10, 10), obj.UsedCellSize.Value)
+        self.assertEqual(obj.Triangles, obj.Mesh.CountFacets)
+        self.assertGreater(obj.Seconds, 0)
+
+    def test_recompute_never_computes(self):
+        self.part = self.box()
+        obj = self.envelope([self.part], self.line())
+        self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.NOT_COMPUTED, 0))
+
+    def test_stale_and_current_again(self):
+        obj = self.computed()
+        facets = obj.Mesh.CountFacets
+        self.part.Length = 12
+        self.doc.recompute()
+        self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.STALE, facets))
+        self.part.Length = 10
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        self.path.Placements = [shift(), shift(35)]
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        self.assert_mesh_box(obj, (0, 0, 0), (45, 10, 10), obj.UsedCellSize.Value)
+        obj.Resolution = 50
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+
+    def test_moving_a_group_marks_stale(self):
+        group, box = self.doc.addObject("App::Part", "G"), self.box()
+        group.addObject(box)
+        path = self.line()
+        path.Frame = "Relative"
+        obj = self.envelope([box], path)
+        envelope.compute(obj)
+        group.Placement = shift(0, 50)
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+        envelope.compute(obj)
+        self.assert_mesh_box(obj, (0, 50, 0), (40, 60, 10), obj.UsedCellSize.Value)
+
+    def test_frames_in_the_document(self):
+        box, path = self.box(), self.line()
+        box.Placement = shift(0, 20)
+        obj = self.envelope([box], path)
+        for frame, y in (("Absolute", 0), ("Relative", 20), ("RelativeToFirst", 20)):
+            path.Frame = frame
+            envelope.compute(obj)
+            self.assert_mesh_box(obj, (0, y, 0), (40, y + 10, 10), obj.UsedCellSize.Value)
+
+    def test_through_link_with_global_placement(self):
+        group, box = self.doc.addObject("App::Part", "G"), self.box()
+        group.addObject(box)
+        link = self.doc.addObject("App::Link", "L")
+        link.LinkedObject, link.Placement = group, turn(90, V(0, 0, 1), V(0, 0, 100))
+        path = self.line()
+        path.Frame = "Relative"
+        self.doc.recompute()
+        obj = self.envelope([(link, "Box.Face1")], path)
+        self.assertEqual(obj.Generators, [(link, ("Box.",))])
+        envelope.compute(obj)
+        self.assert_mesh_box(obj, (-10, 0, 100), (30, 10, 110), obj.UsedCellSize.Value)
+
+    def test_several_parts_and_a_mesh(self):
+        box, ball = self.box(), self.doc.addObject("Part::Sphere", "Ball")
+        ball.Placement, ball.Radius = shift(5, 30, 5), 5
+        self.doc.recompute()
+        net = self.doc.addObject("Mesh::Feature", "Net")
+        import MeshPart
+
+        net.Mesh = MeshPart.meshFromShape(Part.makeBox(4, 4, 4), 1.0)
+        net.Placement = shift(0, -20)
+        obj = self.envelope([box, ball, net], self.line(), Resolution=64)
+        envelope.compute(obj)
+        self.assertEqual(obj.Shells, 3)
+        self.assert_mesh_box(obj, (0, -20, 0), (40, 35, 10), obj.UsedCellSize.Value)
+
+    def test_inside_a_group_it_stays_in_the_world(self):
+        obj = self.computed()
+        group = self.doc.addObject("App::Part", "G")
+        group.Placement = shift(0, 0, 500)
+        group.addObject(obj)
+        self.doc.recompute()
+        envelope.compute(obj)
+        self.assert_placement(obj.getGlobalPlacement(), App.Placement())
+
+    def test_one_undo_step(self):
+        obj = self.computed()
+        facets, steps = obj.Mesh.CountFacets, self.doc.UndoCount
+        self.part.Length = 20
+        self.doc.recompute()
+        envelope.compute(obj)
+        self.assertEqual(self.doc.UndoCount, steps + 1)
+        self.assertNotEqual(obj.Mesh.CountFacets, facets)
+        self.doc.undo()
+        self.assertEqual(obj.Mesh.CountFacets, facets)
+        self.doc.redo()
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+
+    def test_save_and_open_without_computing(self):
+        obj = self.computed()
+        name, facets = obj.Name, obj.Mesh.CountFacets
+        path = os.path.join(self.folder, "e.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        real, core.compute = core.compute, None  # a call would fail
+        try:
+            self.doc = App.openDocument(path)
+            self.doc.recompute(None, True)
+        finally:
+            core.compute = real
+        obj = self.doc.getObject(name)
+        self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.UP_TO_DATE, facets))
+        self.doc.getObject("Box").Length = 11
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+
+    def test_failure_keeps_the_last_result(self):
+        obj = self.computed()
+        facets = obj.Mesh.CountFacets
+        obj.CellSize = 1000
+        with self.assertRaises(core.CoreError):
+            envelope.compute(obj)
+        self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.FAILED, facets))
+        self.assertTrue(obj.Message)
+        obj.CellSize = 0
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+
+    def test_cancel(self):
+        obj = self.computed()
+        facets = obj.Mesh.CountFacets
+        control = core.Control()
+        control.cancel()
+        with self.assertRaises(core.CoreError) as caught:
+            envelope.compute(obj, control)
+        self.assertEqual(caught.exception.status, "Cancelled")
+        self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.CANCELLED, facets))
+
+    def test_missing_inputs_are_explained(self):
+        obj = self.envelope([], None)
+        with self.assertRaisesRegex(InputProblem, "no motion"):
+            envelope.compute(obj)
+        obj.Motion = self.line()
+        with self.assertRaisesRegex(InputProblem, "no moving part"):
+            envelope.compute(obj)
+        obj.Motion = motion.make_motion(self.doc)
+        obj.Generators = [(self.box(), "")]
+        self.doc.recompute()
+        with self.assertRaisesRegex(InputProblem, "no poses"):
+            envelope.compute(obj)
+
+    def test_estimate(self):
+        obj = self.envelope([self.box()], self.line(), CellSize=0.5)
+        found = envelope.Plan.of(obj).estimate()
+        self.assertAlmostEqual(found["cell"], 0.5)
+        self.assertTrue(all(a <= n <= a + 16 for n, a in zip(found["grid"], (80, 20, 20))), found)
+
+
+class SolidAndFiles(Computed):
+    def test_solid_of_envelope(self):
+        obj = self.computed()
+        body = solid.make_solid(self.doc, obj)
+        self.doc.recompute()
+        self.assertEqual(body.Status, envelope.NOT_COMPUTED)
+        solid.compute(body)
+        self.assertTrue(body.Shape.isValid())
+        self.assertEqual(len(body.Shape.Solids), 1)
+        self.assertAlmostEqual(body.Shape.Volume, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
+        self.assertEqual(body.Status, envelope.UP_TO_DATE)
+        self.part.Length = 15
+        self.doc.recompute()
+        self.assertEqual(body.Status, envelope.STALE)
+        envelope.compute(obj)
+        self.doc.recompute()
+        self.assertEqual(body.Status, envelope.STALE)
+        solid.compute(body)
+        self.assertAlmostEqual(body.Shape.Volume, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
+
+    def test_step_is_read_back(self):
+        obj = self.computed()
+        obj.Placement = shift(0, 0, 7)
+        path = os.path.join(self.folder, "Hülle 1.step")
+        export.write(export.request(obj), path)
+        shape = Part.read(path)
+        self.assertEqual(len(shape.Solids), 1)
+        self.assertAlmostEqual(shape.BoundBox.ZMin, 7, delta=obj.UsedCellSize.Value)
+        self.assertAlmostEqual(shape.Volume, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
+
+    def test_mesh_files(self):
+        import Mesh
+
+        obj = self.computed()
+        for suffix in export.MESH_SUFFIXES:
+            path = os.path.join(self.folder, "m" + suffix)
+            export.write(export.request(obj), path)
+            self.assertEqual(Mesh.Mesh(path).CountFacets, obj.Mesh.CountFacets, suffix)
+
+    def test_targets_are_checked_first(self):
+        for name, text in (
+            ("a.xyz", "unknown"),
+            (os.path.join("no", "a.step"), "does not exist"),
+        ):
+            with self.assertRaisesRegex(InputProblem, text):
+                export.check_target(os.path.join(self.folder, name))
+        os.mkdir(os.path.join(self.folder, "d.step"))
+        with self.assertRaisesRegex(InputProblem, "is a folder"):
+            export.check_target(os.path.join(self.folder, "d.step"))
+
+    def test_nothing_to_export(self):
+        with self.assertRaisesRegex(InputProblem, "compute the envelope first"):
+            export.request(self.envelope([self.box()], self.line()))

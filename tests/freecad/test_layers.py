@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The direction of imports inside the workbench (docs: sweptvolume/__init__.py)."""
+import ast
+import glob
+import os
+import unittest
+
+import sweptvolume
+
+HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
+#: From the bottom up; a module may import what stands before its own group.
+ORDER = [
+    ["texts"],
+    ["core"],
+    ["convert"],
+    ["trajectory"],
+    ["features"],
+    ["export", "runner", "demo_parts"],
+    ["views", "demo"],
+    ["panels"],
+    ["commands", "demo_run"],
+]
+GUI_FROM = ORDER.index(["views", "demo"])
+LEVEL = {name: i for i, names in enumerate(ORDER) for name in names}
+
+
+def imports(path):
+    """(module, names) of every import statement, relative ones made absolute."""
+    package = os.path.relpath(os.path.dirname(path), HERE).replace(os.sep, ".").strip(".")
+    with open(path, encoding="utf-8") as file:
+        tree = ast.parse(file.read())
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.name, node
+        elif isinstance(node, ast.ImportFrom):
+            if not node.level:
+                yield node.module, node
+                continue
+            base = [p for p in package.split(".") if p]
+            base = base[: len(base) - (node.level - 1)]
+            parts = base + ([node.module] if node.module else [])
+            if parts:
+                yield "sweptvolume." + ".".join(parts), node
+            else:
+                for alias in node.names:
+                    yield "sweptvolume." + alias.name, node
+
+
+def modules():
+    for path in sorted(glob.glob(os.path.join(HERE, "**", "*.py"), recursive=True)):
+        group = os.path.relpath(path, HERE).split(os.sep)[0].replace(".py", "")
+        if group != "__init__":
+            yield path, group
+
+
+class Layers(unittest.TestCase):
+    def test_every_module_has_a_place(self):
+        for path, group in modules():
+            self.assertIn(group, LEVEL, path)
+
+    def test_nothing_imports_upwards(self):
+        for path, group in modules():
+            for name, node in imports(path):
+                parts = name.split(".")
+                if parts[0] == "sweptvolume" and len(parts) > 1 and parts[1] in LEVEL:
+                    text = "{}:{} imports {}".format(path, node.lineno, name)
+                    self.assertLessEqual(LEVEL[parts[1]], LEVEL[group], text)
+
+    def test_gui_only_in_views_panels_commands(self):
+        for path, group in modules():
+            for name, node in imports(path):
+                root = name.split(".")[0]
+                text = "{}:{} imports {}".format(path, node.lineno, name)
+                if root in ("FreeCADGui", "pivy"):
+                    self.assertGreaterEqual(LEVEL[group], GUI_FROM, text)
+                self.assertNotIn(root, ("PySide2", "PySide6"), text)
+
+    def test_only_core_knows_the_compiled_module(self):
+        for path, group in modules():
+            with open(path, encoding="utf-8") as file:
+                if group != "core":
+                    self.assertNotIn('import_module("_swept")', file.read(), path)
+            for name, _ in imports(path):
+                self.assertNotEqual(name.split(".")[0], "_swept", path)
