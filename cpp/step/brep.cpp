@@ -10,8 +10,20 @@
 #include <BRepGProp_Face.hxx>
 #include <BRepGProp_Vinert.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <ShapeConstruct_ProjectCurveOnSurface.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -25,6 +37,9 @@
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <gp_Ax3.hxx>
+#include <gp_Vec2d.hxx>
 #include <string>
 
 namespace swept::step {
@@ -68,13 +83,50 @@ class BrepBuilder {
     }
   }
 
+  static Handle(Geom_Curve) curveOf(const Curve& curve) {
+    if (curve.kind == CurveKind::Line)
+      return new Geom_Line(pointOf(curve.start), dirOf(curve.axis));
+    if (curve.kind == CurveKind::Circle) {
+      return new Geom_Circle(gp_Ax2(pointOf(curve.start), dirOf(curve.axis), dirOf(curve.xdir)),
+                             curve.radius);
+    }
+    const auto knotCount = static_cast<Standard_Integer>(curve.knots.size());
+    TColgp_Array1OfPnt poles(1, static_cast<Standard_Integer>(curve.poles.size()));
+    TColStd_Array1OfReal knots(1, knotCount);
+    TColStd_Array1OfInteger multiplicities(1, knotCount);
+    for (std::size_t i = 0; i < curve.poles.size(); ++i) {
+      poles(static_cast<Standard_Integer>(i) + 1) = pointOf(curve.poles[i]);
+    }
+    for (Standard_Integer i = 1; i <= knotCount; ++i) {
+      knots(i) = curve.knots[i - 1];
+      multiplicities(i) = i == 1 || i == knotCount ? 4 : 2;
+    }
+    return new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+  }
+
+  static Handle(Geom_Surface) surfaceOf(const Surface& s) {
+    const gp_Dir x = dirOf(s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis));
+    const gp_Ax3 frame(pointOf(s.point), dirOf(s.axis), x);
+    switch (s.kind) {
+      case SurfaceKind::Cylinder:
+        return new Geom_CylindricalSurface(frame, s.radius);
+      case SurfaceKind::Cone:
+        return new Geom_ConicalSurface(frame, s.halfAngle, s.radius);
+      case SurfaceKind::Sphere:
+        return new Geom_SphericalSurface(frame, s.radius);
+      case SurfaceKind::Torus:
+        return new Geom_ToroidalSurface(frame, s.radius, s.minor);
+      default:
+        return new Geom_Plane(frame);
+    }
+  }
+
   void makeEdges() {
     edges_.resize(model_.edges.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const ModelEdge& edge = model_.edges[e];
       const Eigen::Vector3d a = model_.vertices[edge.start].point;
-      const Eigen::Vector3d b = model_.vertices[edge.end].point;
-      const double length = (b - a).norm();
+      const double length = (edge.curve.at(edge.curve.last / 2) - a).norm();
       if (!(length > kKernelTolerance)) {
         throw Error(Status::ExportFailed, "ShortEdge",
                     "an edge at (" + std::to_string(a.x()) + ", " + std::to_string(a.y()) + ", " +
@@ -82,31 +134,53 @@ class BrepBuilder {
                         ") mm is shorter than 1e-7 mm; simplify the mesh or " +
                         "scale the model up");
       }
-      const Handle(Geom_Line) line = new Geom_Line(pointOf(a), dirOf((b - a) / length));
       TopoDS_Edge& made = edges_[e];
-      builder_.MakeEdge(made, line, stated(edge.tolerance));
+      builder_.MakeEdge(made, curveOf(edge.curve), stated(edge.tolerance));
       builder_.Add(made, vertices_[edge.start].Oriented(TopAbs_FORWARD));
       builder_.Add(made, vertices_[edge.end].Oriented(TopAbs_REVERSED));
-      builder_.Range(made, 0, length);
+      builder_.Range(made, 0, edge.curve.last);
     }
   }
 
   TopoDS_Face makeFace(const ModelFace& face) {
     TopoDS_Face made;
-    const Handle(Geom_Plane) plane =
-        new Geom_Plane(pointOf(face.surface.point), dirOf(face.surface.axis));
-    builder_.MakeFace(made, plane, kKernelTolerance);
+    const bool reversed = !face.surface.isPlanar() && face.surface.reversed;
+    builder_.MakeFace(made, surfaceOf(face.surface), kKernelTolerance);
     for (const auto& loop : face.loops) {
       TopoDS_Wire wire;
       builder_.MakeWire(wire);
       for (const ModelUse& use : loop) {
         builder_.Add(wire,
                      edges_[use.edge].Oriented(use.forward ? TopAbs_FORWARD : TopAbs_REVERSED));
+        if (!face.surface.isPlanar()) addParameterCurve(use.edge, face.surface, made);
       }
       wire.Closed(true);
-      builder_.Add(made, wire);
+      // In the face's own frame a bore is turned, its loops with it.
+      builder_.Add(made, reversed ? wire.Reversed() : wire);
     }
-    return made;
+    return reversed ? TopoDS::Face(made.Reversed()) : made;
+  }
+
+  // The edge in the surface's parameters, in the period in which the face lies.
+  void addParameterCurve(std::int32_t e, const Surface& surface, const TopoDS_Face& face) {
+    const Curve& curve = model_.edges[e].curve;
+    const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
+    ShapeConstruct_ProjectCurveOnSurface projector;
+    projector.Init(geometry, kKernelTolerance);
+    Handle(Geom_Curve) space = curveOf(curve);
+    Handle(Geom2d_Curve) flat;
+    projector.Perform(space, 0, curve.last, flat);
+    if (flat.IsNull()) return;
+    const gp_Pnt2d middle = flat->Value(curve.last / 2);
+    auto periods = [](double value, double wanted) {
+      return std::round((wanted - value) / (2 * M_PI));
+    };
+    const double u = 2 * M_PI * periods(middle.X(), M_PI);
+    const double v =
+        surface.kind == SurfaceKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;
+    if (u != 0 || v != 0) flat->Translate(gp_Vec2d(u, v));
+    builder_.UpdateEdge(edges_[e], flat, face, stated(model_.edges[e].tolerance));
+    ShapeFix_Edge().FixSameParameter(edges_[e]);
   }
 
   TopoDS_Shape makeSolids(std::vector<TopoDS_Shell>& shells) {

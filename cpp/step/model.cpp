@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,27 +9,45 @@
 namespace swept::step {
 namespace {
 
+using Eigen::Vector3d;
+
+// Planes at less than about two degrees do not fix the line in which they meet.
+constexpr double kNearlyParallel = 0.9994;
+
 struct Chain {
-  std::vector<std::int32_t> halfEdges;  // in order, all with the same patch on either side
+  std::vector<std::int32_t> halfEdges;   // in order, all with the same patch on either side
+  std::vector<const Surface*> surfaces;  // those that fix its points: not facets; a cut last
   bool closed = false;
+  bool curved = false;    // one edge on the curve in which two surfaces meet
+  bool straight = false;  // one edge on the line in which two planes meet
+  bool dropped = false;   // shrank to a point
 };
 
 class Builder {
  public:
-  Builder(const HalfEdgeMesh& mesh, const Partition& partition, double straightTolerance,
-          RunContext& run)
-      : mesh_(mesh), partition_(partition), tolerance_(straightTolerance), run_(run) {}
+  Builder(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance, RunContext& run)
+      : mesh_(mesh), partition_(partition), tolerance_(tolerance), run_(run) {}
 
   Model build() {
     findBoundary();
     findChains();
     run_.checkpoint(Phase::Export);
-    for (const Chain& chain : chains_) keepBends(chain);
+    for (Chain& chain : chains_) classify(chain);
+    for (const Chain& chain : chains_) {
+      if (chain.curved) {
+        kept_[vertexAt(chain, 0)] = 1;
+      } else if (!chain.straight) {
+        keepBends(chain);
+      }
+    }
     separateTwins();
+    placeVertices();
+    run_.checkpoint(Phase::Export);
+    dropShrunkChains();
     makeEdges();
     run_.checkpoint(Phase::Export);
     makeFaces();
-    snapVertices();
+    fitFacets();
     setTolerances();
     return std::move(model_);
   }
@@ -168,35 +185,156 @@ class Builder {
     return true;
   }
 
+  // A chain between two recognised surfaces, one of them curved, runs on the curve in which they
+  // meet.
+  void classify(Chain& chain) {
+    const Patch& left = partition_.patches[patchOf(chain.halfEdges[0])];
+    const Patch& right = partition_.patches[patchOf(mesh_.opposite[chain.halfEdges[0]])];
+    for (const Patch* patch : {&left, &right}) {
+      if (patch->surface.kind != SurfaceKind::Facet) chain.surfaces.push_back(&patch->surface);
+    }
+    chain.curved =
+        chain.surfaces.size() == 2 && !(left.surface.isPlanar() && right.surface.isPlanar());
+    chain.straight = chain.surfaces.size() == 2 && !chain.curved && !chain.closed &&
+                     left.surface.axis.dot(right.surface.axis) < kNearlyParallel;
+    if (left.surfaceId >= 0 && left.surfaceId == right.surfaceId) {
+      chain.surfaces = {&left.surface, nearestCut(chain, left.surfaceId)};
+    }
+  }
+
+  const Surface* nearestCut(const Chain& chain, std::int32_t surfaceId) const {
+    const Surface* best = nullptr;
+    double least = 1e300;
+    for (const Cut& cut : partition_.cuts) {
+      if (cut.surfaceId != surfaceId) continue;
+      double sum = 0;
+      for (const std::int32_t h : chain.halfEdges) {
+        sum += std::abs(cut.plane.distance(mesh_.points[mesh_.origin(h)]));
+      }
+      if (sum < least) {
+        least = sum;
+        best = &cut.plane;
+      }
+    }
+    return best;
+  }
+
+  // Each kept vertex goes where the surfaces of its chains meet, if that is near.
+  void placeVertices() {
+    place_ = mesh_.points;
+    std::vector<std::vector<const Surface*>> at(mesh_.points.size());
+    std::vector<double> reach(mesh_.points.size(), 0);
+    for (const Chain& chain : chains_) {
+      for (std::size_t i = 0; i <= chain.halfEdges.size(); ++i) {
+        const std::int32_t v = vertexAt(chain, i);
+        if (!kept_[v]) continue;
+        for (const Surface* surface : chain.surfaces) {
+          if (std::find(at[v].begin(), at[v].end(), surface) == at[v].end())
+            at[v].push_back(surface);
+        }
+        const std::int32_t h = chain.halfEdges[std::min(i, chain.halfEdges.size() - 1)];
+        reach[v] = std::max(reach[v],
+                            (mesh_.points[mesh_.origin(h)] - mesh_.points[mesh_.target(h)]).norm());
+      }
+    }
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (at[v].empty()) continue;
+      if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
+      const double limit = std::max(10 * tolerance_, 4 * reach[v]);
+      const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
+      if ((moved - mesh_.points[v]).norm() <= limit) place_[v] = moved;
+    }
+  }
+
+  std::int32_t root(std::int32_t v) {
+    while (same_[v] != v) v = same_[v] = same_[same_[v]];
+    return v;
+  }
+
+  // Jagged borders meet in several vertices that belong to one corner: their chains shrink to a
+  // point.
+  void dropShrunkChains() {
+    same_.resize(mesh_.points.size());
+    for (std::size_t v = 0; v < same_.size(); ++v) same_[v] = static_cast<std::int32_t>(v);
+    std::vector<char> beside(mesh_.points.size(), 0);
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const auto half = static_cast<std::int32_t>(h);
+      if (partition_.patches[patchOf(half)].surface.kind == SurfaceKind::Facet)
+        beside[mesh_.origin(half)] = 1;
+    }
+    const double eps = std::max(1e-6, 0.02 * tolerance_);
+    for (Chain& chain : chains_) {
+      const std::int32_t a = vertexAt(chain, 0), b = vertexAt(chain, chain.halfEdges.size());
+      if (a == b || (place_[a] - place_[b]).norm() > eps) continue;
+      if (chain.surfaces.size() < 2 || beside[a] || beside[b] || chain.halfEdges.size() > 12) {
+        // Facets need their corners apart: these stay where the mesh has them.
+        place_[a] = mesh_.points[a];
+        place_[b] = mesh_.points[b];
+        continue;
+      }
+      chain.dropped = true;
+      same_[root(a)] = root(b);
+    }
+  }
+
   std::int32_t modelVertex(std::int32_t v) {
+    v = root(v);
     if (vertexId_.empty()) vertexId_.assign(mesh_.points.size(), -1);
     if (vertexId_[v] < 0) {
       vertexId_[v] = static_cast<std::int32_t>(model_.vertices.size());
-      model_.vertices.push_back({mesh_.points[v], 0});
+      model_.vertices.push_back({place_[v], 0});
     }
     return vertexId_[v];
   }
 
+  Curve curveOf(const Chain& chain) {
+    const std::size_t count = chain.halfEdges.size();
+    std::vector<Vector3d> points{place_[root(vertexAt(chain, 0))]};
+    const int between = count < 8 ? 4 : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3d& a = i == 0 ? points[0] : mesh_.points[vertexAt(chain, i)];
+      const Vector3d& b = i + 1 == count ? place_[root(vertexAt(chain, count))]
+                                         : mesh_.points[vertexAt(chain, i + 1)];
+      for (int k = 1; k <= between; ++k) {
+        if (i + 1 == count && k == between) break;
+        const double w = static_cast<double>(k) / between;
+        points.push_back(meetingPoint((1 - w) * a + w * b, chain.surfaces));
+      }
+    }
+    points.push_back(place_[root(vertexAt(chain, count))]);
+    return curveThrough(points, chain.closed, std::max(1e-6, 0.05 * tolerance_), chain.surfaces);
+  }
+
   void makeEdges() {
     edgeOf_.assign(mesh_.opposite.size(), -1);
+    isForward_.assign(mesh_.opposite.size(), 0);
+    startsEdge_.assign(mesh_.opposite.size(), 0);
+    std::size_t done = 0;
     for (const Chain& chain : chains_) {
+      if ((++done & 63U) == 0) run_.checkpoint(Phase::Export);
+      if (chain.dropped) continue;
       std::int32_t edge = -1;
       for (const std::int32_t h : chain.halfEdges) {
         if (edge < 0) {
           edge = static_cast<std::int32_t>(model_.edges.size());
-          model_.edges.push_back({modelVertex(mesh_.origin(h)), -1, 0});
+          model_.edges.push_back({modelVertex(mesh_.origin(h)), -1, {}, 0});
+          startsEdge_[h] = 1;
         }
         edgeOf_[h] = edge;
         edgeOf_[mesh_.opposite[h]] = edge;
-        forward_.push_back(h);
-        if (kept_[mesh_.target(h)]) {
-          model_.edges[edge].end = modelVertex(mesh_.target(h));
+        isForward_[h] = 1;
+        const bool isLast = h == chain.halfEdges.back();
+        if (isLast || (!chain.curved && kept_[mesh_.target(h)])) {
+          startsEdge_[mesh_.opposite[h]] = 1;
+          ModelEdge& made = model_.edges[edge];
+          made.end = modelVertex(mesh_.target(h));
+          made.curve = chain.curved ? curveOf(chain)
+                                    : lineThrough(model_.vertices[made.start].point,
+                                                  model_.vertices[made.end].point);
           edge = -1;
         }
       }
     }
-    isForward_.assign(mesh_.opposite.size(), 0);
-    for (const std::int32_t h : forward_) isForward_[h] = 1;
   }
 
   std::int32_t startOf(const ModelUse& use) const {
@@ -206,29 +344,26 @@ class Builder {
   // Cuts a loop that passes a vertex twice into simple loops.
   void addSimpleLoops(const std::vector<ModelUse>& loop, ModelFace& face) {
     std::vector<ModelUse> open;
+    std::unordered_map<std::int32_t, std::size_t> position;
     for (const ModelUse& use : loop) {
-      const std::int32_t start = startOf(use);
-      const auto at = std::find_if(open.begin(), open.end(),
-                                   [&](const ModelUse& u) { return startOf(u) == start; });
-      if (at != open.end() && pinched_[start]) {
-        face.loops.emplace_back(at, open.end());
-        open.erase(at, open.end());
+      const auto [it, fresh] = position.try_emplace(startOf(use), open.size());
+      if (!fresh) {
+        const std::size_t from = it->second;
+        face.loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(from), open.end());
+        for (std::size_t i = from + 1; i < open.size(); ++i) position.erase(startOf(open[i]));
+        open.resize(from);
       }
       open.push_back(use);
     }
-    face.loops.push_back(std::move(open));
+    if (!open.empty()) face.loops.push_back(std::move(open));
   }
 
   void makeFaces() {
-    pinched_.assign(model_.vertices.size(), 0);
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (!vertexId_.empty() && vertexId_[v] >= 0 && degree_[v] > 3) pinched_[vertexId_[v]] = 1;
-    }
     std::vector<std::int32_t> faceOf(partition_.patches.size(), -1);
     std::vector<char> seen(mesh_.opposite.size(), 0);
     const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
     for (std::int32_t first = 0; first < count; ++first) {
-      if (seen[first] || !isBoundary(first) || !kept_[mesh_.origin(first)]) continue;
+      if (seen[first] || !isBoundary(first)) continue;
       const std::int32_t patch = patchOf(first);
       if (faceOf[patch] < 0) {
         faceOf[patch] = static_cast<std::int32_t>(model_.faces.size());
@@ -241,51 +376,24 @@ class Builder {
       std::int32_t h = first;
       do {
         seen[h] = 1;
-        if (loop.empty() || kept_[mesh_.origin(h)])
-          loop.push_back({edgeOf_[h], isForward_[h] != 0});
+        if (startsEdge_[h]) loop.push_back({edgeOf_[h], isForward_[h] != 0});
         h = nextBoundary(h);
       } while (h != first);
-      addSimpleLoops(loop, model_.faces[faceOf[patch]]);
+      if (!loop.empty()) addSimpleLoops(loop, model_.faces[faceOf[patch]]);
     }
     model_.shellOwner = mesh_.shellOwner;
+    std::erase_if(model_.faces, [](const ModelFace& face) { return face.loops.empty(); });
     std::stable_sort(model_.faces.begin(), model_.faces.end(),
                      [](const ModelFace& a, const ModelFace& b) { return a.shell < b.shell; });
-    facesAt_.assign(model_.vertices.size(), {});
-    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-      for (const auto& loop : model_.faces[f].loops) {
-        for (const ModelUse& use : loop)
-          facesAt_[startOf(use)].push_back(static_cast<std::int32_t>(f));
-      }
-    }
   }
 
-  // Moves a vertex onto the surfaces that meet there, as far as they determine it. Facets follow.
-  void snapVertices() {
-    const double limit = 10 * tolerance_;
-    for (std::size_t v = 0; v < model_.vertices.size(); ++v) {
-      Eigen::Vector3d point = model_.vertices[v].point;
-      for (int round = 0; round < 4; ++round) {
-        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d right = Eigen::Vector3d::Zero();
-        for (const std::int32_t f : facesAt_[v]) {
-          const Surface& surface = model_.faces[f].surface;
-          if (surface.kind == SurfaceKind::Facet) continue;
-          const Eigen::Vector3d n = surface.normal(point);
-          normal += n * n.transpose();
-          right -= n * surface.distance(point);
-        }
-        Eigen::JacobiSVD<Eigen::Matrix3d> svd(normal, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        // Below this the planes are nearly parallel and would send the vertex far along them.
-        svd.setThreshold(1e-3);
-        point += svd.solve(right);
-      }
-      if ((point - model_.vertices[v].point).norm() <= limit) model_.vertices[v].point = point;
-    }
+  // Facets follow their corners, which may have been moved onto other surfaces.
+  void fitFacets() {
     for (ModelFace& face : model_.faces) {
       if (face.surface.kind != SurfaceKind::Facet) continue;
       const auto& loop = face.loops.front();
-      Eigen::Vector3d area = Eigen::Vector3d::Zero();
-      const Eigen::Vector3d base = model_.vertices[startOf(loop[0])].point;
+      Vector3d area = Vector3d::Zero();
+      const Vector3d base = model_.vertices[startOf(loop[0])].point;
       for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
         area += (model_.vertices[startOf(loop[i])].point - base)
                     .cross(model_.vertices[startOf(loop[i + 1])].point - base);
@@ -296,15 +404,25 @@ class Builder {
   }
 
   void setTolerances() {
-    for (std::size_t v = 0; v < model_.vertices.size(); ++v) {
-      for (const std::int32_t f : facesAt_[v]) {
-        double& t = model_.vertices[v].tolerance;
-        t = std::max(t, std::abs(model_.faces[f].surface.distance(model_.vertices[v].point)));
+    for (const ModelFace& face : model_.faces) {
+      for (const auto& loop : face.loops) {
+        for (const ModelUse& use : loop) {
+          ModelEdge& edge = model_.edges[use.edge];
+          // A straight edge in a plane is nowhere farther off than at its ends.
+          const int steps = edge.curve.kind == CurveKind::Line && face.surface.isPlanar() ? 1 : 16;
+          for (int i = 0; i <= steps; ++i) {
+            const Vector3d p = edge.curve.at(edge.curve.last * i / steps);
+            edge.tolerance = std::max(edge.tolerance, std::abs(face.surface.distance(p)));
+          }
+        }
       }
     }
-    for (ModelEdge& edge : model_.edges) {
-      edge.tolerance =
-          std::max(model_.vertices[edge.start].tolerance, model_.vertices[edge.end].tolerance);
+    for (const ModelEdge& edge : model_.edges) {
+      for (const bool atEnd : {false, true}) {
+        ModelVertex& vertex = model_.vertices[atEnd ? edge.end : edge.start];
+        const double gap = (edge.curve.at(atEnd ? edge.curve.last : 0) - vertex.point).norm();
+        vertex.tolerance = std::max({vertex.tolerance, edge.tolerance, gap});
+      }
     }
   }
 
@@ -318,17 +436,17 @@ class Builder {
   std::vector<Chain> chains_;
   std::vector<std::int32_t> vertexId_;  // mesh vertex -> model vertex
   std::vector<std::int32_t> edgeOf_;    // half-edge -> model edge
-  std::vector<std::int32_t> forward_;
-  std::vector<char> isForward_;
-  std::vector<char> pinched_;  // model vertices with more than three boundary edges
-  std::vector<std::vector<std::int32_t>> facesAt_;
+  std::vector<char> isForward_;         // half-edge runs along its edge
+  std::vector<char> startsEdge_;        // half-edge is the first of its edge in its own direction
+  std::vector<Vector3d> place_;         // mesh vertex -> where it goes
+  std::vector<std::int32_t> same_;      // union-find over mesh vertices that fall together
 };
 
 }  // namespace
 
-Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double straightTolerance,
+Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run) {
-  return Builder(mesh, partition, straightTolerance, run).build();
+  return Builder(mesh, partition, tolerance, run).build();
 }
 
 }  // namespace swept::step

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "curve.h"
 #include "half_edge.h"
 #include "patches.h"
 #include "surface.h"
@@ -21,7 +22,8 @@ struct ModelVertex {
 
 struct ModelEdge {
   std::int32_t start = 0, end = 0;
-  double tolerance = 0;
+  Curve curve;           ///< from start to end
+  double tolerance = 0;  ///< mm: largest distance from the two surfaces
 };
 
 struct ModelUse {
@@ -43,8 +45,8 @@ struct Model {
   std::vector<std::int32_t> shellOwner;  ///< as HalfEdgeMesh
 };
 
-/// straightTolerance: mm, how far a dropped boundary vertex may lie off its straight edge.
-Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double straightTolerance,
+/// tolerance: mm, how far a dropped boundary vertex may lie off its straight edge.
+Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run);
 
 }  // namespace swept::step

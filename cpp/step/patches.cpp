@@ -170,6 +170,7 @@ void setFacet(const HalfEdgeMesh& mesh, std::int32_t t, Patch& patch) {
   patch.surface.point = mesh.points[mesh.triangles[t][0]];
   patch.triangles.assign(1, t);
   patch.deviation = 0;
+  patch.surfaceId = -1;
 }
 }  // namespace
 

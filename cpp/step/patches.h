@@ -15,12 +15,20 @@ namespace swept::step {
 struct Patch {
   Surface surface;
   std::vector<std::int32_t> triangles;
-  double deviation = 0;  ///< mm: largest distance of its mesh vertices from the surface
+  double deviation = 0;         ///< mm: largest distance of its mesh vertices from the surface
+  std::int32_t surfaceId = -1;  ///< the same for the pieces of one surface that was cut; -1: none
+};
+
+/// A surface that goes all the way round is cut by planes, so that no face needs a seam.
+struct Cut {
+  std::int32_t surfaceId = -1;
+  Surface plane;
 };
 
 struct Partition {
   std::vector<std::int32_t> patchOf;  ///< per triangle; -1 while not assigned
   std::vector<Patch> patches;
+  std::vector<Cut> cuts;
 };
 
 /// Grows planes over triangles not yet assigned; what stays alone becomes a Facet through its

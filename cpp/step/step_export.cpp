@@ -16,6 +16,7 @@
 #include "kernel.h"
 #include "model.h"
 #include "patches.h"
+#include "recognise.h"
 #include "solid_file.h"
 #include "target_file.h"
 
@@ -88,8 +89,9 @@ class Stopwatch {
 Brep buildValidBrep(const HalfEdgeMesh& mesh, Partition& partition, const StepOptions& options,
                     RunContext& run) {
   constexpr int kRounds = 4;
+  const double tolerance = std::max(options.planarTolerance, options.tolerance);
   for (int round = 0;; ++round) {
-    const Model model = buildModel(mesh, partition, options.planarTolerance, run);
+    const Model model = buildModel(mesh, partition, tolerance, run);
     Brep brep = buildBrep(model, run);
     const std::vector<std::int32_t> bad = findBadFaces(brep.faces, run, 0.1, 0.3);
     if (bad.empty()) return brep;
@@ -115,7 +117,8 @@ void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOption
   for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s) {
     outer += mesh.shellOwner[s] == static_cast<std::int32_t>(s);
   }
-  const double allowed = mesh.area * options.planarTolerance + 1e-6 * std::abs(mesh.volume);
+  const double allowed = mesh.area * std::max(options.planarTolerance, options.tolerance) +
+                         1e-6 * std::abs(mesh.volume);
   std::string what;
   if (!check.valid) {
     what = check.complaint;
@@ -146,6 +149,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, const Ste
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
+  if (options.tolerance > 0) recogniseSurfaces(mesh, options.tolerance, partition, run);
   if (options.mergeCoplanar) growPlanes(mesh, options.planarTolerance, partition, run);
   addFacets(mesh, partition);
   refuseTooMany(static_cast<std::int64_t>(partition.patches.size()), options.maxFaces, format);

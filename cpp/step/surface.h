@@ -15,8 +15,11 @@ struct Surface {
   SurfaceKind kind = SurfaceKind::Facet;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the plane, on the axis, or the centre
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< plane normal or axis, unit
-  double radius = 0;      ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
-  double minor = 0;       ///< torus: of the tube
+  Eigen::Vector3d xdir =
+      Eigen::Vector3d::Zero();  ///< where angles start; zero: anyOrthogonal(axis)
+  double radius = 0;            ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
+  double minor = 0;             ///< torus: of the tube
+  double tubeMid = 0;           ///< torus: tube angle in the middle of the face
   double halfAngle = 0;   ///< cone: between axis and generator line; radius grows along the axis
   bool reversed = false;  ///< material lies outside (a bore): outward is towards the axis or centre
 
