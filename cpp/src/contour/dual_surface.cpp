@@ -60,6 +60,13 @@ class CellColumn {
   std::vector<Cell> cells_;
 };
 
+/// A vertex whose planes meet outside its cell.
+struct Escape {
+  std::uint32_t vertex;      // in its layer
+  Eigen::Vector3d from, to;  // mass point and minimiser, in the cell's coordinates
+  double error;              // mean squared distance of the planes from it
+};
+
 class LayerBuilder {
  public:
   LayerBuilder(const HermiteGrid& grid, ComponentMethod method, DualSurface& out)
@@ -69,8 +76,9 @@ class LayerBuilder {
         column_(grid),
         segments_(method == ComponentMethod::Consistent) {}
 
-  void build(std::int32_t i, std::vector<FaceSegment>& ambiguous) {
+  void build(std::int32_t i, std::vector<FaceSegment>& ambiguous, std::vector<Escape>& escapes) {
     auto& vertices = out_.vertices[i];
+    escapes_ = &escapes;
     for (std::int32_t j = 0; j + 1 < grid_.plan.points[1]; ++j) {
       for (const Cell& cell : column_.gather(i, j)) {
         addCell(cell, i, j, vertices);
@@ -102,13 +110,23 @@ class LayerBuilder {
     }
     for (int c = 0; c < components_.count; ++c) {
       DualVertex vertex;
-      vertex.local = qefs[c].solve(kCellMargin).cast<float>();
+      Eigen::Vector3d free;
+      vertex.local = qefs[c].solve(kCellMargin, free).cast<float>();
+      if (mayEscape(free)) {
+        escapes_->push_back({static_cast<std::uint32_t>(vertices.size()), qefs[c].massPoint(), free,
+                             qefs[c].error(free) / qefs[c].count()});
+      }
       vertex.i = static_cast<std::int16_t>(i);
       vertex.j = static_cast<std::int16_t>(j);
       vertex.k = static_cast<std::int16_t>(cell.k);
       vertex.timeSeconds = times[c];
       vertices.push_back(vertex);
     }
+  }
+
+  static bool mayEscape(const Eigen::Vector3d& x) {
+    const double out = std::max((-x).maxCoeff(), (x.array() - 1).maxCoeff());
+    return out > kCellMargin && out < 1 - kCellMargin;
   }
 
   /// Each face is told once, by the cell that has it on its low side.
@@ -135,7 +153,121 @@ class LayerBuilder {
   ComponentFinder finder_;
   CellColumn column_;
   Components components_;
+  std::vector<Escape>* escapes_ = nullptr;
   bool segments_;
+};
+
+/// Any single cell of the grid, found by binary search in the edge lists.
+Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
+  Cell cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (at[axis] < 0 || at[axis] + 1 >= grid.plan.points[axis]) return cell;
+  }
+  cell.k = static_cast<std::uint16_t>(at[2]);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int ob = 0; ob < 2; ++ob) {
+      for (int oc = 0; oc < 2; ++oc) {
+        Eigen::Vector3i low = at;
+        low[(axis + 1) % 3] += ob;
+        low[(axis + 2) % 3] += oc;
+        const HermiteLayer& layer = grid.layers[low[0]];
+        const auto begin = layer.edges[axis].begin() + layer.columnStart[axis][low[1]];
+        const auto end = layer.edges[axis].begin() + layer.columnStart[axis][low[1] + 1];
+        const auto edge = std::lower_bound(begin, end, low[2],
+                                           [](const HermiteEdge& e, int k) { return e.k < k; });
+        if (edge == end || edge->k != low[2]) continue;
+        const int number = edgeOf(axis, ob, oc);
+        cell.mask |= static_cast<std::uint32_t>(edge->sides) << (2 * number);
+        cell.first[number] = edge->first;
+      }
+    }
+  }
+  return cell;
+}
+
+/// Vertices whose planes meet outside their cell: what becomes of the point where they meet.
+///   Its way leads through empty cells: the vertex may follow (the tip of a corner or wedge can
+///   reach into a neighbour without meeting any of its edges; nothing else lives there). It lies in
+///   a neighbouring leaf cell: a component there whose own planes agree with it takes it (it saw
+///   only some of the planes of the corner that it holds).
+/// A cell is given one point only; whatever still meets is found and mended later.
+class TipPlacer {
+ public:
+  TipPlacer(const HermiteGrid& grid, ComponentMethod method, DualSurface& surface)
+      : grid_(grid), method_(method), surface_(surface) {}
+
+  void place(const std::vector<std::vector<Escape>>& escapes) {
+    std::vector<std::vector<Claim>> byLayer(escapes.size());
+    parallelFor(escapes.size(), [&](std::size_t layer) {
+      const auto finder = std::make_unique<ComponentFinder>(method_);
+      for (const Escape& escape : escapes[layer]) {
+        claim(static_cast<std::uint32_t>(layer), escape, *finder, byLayer[layer]);
+      }
+    });
+    std::vector<Claim> claims;
+    for (const auto& part : byLayer) claims.insert(claims.end(), part.begin(), part.end());
+    std::stable_sort(claims.begin(), claims.end(), [](const Claim& x, const Claim& y) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (x.cell[axis] != y.cell[axis]) return x.cell[axis] < y.cell[axis];
+      }
+      return x.error < y.error;
+    });
+    for (std::size_t n = 0; n < claims.size(); ++n) {
+      if (n > 0 && claims[n].cell == claims[n - 1].cell) continue;
+      DualVertex& v = surface_.vertices[claims[n].layer][claims[n].vertex];
+      v.local = (claims[n].point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
+    }
+  }
+
+ private:
+  struct Claim {
+    Eigen::Vector3i cell;
+    double error;
+    std::uint32_t layer, vertex;
+    Eigen::Vector3d point;  // grid coordinates
+  };
+
+  void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
+             std::vector<Claim>& out) {
+    constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
+    if (escape.error > kPlanesMeet) return;
+    const DualVertex& v = surface_.vertices[layer][escape.vertex];
+    const Eigen::Vector3i own(v.i, v.j, v.k);
+    const Eigen::Vector3d way = escape.to - escape.from;
+    const Eigen::Vector3i target = own + escape.to.array().floor().matrix().cast<int>();
+    const Eigen::Vector3d point = escape.to + own.cast<double>();
+    const Cell cell = gatherCell(grid_, target);
+    if (cell.mask != 0) {
+      Components components;
+      finder.find(cell, grid_.crossings.data(), components);
+      for (int c = 0; c < components.count; ++c) {
+        Qef qef;
+        std::uint32_t vertex = DualSurface::kNone;
+        for (int slot = 0; slot < kSlots; ++slot) {
+          if (components.of[slot] != c) continue;
+          const Crossing& crossing = grid_.crossings[cell.crossing(slot)];
+          qef.add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
+          vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
+        }
+        const double error = qef.error(point - target.cast<double>()) / qef.count();
+        if (error > kPlanesMeet) continue;
+        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point});
+        return;
+      }
+      return;
+    }
+    constexpr int kSamples = 16;  // corners cut shorter than this do no harm
+    for (int s = 1; s < kSamples; ++s) {
+      const Eigen::Vector3d x = escape.from + way * (static_cast<double>(s) / kSamples);
+      const Eigen::Vector3i step = x.array().floor().matrix().cast<int>();
+      if (step != Eigen::Vector3i::Zero() && gatherCell(grid_, own + step).mask != 0) return;
+    }
+    out.push_back({target, way.norm(), layer, escape.vertex, point});
+  }
+
+  const HermiteGrid& grid_;
+  ComponentMethod method_;
+  DualSurface& surface_;
 };
 
 }  // namespace
@@ -147,14 +279,16 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method, Ru
   out.quads.assign(grid.crossings.size(), {DualSurface::kNone, DualSurface::kNone,
                                            DualSurface::kNone, DualSurface::kNone});
   std::vector<std::vector<FaceSegment>> ambiguous(layers);
+  std::vector<std::vector<Escape>> escapes(layers);
   constexpr std::size_t kGroup = 8;
   parallelBlocks(layers, kGroup, [&](std::size_t begin, std::size_t end) {
     const auto builder = std::make_unique<LayerBuilder>(grid, method, out);
     run.checkpoint(Phase::Contour, begin, 2 * layers);
     for (std::size_t i = begin; i < end; ++i) {
-      builder->build(static_cast<std::int32_t>(i), ambiguous[i]);
+      builder->build(static_cast<std::int32_t>(i), ambiguous[i], escapes[i]);
     }
   });
+  TipPlacer(grid, method, out).place(escapes);
   out.firstVertex.resize(layers + 1, 0);
   for (std::size_t i = 0; i < layers; ++i) {
     out.firstVertex[i + 1] =

@@ -20,7 +20,7 @@ double Qef::error(const Eigen::Vector3d& x) const {
   return x.dot(matrix() * x) - 2 * x.dot(b_) + c_;
 }
 
-Eigen::Vector3d Qef::solve(double margin) const {
+Eigen::Vector3d Qef::solve(double margin, Eigen::Vector3d& free) const {
   const double low = margin, high = 1 - margin;
   const Eigen::Vector3d m = massPoint();
   Eigen::Matrix3d a = matrix();
@@ -34,11 +34,11 @@ Eigen::Vector3d Qef::solve(double margin) const {
   const double c11 = a(0, 0) * a(2, 2) - a(0, 2) * a(0, 2);
   const double c12 = a(0, 1) * a(0, 2) - a(0, 0) * a(1, 2);
   const double c22 = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
-  const Eigen::Vector3d x = m + Eigen::Vector3d(c00 * g[0] + c01 * g[1] + c02 * g[2],
-                                                c01 * g[0] + c11 * g[1] + c12 * g[2],
-                                                c02 * g[0] + c12 * g[1] + c22 * g[2]) /
-                                    det;
-  if ((x.array() >= low).all() && (x.array() <= high).all()) return x;
+  free = m + Eigen::Vector3d(c00 * g[0] + c01 * g[1] + c02 * g[2],
+                             c01 * g[0] + c11 * g[1] + c12 * g[2],
+                             c02 * g[0] + c12 * g[1] + c22 * g[2]) /
+                 det;
+  if ((free.array() >= low).all() && (free.array() <= high).all()) return free;
   return solveInBox(a, g, low, high);
 }
 

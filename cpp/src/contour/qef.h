@@ -34,8 +34,8 @@ class Qef {
   Eigen::Matrix3d matrix() const;
   double error(const Eigen::Vector3d& x) const;
 
-  /// Minimiser in the box [margin, 1 - margin]^3.
-  Eigen::Vector3d solve(double margin) const;
+  /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the one without the box.
+  Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const;
 
  private:
   Eigen::Vector3d solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,

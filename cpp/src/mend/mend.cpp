@@ -172,7 +172,11 @@ class Mender {
       for (const std::uint32_t c : crossings) mass += region_.crossingPoint(c);
       mass /= static_cast<double>(crossings.size());
       const Eigen::Vector3d now = region_.toCells(region_.mesh.vertices[v]);
-      const Eigen::Vector3d cell = now.array().floor();
+      // A vertex may have escaped from its cell; its mass point never does.
+      Eigen::Vector3d cell = now.array().floor();
+      if ((mass.array() < cell.array()).any() || (mass.array() > cell.array() + 1).any()) {
+        cell = mass.array().floor();
+      }
       mass = mass.cwiseMax((cell.array() + kCellMargin).matrix())
                  .cwiseMin((cell.array() + 1 - kCellMargin).matrix());
       region_.mesh.vertices[v] = region_.toWorld(now + weight * (mass - now));
