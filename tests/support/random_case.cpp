@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "support/random_case.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "support/shapes.h"
+
+namespace swept::test {
+namespace {
+
+double uniform(std::mt19937& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Eigen::Vector3d inCube(std::mt19937& random, double half) {
+  return {uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
+}
+
+TriMesh randomPiece(std::mt19937& random) {
+  TriMesh mesh;
+  switch (std::uniform_int_distribution<int>(0, 4)(random)) {
+    case 0: {
+      const Eigen::Vector3d half = Eigen::Vector3d(1.5, 1.5, 1.5) + inCube(random, 0.9);
+      mesh = makeBox(-half, half);
+      break;
+    }
+    case 1:
+      mesh = makeBall({0, 0, 0}, uniform(random, 1, 2), 3);
+      break;
+    case 2:
+      mesh = makeCylinder(uniform(random, 0.7, 1.6), -1, uniform(random, 0.5, 2.5), 48);
+      break;
+    case 3:
+      mesh = makeTorus(2, uniform(random, 0.5, 0.9), 36, 20);
+      break;
+    default:
+      mesh = makeSquareRing(2, uniform(random, 0.8, 1.3), -0.6, 0.7);
+  }
+  return transformed(mesh, placement(inCube(random, 1) + Eigen::Vector3d(0, 0, 1.1),
+                                     uniform(random, 0, 180), inCube(random, 1)));
+}
+
+}  // namespace
+
+TriMesh randomBody(std::mt19937& random) {
+  TriMesh mesh = randomPiece(random);
+  if (uniform(random, 0, 1) < 0.3) append(mesh, randomPiece(random));
+  return mesh;
+}
+
+Trajectory randomMotion(std::mt19937& random) {
+  Trajectory motion;
+  constexpr Interpolation kinds[3] = {Interpolation::None, Interpolation::Linear,
+                                      Interpolation::Screw};
+  motion.interpolation = kinds[std::uniform_int_distribution<int>(0, 2)(random)];
+  const int count = std::uniform_int_distribution<int>(2, 4)(random);
+  Eigen::Isometry3d now = randomFrame(random);
+  for (int i = 0; i < count; ++i) {
+    motion.poses.push_back(poseOf(i, now));
+    now = now * placement(inCube(random, 1) + Eigen::Vector3d(0, 1.1, 0), uniform(random, 0, 100),
+                          inCube(random, 3));
+  }
+  return motion;
+}
+
+Eigen::Isometry3d randomFrame(std::mt19937& random) {
+  return placement(inCube(random, 1) + Eigen::Vector3d(1.1, 0, 0), uniform(random, 0, 360),
+                   inCube(random, 100));
+}
+
+TriMesh shuffled(const TriMesh& mesh, std::mt19937& random) {
+  std::vector<std::int32_t> order(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  TriMesh result;
+  result.vertices.resize(mesh.vertices.size());
+  for (std::size_t v = 0; v < order.size(); ++v) result.vertices[order[v]] = mesh.vertices[v];
+  for (const auto& t : mesh.triangles) {
+    const int k = std::uniform_int_distribution<int>(0, 2)(random);
+    result.triangles.push_back({order[t[k]], order[t[(k + 1) % 3]], order[t[(k + 2) % 3]]});
+  }
+  std::shuffle(result.triangles.begin(), result.triangles.end(), random);
+  return result;
+}
+
+}  // namespace swept::test

@@ -1,0 +1,21 @@
+// Seeded bodies and motions for property tests.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <random>
+
+#include "swept/types.h"
+
+namespace swept::test {
+
+/// A box, ball, cylinder, torus, square ring or two overlapping ones of these, oddly turned.
+TriMesh randomBody(std::mt19937& random);
+/// Two to four poses: turns up to 100 degrees a step, travel up to the size of the bodies; none,
+/// linear or screw interpolation.
+Trajectory randomMotion(std::mt19937& random);
+/// Rotation and translation of any size.
+Eigen::Isometry3d randomFrame(std::mt19937& random);
+/// The same triangles with vertices and triangles in another order.
+TriMesh shuffled(const TriMesh& mesh, std::mt19937& random);
+
+}  // namespace swept::test
