@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The source tree itself: direction of dependencies, licences, sizes, package.xml."""
+import importlib.util
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+import pytest
+
+SPDX = "SPDX-License-Identifier: LGPL-2.1-or-later"
+
+
+@pytest.fixture(scope="module")
+def rules(root):
+    spec = importlib.util.spec_from_file_location(
+        "include_rules", root / "tests" / "tools" / "include_rules.py"
+    )
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_dependencies_run_in_one_direction(rules, root):
+    assert rules.breaches(root) == []
+
+
+@pytest.mark.parametrize(
+    "path, line, says",
+    [
+        ("cpp/src/contour/a.cpp", '#include "sampling/sampler.h"', "contour/ may not include sampl"),
+        ("cpp/src/base/a.h", '#include "data/grid_plan.h"', "base/ may not include data/"),
+        ("cpp/src/check/a.h", '#include "pipeline/compute.h"', "check/ may not include pipeline/"),
+        ("cpp/src/check/a.h", '#include "io/safe_file.h"', "check/ may not include io/"),
+        ("cpp/src/pipeline/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>", "OpenMesh is not for"),
+        ("cpp/src/pipeline/a.cpp", "#  include <TopoDS.hxx>", "OpenCASCADE is not for pipeline/"),
+        ("cpp/src/check/a.cpp", "#include <pybind11/numpy.h>", "pybind11 is not for check/"),
+        ("cpp/src/sampling/a.cpp", '#include "sampling/gl/gl_context.h"', "a backend"),
+        ("cpp/src/sampling/cpu/a.cpp", '#include "sampling/gl/gl_context.h"', "a backend"),
+        ("cpp/src/sampling/cpu/a.cpp", "#include <EGL/egl.h>", "OpenGL is not for sampling/"),
+        ("cpp/include/swept/a.h", '#include "base/memory.h"', "public headers"),
+        ("cpp/tools/swept/a.cpp", '#include "pipeline/stages.h"', "tools/ may not include pipeline"),
+        ("cpp/step/a.cpp", '#include "contour/qef.h"', "step/ may not include contour/"),
+        ("cpp/src/novelty/a.cpp", "#include <vector>", "novelty/ is no known part"),
+    ],
+)
+def test_a_planted_breach_is_found(rules, root, tmp_path, path, line, says):
+    file = tmp_path / path
+    file.parent.mkdir(parents=True)
+    file.write_text(f"// x\n{line}\n")
+    found = rules.breaches(tmp_path)
+    assert len(found) == 1 and found[0][1] == 2 and says in found[0][2], found
+    script = root / "tests" / "tools" / "include_rules.py"
+    done = subprocess.run([sys.executable, script, tmp_path], capture_output=True, text=True)
+    assert done.returncode == 1 and f"{path}:2:" in done.stdout
+
+
+@pytest.mark.parametrize(
+    "path, line",
+    [
+        ("cpp/src/contour/a.cpp", '#include "data/hermite_grid.h"'),
+        ("cpp/src/pipeline/a.cpp", '#include "sampling/gl/gl_sampler.h"'),
+        ("cpp/src/sampling/gl/a.cpp", "#include <EGL/egl.h>"),
+        ("cpp/src/sampling/cpu/a.cpp", '#include "sampling/sampler.h"'),
+        ("cpp/step/a.cpp", "#include <TopoDS.hxx>"),
+        ("cpp/tools/swept/a.cpp", '#include "arguments.h"'),
+    ],
+)
+def test_what_is_allowed_is_not_found(rules, tmp_path, path, line):
+    file = tmp_path / path
+    file.parent.mkdir(parents=True)
+    file.write_text(line + "\n")
+    assert rules.breaches(tmp_path) == []
+
+
+def source_files(root):
+    listed = subprocess.run(
+        ["git", "-C", root, "ls-files", "--cached", "--others", "--exclude-standard"],
+        capture_output=True,
+        text=True,
+    )
+    if listed.returncode != 0:
+        pytest.skip("not a git checkout")
+    return [root / name for name in listed.stdout.splitlines() if (root / name).is_file()]
+
+
+def test_every_source_file_names_its_licence(root):
+    suffixes = (".h", ".cpp", ".py", ".glsl", ".comp", ".vert", ".frag", ".geom")
+    bare = [
+        path.relative_to(root)
+        for path in source_files(root)
+        if path.suffix in suffixes and SPDX not in path.read_text(encoding="utf-8")[:2000]
+    ]
+    assert not bare
+
+
+def test_sources_stay_readable_in_size(root):
+    long = {}
+    for path in source_files(root):
+        if path.suffix in (".h", ".cpp", ".py"):
+            lines = path.read_text(encoding="utf-8").count("\n")
+            if lines > 620:
+                long[str(path.relative_to(root))] = lines
+    assert not long
+
+
+def test_headers_open_with_what_they_are_for(root):
+    for path in root.glob("cpp/**/*.h"):
+        first = path.read_text(encoding="utf-8").splitlines()[0]
+        assert first.startswith("// ") and len(first) > 20, path
+
+
+def test_package_xml_names_this_project(root):
+    text = (root / "package.xml").read_text(encoding="utf-8")
+    space = {"p": "https://wiki.freecad.org/Package_Metadata"}
+    package = xml.etree.ElementTree.fromstring(text)
+    version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text())[1]
+    assert package.find("p:version", space).text == version
+    for key in ("name", "date", "description", "maintainer", "license", "icon", "content"):
+        assert package.find(f"p:{key}", space) is not None, key
+    bench = package.find("p:content/p:workbench", space)
+    name = bench.find("p:classname", space).text
+    assert f"class {name}(" in (root / "InitGui.py").read_text(encoding="utf-8")
+    for icon in package.iterfind(".//p:icon", space):
+        assert (root / icon.text).is_file(), icon.text
+    licence = package.find("p:license", space)
+    assert licence.text == "LGPL-2.1-or-later" and (root / licence.get("file")).is_file()
