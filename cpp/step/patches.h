@@ -1,7 +1,8 @@
 // Partition of a mesh into regions that become one face each.
 // In: HalfEdgeMesh, tolerance in mm. Out: one patch per triangle set, edge-connected, each vertex
-// of a patch within the tolerance of its surface. Cost: O(n log n). SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// of a patch within the tolerance of its surface. Cost: O(n log n).
+//
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>

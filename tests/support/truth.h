@@ -1,7 +1,8 @@
 // Sweeps whose envelope is known in closed form.
 // A truth has the moving body, its motion, the distance of any point to the true envelope, points
-// on it and on its creases, its volume and its area. Units mm. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// on it and on its creases, its volume and its area. Units mm.
+//
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <functional>

@@ -2,8 +2,9 @@
 //
 // Edge a * 4 + ob + 2 * oc runs along axis a; ob, oc (0 or 1) place it along the next axes b = a +
 // 1 and c = a + 2 (mod 3). Slot edge * 2 + side holds the crossing seen from the low (0) or high
-// (1) end. Face a * 2 + s is perpendicular to axis a at side s. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// (1) end. Face a * 2 + s is perpendicular to axis a at side s.
+//
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>
