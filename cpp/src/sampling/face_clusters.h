@@ -24,9 +24,9 @@ struct FaceCluster {
 
 struct FaceClusters {
   std::vector<FaceCluster> clusters;
-  std::vector<std::uint32_t> faces;       ///< faces by cluster
-  std::vector<std::uint32_t> clusterOf;   ///< per face
-  std::vector<std::uint32_t> innerEdges;  ///< edges whose two faces are in one cluster, by cluster
+  std::vector<std::uint32_t> faces;        ///< faces by cluster
+  std::vector<std::uint32_t> clusterOf;    ///< per face
+  std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
   std::vector<std::uint32_t> borderEdges;  ///< all others, by pair of clusters
 
   /// Border edges that have one pair of clusters and the same sense of "same way".

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/backend.h"
+
+#ifdef SWEPT_WITH_GL
+#include "sampling/gl/gl_backend.h"
+#endif
+
+namespace swept {
+namespace {
+
+SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns, RunContext& run) {
+  SampledSurface out;
+  out.marked = sampleCpu(input, run);
+  out.signs = findSigns(out.marked);
+  return out;
+}
+
+}  // namespace
+
+SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
+                             const FindSigns& findSigns, RunContext& run) {
+#ifdef SWEPT_WITH_GL
+  if (wanted == Backend::Gpu) {
+    return gl::sampleOnGpu(input, gl::currentSetup(), false, findSigns, run);
+  }
+  if (wanted == Backend::Auto && cpuSeconds >= kLeastAutoSeconds) {
+    std::string why;
+    try {
+      gl::GlSetup setup = gl::currentSetup();
+      setup.wish.hardwareOnly = true;
+      return gl::sampleOnGpu(input, setup, true, findSigns, run);
+    } catch (const Error& error) {
+      if (error.status() != Status::DeviceUnavailable && error.status() != Status::DeviceLost) {
+        throw;
+      }
+      why = error.what();
+      why = why.substr(0, why.find("; use --backend"));  // advice for those who demanded it
+    }
+    SampledSurface out = sampleOnCpu(input, findSigns, run);
+    out.notes.push_back({"CpuSampler", 1, {}, "sampled on the CPU: " + why});
+    return out;
+  }
+#else
+  (void)cpuSeconds;
+  if (wanted == Backend::Gpu) {
+    throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
+                "no GPU can be used: this build has no GPU sampler; use --backend cpu or auto");
+  }
+#endif
+  return sampleOnCpu(input, findSigns, run);
+}
+
+}  // namespace swept

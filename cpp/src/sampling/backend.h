@@ -1,0 +1,36 @@
+// Which sampler a run uses, and what happens when the GPU fails it.
+//
+// cpu: never touches GL. gpu: demanded; Error(DeviceUnavailable) or Error(DeviceLost) with the
+// reason. auto: the CPU, unless the run is long and a real GPU (no software rasteriser) passes the
+// self-test and was faster than the CPU on a probe; whatever fails, the CPU takes over and one note
+// says which step failed. Both samplers give the same marks, so the result does not depend on it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sampling/sampler.h"
+#include "sampling/signs.h"
+#include "swept/report.h"
+
+namespace swept {
+
+struct SampledSurface {
+  MarkedEdges marked;
+  SignRuns signs;
+  std::string backend = "cpu", device;
+  std::vector<Finding> notes;
+};
+
+/// Signs from marks; called between the passes, and again if a sampler had to be changed.
+using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
+
+/// cpuSeconds: estimate of the whole run on the CPU; below kLeastAutoSeconds auto does not look for
+/// a GPU. GPU runs of one process take turns.
+constexpr double kLeastAutoSeconds = 3;
+SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
+                             const FindSigns& findSigns, RunContext& run);
+
+}  // namespace swept

@@ -1,0 +1,30 @@
+// The grid cut into bricks whose marks fit into one 3D image of the device and into a budget.
+// Bricks are slabs of whole layers as long as that fits; then layers are cut along y, then z.
+// Any cut gives the same result. Cost: O(bricks).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "data/grid_plan.h"
+#include "sampling/gl/gl_context.h"
+
+namespace swept::gl {
+
+struct Brick {
+  std::array<std::int32_t, 3> low{0, 0, 0}, size{0, 0, 0};  ///< lattice points
+
+  std::int32_t words() const { return (size[2] + 31) / 32; }  ///< along z
+  std::uint64_t texels() const {
+    return std::uint64_t{3} * size[0] * size[1] * static_cast<std::uint64_t>(words());
+  }
+};
+
+/// Bricks of one slab of layers follow one another, by y, then z.
+/// Throws Error(DeviceUnavailable) if not even the smallest brick (1 x 1 x 32 points) fits.
+std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
+                              std::uint64_t budgetBytes);
+
+}  // namespace swept::gl

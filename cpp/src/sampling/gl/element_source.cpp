@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/gl/element_source.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "sampling/kept_elements.h"
+
+namespace swept::gl {
+namespace {
+
+constexpr std::uint64_t kPlacementBytes = 12 * sizeof(double);
+
+std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
+  const FaceClusters clusters = buildClusters(input.body, input.topology);
+  const std::size_t placements = input.motion.placements.size();
+  const std::size_t group = std::max<std::size_t>(1, placements / 128);
+  const std::size_t items = (placements + group - 1) / group;
+  std::vector<std::vector<SweptElement>> parts(items);
+  parallelFor(items, [&](std::size_t item) {
+    const std::size_t begin = item * group, end = std::min(begin + group, placements);
+    KeptElements kept(input, clusters);
+    kept.start(begin);
+    for (std::size_t k = begin; k < end; ++k) {
+      run.checkpoint(Phase::Sampling);
+      const auto placement = static_cast<std::uint32_t>(k);
+      kept.forFaces([&](std::uint32_t f) { parts[item].push_back({f, placement}); });
+      if (k == input.motion.steps()) break;
+      kept.forPatches([&](std::uint32_t e) {
+        parts[item].push_back({e | SweptElement::kPatchBit, placement});
+      });
+      if (k + 1 < end) kept.advance();
+    }
+  });
+  std::size_t total = 0;
+  for (const auto& part : parts) total += part.size();
+  std::vector<SweptElement> list;
+  list.reserve(total);
+  for (auto& part : parts) {
+    list.insert(list.end(), part.begin(), part.end());
+    std::vector<SweptElement>().swap(part);
+  }
+  return list;
+}
+
+}  // namespace
+
+ElementSource planElements(const SamplerInput& input, RunContext& run) {
+  ElementSource source;
+  source.faces = static_cast<std::uint32_t>(input.body.triangles.size());
+  source.perPlacement = source.faces;
+  source.placements = static_cast<std::uint32_t>(input.motion.placements.size());
+  if (input.motion.continuous) {
+    source.perPlacement += static_cast<std::uint32_t>(input.topology.edges.size());
+    source.listed = input.cull;
+    if (source.listed) source.list = listKept(input, run);
+  }
+  return source;
+}
+
+std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes) {
+  std::vector<ElementChunk> chunks;
+  // Numbers within a chunk are 32 bits; a patch needs the placement after its own as well.
+  const std::uint64_t window = std::max<std::uint64_t>(2, bytes / kPlacementBytes);
+  if (source.listed) {
+    const std::uint64_t most = std::max<std::uint64_t>(1, bytes / sizeof(SweptElement));
+    for (std::uint64_t first = 0; first < source.list.size();) {
+      const std::uint32_t base = source.list[first].placement;
+      std::uint64_t end = first;
+      while (end < source.list.size() && end - first < most &&
+             source.list[end].placement + 2 <= base + window) {
+        ++end;
+      }
+      const std::uint32_t last =
+          std::min(source.list[end - 1].placement + 1, source.placements - 1);
+      chunks.push_back({first, end - first, base, last - base + 1});
+      first = end;
+    }
+    return chunks;
+  }
+  const std::uint64_t most = std::max<std::uint64_t>(
+      1, std::min<std::uint64_t>(window - 1, 0xfffffff0u / std::max(1u, source.perPlacement)));
+  for (std::uint64_t base = 0; base < source.placements; base += most) {
+    const std::uint64_t count = std::min<std::uint64_t>(most, source.placements - base);
+    const std::uint64_t held = std::min<std::uint64_t>(count + 1, source.placements - base);
+    chunks.push_back({base * source.perPlacement, count * source.perPlacement,
+                      static_cast<std::uint32_t>(base), static_cast<std::uint32_t>(held)});
+  }
+  return chunks;
+}
+
+}  // namespace swept::gl

@@ -1,0 +1,49 @@
+// Which pieces of the swept surface are drawn, and how they are numbered.
+//
+// Listed: the kept elements of a continuous motion, one by one, in the order of the CPU sampler.
+// Otherwise every face in every placement and, if the motion is continuous, every edge in every
+// step; nothing is written down, the shader derives them (dense motions, or culling switched off).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sampling/sampler.h"
+
+namespace swept::gl {
+
+struct ElementSource {
+  bool listed = false;
+  std::vector<SweptElement> list;
+  std::uint32_t faces = 0;         ///< of the body
+  std::uint32_t perPlacement = 0;  ///< faces, or faces and edges
+  std::uint32_t placements = 0;
+
+  std::uint64_t count() const {
+    return listed ? list.size() : std::uint64_t{perPlacement} * placements;
+  }
+  SweptElement at(std::uint64_t number) const {
+    if (listed) return list[number];
+    const auto local = static_cast<std::uint32_t>(number % perPlacement);
+    const auto placement = static_cast<std::uint32_t>(number / perPlacement);
+    return {local < faces ? local : (local - faces) | SweptElement::kPatchBit, placement};
+  }
+  /// The last placement of a continuous motion starts no step.
+  bool exists(const SweptElement& element) const {
+    return !element.isPatch() || element.placement + 1 < placements;
+  }
+};
+
+/// A run of consecutive elements whose data lie on the device at one time.
+struct ElementChunk {
+  std::uint64_t first = 0, count = 0;
+  std::uint32_t placementBase = 0, placementCount = 0;  ///< placements that it needs
+};
+
+ElementSource planElements(const SamplerInput& input, RunContext& run);
+
+/// Chunks of at most `bytes` of placements and of listed elements each.
+std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes);
+
+}  // namespace swept::gl

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/gl/gl_api.h"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+
+namespace swept::gl {
+namespace {
+
+class SystemLoader : public GlLoader {
+ public:
+  bool open(std::string& why) override {
+    if (library_) return true;
+    const char* chosen = std::getenv("SWEPT_EGL_LIBRARY");
+    const char* name = chosen && *chosen ? chosen : "libEGL.so.1";
+    // Never closed: drivers leave threads and exit handlers behind.
+    library_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    if (!library_) {
+      const char* error = dlerror();
+      why = std::string("the EGL library cannot be loaded (") + (error ? error : name) + ")";
+      return false;
+    }
+    getProc_ = reinterpret_cast<Getter>(dlsym(library_, "eglGetProcAddress"));
+    if (!getProc_) {
+      why = std::string(name) + " has no eglGetProcAddress";
+      library_ = nullptr;
+      return false;
+    }
+    return true;
+  }
+  void* find(const char* name) override {
+    if (!library_) return nullptr;
+    if (name[0] == 'e') {
+      if (void* address = dlsym(library_, name)) return address;
+    }
+    return reinterpret_cast<void*>(getProc_(name));
+  }
+
+ private:
+  using Getter = void (*(*)(const char*))();
+  void* library_ = nullptr;
+  Getter getProc_ = nullptr;
+};
+
+}  // namespace
+
+std::shared_ptr<GlLoader> systemLoader() { return std::make_shared<SystemLoader>(); }
+
+bool EglApi::load(GlLoader& loader, std::string& missing) {
+#define SWEPT_LOAD(type, name)                             \
+  name = reinterpret_cast<type>(loader.find("egl" #name)); \
+  if (!name && missing.empty()) missing = "egl" #name;
+  SWEPT_EGL_FUNCTIONS(SWEPT_LOAD)
+#undef SWEPT_LOAD
+#define SWEPT_LOAD(type, name) name = reinterpret_cast<type>(loader.find("egl" #name));
+  SWEPT_EGL_EXTENSIONS(SWEPT_LOAD)
+#undef SWEPT_LOAD
+  return missing.empty();
+}
+
+bool GlApi::load(GlLoader& loader, std::string& missing) {
+#define SWEPT_LOAD(type, name)                            \
+  name = reinterpret_cast<type>(loader.find("gl" #name)); \
+  if (!name && missing.empty()) missing = "gl" #name;
+  SWEPT_GL_FUNCTIONS(SWEPT_LOAD)
+#undef SWEPT_LOAD
+  return missing.empty();
+}
+
+}  // namespace swept::gl

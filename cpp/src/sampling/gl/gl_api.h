@@ -1,0 +1,118 @@
+// Entry points of EGL 1.5 and OpenGL 4.5, found at run time. Nothing links against GL.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#define EGL_NO_X11
+#define MESA_EGL_NO_X11_HEADERS
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/glcorearb.h>
+
+#include <memory>
+#include <string>
+
+namespace swept::gl {
+
+/// Where entry points come from. Tests put their own in its place.
+class GlLoader {
+ public:
+  virtual ~GlLoader() = default;
+  /// False and a reason if the library cannot be had. May be called again.
+  virtual bool open(std::string& why) = 0;
+  /// Address of an egl* or gl* function, or null.
+  virtual void* find(const char* name) = 0;
+};
+
+/// libEGL.so.1 of this system, or the file that SWEPT_EGL_LIBRARY names.
+std::shared_ptr<GlLoader> systemLoader();
+
+#define SWEPT_EGL_FUNCTIONS(X)                      \
+  X(PFNEGLGETDISPLAYPROC, GetDisplay)               \
+  X(PFNEGLINITIALIZEPROC, Initialize)               \
+  X(PFNEGLQUERYSTRINGPROC, QueryString)             \
+  X(PFNEGLBINDAPIPROC, BindAPI)                     \
+  X(PFNEGLQUERYAPIPROC, QueryAPI)                   \
+  X(PFNEGLCHOOSECONFIGPROC, ChooseConfig)           \
+  X(PFNEGLCREATECONTEXTPROC, CreateContext)         \
+  X(PFNEGLDESTROYCONTEXTPROC, DestroyContext)       \
+  X(PFNEGLMAKECURRENTPROC, MakeCurrent)             \
+  X(PFNEGLGETCURRENTCONTEXTPROC, GetCurrentContext) \
+  X(PFNEGLGETCURRENTDISPLAYPROC, GetCurrentDisplay) \
+  X(PFNEGLGETCURRENTSURFACEPROC, GetCurrentSurface) \
+  X(PFNEGLGETERRORPROC, GetError)
+
+/// May be absent: null then.
+#define SWEPT_EGL_EXTENSIONS(X)                           \
+  X(PFNEGLQUERYDEVICESEXTPROC, QueryDevicesEXT)           \
+  X(PFNEGLQUERYDEVICESTRINGEXTPROC, QueryDeviceStringEXT) \
+  X(PFNEGLGETPLATFORMDISPLAYEXTPROC, GetPlatformDisplayEXT)
+
+#define SWEPT_GL_FUNCTIONS(X)                                        \
+  X(PFNGLGETSTRINGPROC, GetString)                                   \
+  X(PFNGLGETINTEGERVPROC, GetIntegerv)                               \
+  X(PFNGLGETINTEGER64VPROC, GetInteger64v)                           \
+  X(PFNGLGETERRORPROC, GetError)                                     \
+  X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus)         \
+  X(PFNGLDISABLEPROC, Disable)                                       \
+  X(PFNGLFINISHPROC, Finish)                                         \
+  X(PFNGLFLUSHPROC, Flush)                                           \
+  X(PFNGLCREATESHADERPROC, CreateShader)                             \
+  X(PFNGLSHADERSOURCEPROC, ShaderSource)                             \
+  X(PFNGLCOMPILESHADERPROC, CompileShader)                           \
+  X(PFNGLGETSHADERIVPROC, GetShaderiv)                               \
+  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                     \
+  X(PFNGLDELETESHADERPROC, DeleteShader)                             \
+  X(PFNGLCREATEPROGRAMPROC, CreateProgram)                           \
+  X(PFNGLATTACHSHADERPROC, AttachShader)                             \
+  X(PFNGLLINKPROGRAMPROC, LinkProgram)                               \
+  X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                             \
+  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                   \
+  X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                           \
+  X(PFNGLUSEPROGRAMPROC, UseProgram)                                 \
+  X(PFNGLUNIFORM1UIPROC, Uniform1ui)                                 \
+  X(PFNGLUNIFORM3IPROC, Uniform3i)                                   \
+  X(PFNGLCREATEBUFFERSPROC, CreateBuffers)                           \
+  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                           \
+  X(PFNGLNAMEDBUFFERDATAPROC, NamedBufferData)                       \
+  X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData)             \
+  X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)           \
+  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                         \
+  X(PFNGLCREATETEXTURESPROC, CreateTextures)                         \
+  X(PFNGLDELETETEXTURESPROC, DeleteTextures)                         \
+  X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)                     \
+  X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage)                           \
+  X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                       \
+  X(PFNGLPIXELSTOREIPROC, PixelStorei)                               \
+  X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture)                     \
+  X(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers)                 \
+  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                 \
+  X(PFNGLNAMEDFRAMEBUFFERPARAMETERIPROC, NamedFramebufferParameteri) \
+  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                       \
+  X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)         \
+  X(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays)                 \
+  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                 \
+  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                       \
+  X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)                     \
+  X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)               \
+  X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                           \
+  X(PFNGLFENCESYNCPROC, FenceSync)                                   \
+  X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync)                         \
+  X(PFNGLDELETESYNCPROC, DeleteSync)
+
+struct EglApi {
+#define SWEPT_MEMBER(type, name) type name = nullptr;
+  SWEPT_EGL_FUNCTIONS(SWEPT_MEMBER)
+  SWEPT_EGL_EXTENSIONS(SWEPT_MEMBER)
+#undef SWEPT_MEMBER
+  /// False and the first missing name.
+  bool load(GlLoader& loader, std::string& missing);
+};
+
+struct GlApi {
+#define SWEPT_MEMBER(type, name) type name = nullptr;
+  SWEPT_GL_FUNCTIONS(SWEPT_MEMBER)
+#undef SWEPT_MEMBER
+  bool load(GlLoader& loader, std::string& missing);
+};
+
+}  // namespace swept::gl

@@ -1,0 +1,31 @@
+// One sampling run on the GPU from opening the device to verified marks and winners.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <memory>
+
+#include "sampling/backend.h"
+#include "sampling/gl/gl_passes.h"
+
+namespace swept::gl {
+
+struct GlSetup {
+  std::shared_ptr<GlLoader> loader;  ///< null: this system's
+  DeviceWish wish;
+  GlSettings settings;
+  int verifiedElements = 512, verifiedEdges = 512;
+};
+
+/// Opens and self-tests a device. Throws Error(DeviceUnavailable) / Error(DeviceLost).
+std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
+
+/// mustBeFaster: throws Error(DeviceUnavailable) if a probe of about 0.1 s finds the CPU faster;
+/// the answer is remembered per device.
+SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool mustBeFaster,
+                           const FindSigns& findSigns, RunContext& run);
+
+/// Testing hook: what sampleSurface() uses from now on; null: the system's.
+void setSetupForTests(const GlSetup* setup);
+GlSetup currentSetup();
+
+}  // namespace swept::gl

@@ -1,0 +1,90 @@
+// The two passes on the device, brick by brick. Holds all that lies in its memory.
+//
+// Cost: O(elements) vertices a pass and brick + fragments; every draw is kept below 50 ms, so that
+// a cancel is seen and no watchdog bites. Numbers: positions are doubles in cells of the grid,
+// snapped to 2^-17 cell on the device by the same operations as on the CPU.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "sampling/gl/brick_plan.h"
+#include "sampling/gl/element_source.h"
+#include "sampling/gl/gl_device.h"
+
+namespace swept::gl {
+
+struct GlSettings {
+  std::uint64_t budgetBytes = 0;  ///< marks, lists and chunks; 0: SWEPT_GL_MEMORY_MB or 192 MiB
+  std::uint64_t chunkBytes = 0;   ///< placements or elements at one time; 0: from the limits
+  double fenceTimeoutSeconds = 10;
+  std::uint32_t firstBatch = 16384;  ///< elements in the first draw; adapts from there
+  bool adaptBatch = true;
+};
+std::uint64_t budgetOf(const GlSettings& settings);
+
+/// What pass 2 knows of a contributing edge; numbers count from the first element of the epoch.
+struct EdgeWinner {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  std::uint32_t lowFraction = kNone, highFraction = 0;  ///< of 2^23 - 1
+  std::uint32_t lowElement = kNone, highElement = kNone;
+};
+
+class GlPasses {
+ public:
+  /// Throws Error(DeviceUnavailable) if the body does not fit.
+  GlPasses(const GlDevice& device, const SamplerInput& input, const ElementSource& source,
+           const GlSettings& settings);
+  ~GlPasses();
+  GlPasses(const GlPasses&) = delete;
+  GlPasses& operator=(const GlPasses&) = delete;
+
+  /// Pass 1: the brick's marks, (3 * size[0]) x size[1] x words() texels.
+  std::vector<std::uint32_t> mark(const Brick& brick, const std::function<void()>& afterDraw);
+  /// Pass 2 for a sorted list of codes (bit numbers in the brick's marks) over the elements
+  /// [first, end); their numbers in the result count from `first`.
+  std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<std::uint32_t>& codes,
+                                      std::uint64_t first, std::uint64_t end,
+                                      const std::function<void()>& afterDraw);
+  /// Element numbers at which an epoch may end: chunk borders.
+  const std::vector<ElementChunk>& chunks() const { return chunks_; }
+  /// Contributing edges that one call of findWinners() takes at most.
+  std::size_t mostCodes() const { return mostCodes_; }
+  double longestDrawSeconds() const { return longestDraw_; }
+  std::uint64_t draws() const { return draws_; }
+  /// Device memory asked for so far, bytes, at its peak.
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  enum Binding { kVertices, kFaces, kEdges, kPlacements, kElements, kCodes, kExtremes, kWinners };
+  static constexpr int kBuffers = kWinners + 1;
+
+  void requireLimits() const;
+  void upload(Binding binding, const void* data, std::size_t bytes);
+  void uploadBody();
+  void uploadChunk(std::size_t chunk);
+  void useBrick(const Brick& brick);
+  void drawChunk(const ElementChunk& chunk, std::uint64_t epochFirst,
+                 const std::function<void()>& afterDraw);
+  void drawAndWait(std::uint32_t elements, std::uint32_t instances,
+                   const std::function<void()>& afterDraw);
+  void makeImage(const Brick& brick);
+
+  const GlDevice& device_;
+  const GlContext& context_;
+  const SamplerInput& input_;
+  const ElementSource& source_;
+  GlSettings settings_;
+  std::vector<ElementChunk> chunks_;
+  std::size_t mostCodes_ = 0;
+  unsigned buffers_[kBuffers] = {}, texture_ = 0, framebuffer_ = 0, vertexArray_ = 0;
+  std::size_t bufferBytes_[kBuffers] = {};
+  Brick imageBrick_;
+  std::size_t uploadedChunk_ = ~std::size_t{0};
+  std::uint64_t batch_, draws_ = 0, bytes_ = 0;
+  double longestDraw_ = 0;
+};
+
+}  // namespace swept::gl

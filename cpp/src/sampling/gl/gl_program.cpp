@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/gl/gl_program.h"
+
+#include <vector>
+
+#include "sampling/gl/shader_sources.h"
+#include "swept/types.h"
+
+namespace swept::gl {
+namespace {
+
+[[noreturn]] void failed(const GlContext& context, const std::string& what,
+                         const std::string& log) {
+  throw Error(Status::DeviceUnavailable, "ShaderFailed",
+              what + " on " + context.device() + "; the driver says: " +
+                  (log.empty() ? "(nothing)" : log) + "; use --backend cpu or auto");
+}
+
+unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::string>& files) {
+  const GlApi& gl = context.gl();
+  std::vector<const char*> parts{"#version 450 core\n"};
+  for (const std::string& file : files) {
+    const char* text = shaderSource(file);
+    if (!text) throw Error(Status::InternalError, "InternalError", "no shader " + file);
+    parts.push_back(text);
+  }
+  const unsigned shader = gl.CreateShader(stage);
+  gl.ShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
+  gl.CompileShader(shader);
+  GLint done = 0, length = 0;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
+  if (done) return shader;
+  gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
+  if (length > 0) gl.GetShaderInfoLog(shader, length, nullptr, log.data());
+  gl.DeleteShader(shader);
+  failed(context, "shader " + files.back() + " does not compile", log.c_str());
+}
+
+}  // namespace
+
+Program::Program(const GlContext& context, const std::string& fragment) : context_(context) {
+  const GlApi& gl = context.gl();
+  struct Stage {
+    GLenum kind;
+    std::vector<std::string> files;
+  };
+  const Stage stages[] = {{GL_VERTEX_SHADER, {"common.glsl", "element.vert"}},
+                          {GL_GEOMETRY_SHADER, {"common.glsl", "prism.geom"}},
+                          {GL_FRAGMENT_SHADER, {"common.glsl", "exact.glsl", fragment}}};
+  id_ = gl.CreateProgram();
+  try {
+    for (const Stage& stage : stages) {
+      const unsigned shader = compile(context, stage.kind, stage.files);
+      gl.AttachShader(id_, shader);
+      gl.DeleteShader(shader);  // lives on with the program
+    }
+    gl.LinkProgram(id_);
+    GLint done = 0, length = 0;
+    gl.GetProgramiv(id_, GL_LINK_STATUS, &done);
+    if (done) return;
+    gl.GetProgramiv(id_, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
+    if (length > 0) gl.GetProgramInfoLog(id_, length, nullptr, log.data());
+    failed(context, "the program of " + fragment + " does not link", log.c_str());
+  } catch (...) {
+    gl.DeleteProgram(id_);
+    throw;
+  }
+}
+
+Program::~Program() { context_.gl().DeleteProgram(id_); }
+
+}  // namespace swept::gl

@@ -1,0 +1,26 @@
+// The two programs of the sampler, compiled from the embedded shaders.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "sampling/gl/gl_context.h"
+
+namespace swept::gl {
+
+/// A linked program. Throws Error(DeviceUnavailable, "ShaderFailed") with the driver's log.
+class Program {
+ public:
+  /// fragment: "mark.frag" or "winner.frag".
+  Program(const GlContext& context, const std::string& fragment);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  unsigned id() const { return id_; }
+
+ private:
+  const GlContext& context_;
+  unsigned id_ = 0;
+};
+
+}  // namespace swept::gl

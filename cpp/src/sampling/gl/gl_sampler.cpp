@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/gl/gl_sampler.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "base/parallel.h"
+#include "sampling/contributing_edges.h"
+#include "sampling/crossing_records.h"
+#include "swept/types.h"
+
+namespace swept::gl {
+namespace {
+
+constexpr int kReopenings = 1;
+constexpr float kFractionUnits = (1 << CrossingRecord::kFractionBits) - 1;
+
+/// Adds the marked edges of one brick to its layers; columns of earlier bricks come first.
+void collect(const Brick& brick, const std::vector<std::uint32_t>& marks,
+             std::vector<LayerEdges>& layers, std::vector<std::vector<std::uint32_t>>& columns) {
+  const auto words = static_cast<std::size_t>(brick.words());
+  parallelFor(static_cast<std::size_t>(brick.size[0]), [&](std::size_t layer) {
+    const std::size_t i = static_cast<std::size_t>(brick.low[0]) + layer;
+    for (int axis = 0; axis < 3; ++axis) {
+      auto& edges = layers[i].edges[axis];
+      auto& column = columns[3 * i + static_cast<std::size_t>(axis)];
+      const std::uint32_t* row =
+          marks.data() + (static_cast<std::size_t>(axis * brick.size[0]) + layer) *
+                             static_cast<std::size_t>(brick.size[1]) * words;
+      for (std::int32_t j = 0; j < brick.size[1]; ++j, row += words) {
+        for (std::size_t w = 0; w < words; ++w) {
+          for (std::uint32_t bits = row[w]; bits != 0; bits &= bits - 1) {
+            MarkedEdge edge;
+            edge.k = static_cast<std::uint16_t>(brick.low[2] + static_cast<std::int32_t>(32 * w) +
+                                                std::countr_zero(bits));
+            edges.push_back(edge);
+            column.push_back(static_cast<std::uint32_t>(brick.low[1] + j));
+          }
+        }
+      }
+    }
+  });
+}
+
+/// Sorts by column where bricks were cut along z, and writes where columns start.
+void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column,
+                 std::int32_t columns) {
+  auto& edges = layer.edges[axis];
+  if (!std::is_sorted(column.begin(), column.end())) {
+    std::vector<std::uint64_t> keys(edges.size());
+    for (std::size_t n = 0; n < keys.size(); ++n) {
+      keys[n] = std::uint64_t{column[n]} << 16 | edges[n].k;
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t n = 0; n < keys.size(); ++n) {
+      column[n] = static_cast<std::uint32_t>(keys[n] >> 16);
+      edges[n].k = static_cast<std::uint16_t>(keys[n]);
+    }
+  }
+  auto& start = layer.columnStart[axis];
+  start.assign(static_cast<std::size_t>(columns) + 1, 0);
+  for (const std::uint32_t c : column) ++start[c];
+  exclusiveScan(start);
+  edges.shrink_to_fit();
+}
+
+}  // namespace
+
+GlSampler::GlSampler(const SamplerInput& input, OpenDevice openDevice, const GlSettings& settings,
+                     RunContext& run)
+    : input_(input), openDevice_(std::move(openDevice)), settings_(settings) {
+  source_ = planElements(input, run);
+  open();
+  bricks_ = planBricks(input.grid, device_->context->limits(), budgetOf(settings_) / 2);
+}
+
+GlSampler::~GlSampler() = default;
+
+void GlSampler::open() {
+  passes_.reset();
+  device_.reset();
+  device_ = openDevice_();
+  deviceName_ = device_->context->device();
+  passes_ = std::make_unique<GlPasses>(*device_, input_, source_, settings_);
+}
+
+/// Does the work; if the device is lost, once more on a new context.
+template <class Work>
+auto GlSampler::withDevice(const Work& work) {
+  for (;;) {
+    try {
+      return work();
+    } catch (const Error& error) {
+      if (error.status() != Status::DeviceLost || reopened_ >= kReopenings) throw;
+      ++reopened_;
+    }
+    open();
+  }
+}
+
+MarkedEdges GlSampler::mark(RunContext& run) {
+  const auto layers = static_cast<std::size_t>(input_.grid.points[0]);
+  MarkedEdges out;
+  out.layers.resize(layers);
+  std::vector<std::vector<std::uint32_t>> columns(3 * layers);
+  std::uint64_t done = 0;
+  const auto afterDraw = [&] { run.checkpoint(Phase::Sampling, done, 2 * bricks_.size()); };
+  for (const Brick& brick : bricks_) {
+    const auto marks = withDevice([&] { return passes_->mark(brick, afterDraw); });
+    collect(brick, marks, out.layers, columns);
+    ++done;
+  }
+  parallelFor(3 * layers, [&](std::size_t n) {
+    finishLayer(out.layers[n / 3], static_cast<int>(n % 3), columns[n], input_.grid.points[1]);
+    std::vector<std::uint32_t>().swap(columns[n]);
+  });
+  return out;
+}
+
+/// A contributing edge and its code in the brick.
+struct GlSampler::Target {
+  std::uint32_t code;
+  MarkedEdge* edge;
+};
+
+void GlSampler::resolveBrick(const Brick& brick, MarkedEdges& marked, const SignRuns& signs,
+                             const std::function<void()>& afterDraw) {
+  std::vector<Target> targets;
+  const auto words = static_cast<std::uint32_t>(brick.words());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::int32_t layer = 0; layer < brick.size[0]; ++layer) {
+      const std::int32_t i = brick.low[0] + layer;
+      forContributing(
+          marked, signs, input_.grid, i, axis, [&](std::int32_t j, MarkedEdge& edge, std::uint8_t) {
+            const std::int32_t row = j - brick.low[1], k = edge.k - brick.low[2];
+            if (row < 0 || row >= brick.size[1] || k < 0 || k >= brick.size[2]) return;
+            const auto line =
+                static_cast<std::uint32_t>((axis * brick.size[0] + layer) * brick.size[1] + row);
+            targets.push_back({line * 32 * words + static_cast<std::uint32_t>(k), &edge});
+          });
+    }
+  }
+  // Numbers of elements on the device are 32 bits: epochs of whole chunks that stay below.
+  const auto& chunks = passes_->chunks();
+  std::vector<std::uint64_t> epochs{0};
+  for (const ElementChunk& chunk : chunks) {
+    if (chunk.first + chunk.count - epochs.back() > 0xfffffff0u) epochs.push_back(chunk.first);
+  }
+  epochs.push_back(source_.count());
+  std::vector<std::uint32_t> codes;
+  for (std::size_t begin = 0; begin < targets.size(); begin += codes.size()) {
+    const std::size_t end = std::min(begin + passes_->mostCodes(), targets.size());
+    codes.clear();
+    for (std::size_t t = begin; t < end; ++t) codes.push_back(targets[t].code);
+    struct Best {
+      std::uint32_t low = 0xffffffffu, high = 0;
+      std::uint64_t lowElement = ~std::uint64_t{0}, highElement = ~std::uint64_t{0};
+    };
+    std::vector<Best> best(codes.size());
+    for (std::size_t e = 0; e + 1 < epochs.size(); ++e) {
+      const auto found = passes_->findWinners(brick, codes, epochs[e], epochs[e + 1], afterDraw);
+      for (std::size_t n = 0; n < found.size(); ++n) {
+        Best& b = best[n];
+        const EdgeWinner& w = found[n];
+        if (w.lowElement != EdgeWinner::kNone && w.lowFraction < b.low) {
+          b.low = w.lowFraction;
+          b.lowElement = epochs[e] + w.lowElement;
+        }
+        const bool first = b.highElement == ~std::uint64_t{0};
+        if (w.highElement != EdgeWinner::kNone && (first || w.highFraction > b.high)) {
+          b.high = w.highFraction;
+          b.highElement = epochs[e] + w.highElement;
+        }
+      }
+    }
+    for (std::size_t n = 0; n < best.size(); ++n) {
+      const Best& b = best[n];
+      if (b.lowElement >= source_.count() || b.highElement >= source_.count()) {
+        device_->context->lost("pass 2 found no surface on an edge that pass 1 marked");
+      }
+      MarkedEdge& edge = *targets[begin + n].edge;
+      edge.lowFraction = static_cast<float>(b.low) / kFractionUnits;
+      edge.highFraction = static_cast<float>(b.high) / kFractionUnits;
+      winners_.push_back(b.lowElement);
+      edge.lowElement = static_cast<std::uint32_t>(winners_.size() - 1);
+      winners_.push_back(b.highElement);
+      edge.highElement = static_cast<std::uint32_t>(winners_.size() - 1);
+    }
+  }
+}
+
+void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& run) {
+  std::uint64_t done = bricks_.size();
+  const auto afterDraw = [&] { run.checkpoint(Phase::Signs, done, 2 * bricks_.size()); };
+  winners_.clear();
+  for (const Brick& brick : bricks_) {
+    const std::size_t before = winners_.size();
+    withDevice([&] {
+      winners_.resize(before);
+      resolveBrick(brick, marked, signs, afterDraw);
+    });
+    ++done;
+  }
+  if (winners_.size() > 0xfffffff0u) {
+    throw Error(Status::ResourceLimit, "ResourceLimit",
+                "the envelope has " + std::to_string(winners_.size()) +
+                    " crossings, the limit is 4294967280; use a larger cell");
+  }
+  // Edges point into the list of discoveries; the elements are kept once each, in their own order.
+  std::vector<std::uint64_t> used(winners_);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  marked.elements.clear();
+  marked.elements.reserve(used.size());
+  for (const std::uint64_t number : used) marked.elements.push_back(source_.at(number));
+  std::vector<std::uint32_t> renumbered(winners_.size());
+  parallelBlocks(winners_.size(), 65536, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      renumbered[n] = static_cast<std::uint32_t>(
+          std::lower_bound(used.begin(), used.end(), winners_[n]) - used.begin());
+    }
+  });
+  for (std::int32_t i = 0; i < input_.grid.points[0]; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      forContributing(marked, signs, input_.grid, i, axis,
+                      [&](std::int32_t, MarkedEdge& edge, std::uint8_t) {
+                        edge.lowElement = renumbered[edge.lowElement];
+                        edge.highElement = renumbered[edge.highElement];
+                      });
+    }
+  }
+  winners_ = {};
+}
+
+}  // namespace swept::gl

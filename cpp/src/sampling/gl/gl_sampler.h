@@ -1,0 +1,57 @@
+// Sampling on the GPU: the two passes of the method, with signs made on the CPU in between.
+// In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit; elements and fractions
+// are filled in for contributing edges only. Paper: thesis of 2017, chapter 3 (docs/gpu.md).
+// Cost: time O(elements x bricks + fragments), memory of the device within a budget.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "sampling/gl/gl_passes.h"
+#include "sampling/signs.h"
+
+namespace swept::gl {
+
+class GlSampler {
+ public:
+  using OpenDevice = std::function<std::shared_ptr<GlDevice>()>;
+
+  /// Opens a device; throws Error(DeviceUnavailable). `input` must outlive the sampler.
+  GlSampler(const SamplerInput& input, OpenDevice open, const GlSettings& settings,
+            RunContext& run);
+  ~GlSampler();
+
+  /// Pass 1. Throws Error(DeviceLost) if the device is lost twice; once is mended by a new context
+  /// that does the brick anew.
+  MarkedEdges mark(RunContext& run);
+  /// Pass 2. Throws Error(DeviceLost) as above, and if an edge has no winner.
+  void resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& run);
+
+  const std::string& device() const { return deviceName_; }
+  const ElementSource& elements() const { return source_; }
+  const GlPasses& passes() const { return *passes_; }
+  const std::vector<Brick>& bricks() const { return bricks_; }
+  int reopened() const { return reopened_; }
+
+ private:
+  struct Target;
+  void open();
+  template <class Work>
+  auto withDevice(const Work& work);
+  void resolveBrick(const Brick& brick, MarkedEdges& marked, const SignRuns& signs,
+                    const std::function<void()>& afterDraw);
+
+  const SamplerInput& input_;
+  OpenDevice openDevice_;
+  GlSettings settings_;
+  ElementSource source_;
+  std::shared_ptr<GlDevice> device_;
+  std::unique_ptr<GlPasses> passes_;
+  std::vector<Brick> bricks_;
+  std::string deviceName_;
+  std::vector<std::uint64_t> winners_;  // numbers of elements that won, in order of discovery
+  int reopened_ = 0;
+};
+
+}  // namespace swept::gl

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/gl/gl_verify.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "sampling/contributing_edges.h"
+#include "sampling/crossing_records.h"
+#include "sampling/exact_element.h"
+#include "swept/types.h"
+
+namespace swept::gl {
+namespace {
+
+/// The same sequence in every run: a failure can be seen again.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t below(std::uint64_t n) {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (z ^ (z >> 31)) % n;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+[[noreturn]] void garbage(const std::string& device, const std::string& what) {
+  throw Error(Status::DeviceLost, "DeviceGarbage",
+              "the GPU returned a wrong result (" + what + ") on " + device +
+                  "; update its driver, or use --backend cpu");
+}
+std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
+  std::ostringstream text;
+  text << "lattice edge (" << i << ", " << j << ", " << k << ") along "
+       << "xyz"[axis];
+  return text.str();
+}
+
+bool isMarked(const MarkedEdges& marked, int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
+  const LayerEdges& layer = marked.layers[static_cast<std::size_t>(i)];
+  const auto& start = layer.columnStart[axis];
+  const auto begin = layer.edges[axis].begin() + start[static_cast<std::size_t>(j)];
+  const auto end = layer.edges[axis].begin() + start[static_cast<std::size_t>(j) + 1];
+  const auto at = std::lower_bound(
+      begin, end, k, [](const MarkedEdge& e, std::int32_t value) { return e.k < value; });
+  return at != end && at->k == k;
+}
+
+/// An octahedron that turns and moves: faces, side patches, ties with the lattice, two bricks.
+struct KnownField {
+  TriMesh body;
+  Motion motion;
+  GridPlan grid;
+
+  KnownField() {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-4.0, 4.0}) {
+        body.vertices.push_back(side * Eigen::Vector3d::Unit(axis));
+      }
+    }
+    for (int octant = 0; octant < 8; ++octant) {
+      const std::int32_t x = octant & 1, y = 2 + (octant >> 1 & 1), z = 4 + (octant >> 2);
+      const bool even = (octant ^ octant >> 1 ^ octant >> 2) & 1;
+      body.triangles.push_back(even ? std::array<std::int32_t, 3>{x, y, z}
+                                    : std::array<std::int32_t, 3>{x, z, y});
+    }
+    motion.continuous = true;
+    for (int step = 0; step < 4; ++step) motion.placements.push_back(at(step));
+    for (int step = 0; step < 3; ++step) motion.midpoints.push_back(at(step + 0.5));
+    grid.points = {24, 23, 40};
+  }
+
+ private:
+  static Placement at(double step) {
+    Placement p;
+    p.rotation = Eigen::AngleAxisd(0.25 * step, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
+    p.translation = Eigen::Vector3d(8 + 1.5 * step, 8 + step, 10 + 5 * step);
+    p.timeSeconds = step;
+    return p;
+  }
+};
+
+}  // namespace
+
+void selfTest(const std::shared_ptr<GlDevice>& device, RunContext& run) {
+  const KnownField field;
+  const BodyTopology topology = buildTopology(field.body);
+  const SamplerInput input{field.body, topology, field.motion, field.grid, true, true};
+  GlSettings settings;
+  settings.budgetBytes = 2 * 12 * 23 * 3 * 2 * sizeof(std::uint32_t);  // half the layers a brick
+  settings.chunkBytes = 4096;
+  GlSampler sampler(
+      input, [&] { return device; }, settings, run);
+  MarkedEdges seen = sampler.mark(run);
+  const MarkedEdges known = sampleCpu(input, run);
+  const std::string name = sampler.device();
+  const auto forAll = [&](const auto& use) {
+    for (std::size_t i = 0; i < known.layers.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) use(known.layers[i], seen.layers[i], axis);
+    }
+  };
+  forAll([&](const LayerEdges& expected, const LayerEdges& got, int axis) {
+    const bool same =
+        expected.columnStart[axis] == got.columnStart[axis] &&
+        std::equal(expected.edges[axis].begin(), expected.edges[axis].end(),
+                   got.edges[axis].begin(), got.edges[axis].end(),
+                   [](const MarkedEdge& a, const MarkedEdge& b) { return a.k == b.k; });
+    if (!same) garbage(name, "self-test: marks differ from the known ones");
+  });
+  const SignRuns signs = findOutside(seen, field.grid, run);
+  sampler.resolve(seen, signs, run);
+  constexpr float kStep = 2.0f / (1 << CrossingRecord::kFractionBits);
+  for (std::int32_t i = 0; i < field.grid.points[0]; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& expected = known.layers[static_cast<std::size_t>(i)].edges[axis];
+      const auto& got = seen.layers[static_cast<std::size_t>(i)].edges[axis];
+      forContributing(seen, signs, field.grid, i, axis,
+                      [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
+                        const MarkedEdge& truth =
+                            expected[static_cast<std::size_t>(&edge - got.data())];
+                        const bool same = std::abs(edge.lowFraction - truth.lowFraction) <= kStep &&
+                                          std::abs(edge.highFraction - truth.highFraction) <= kStep;
+                        if (!same) {
+                          garbage(name, "self-test: crossing on " + edgeName(axis, i, j, edge.k));
+                        }
+                      });
+    }
+  }
+  verifyWinners(input, seen, signs, name, 1 << 20);
+}
+
+void verifyMarks(const SamplerInput& input, const ElementSource& source, const MarkedEdges& marked,
+                 const std::string& device, int samples) {
+  if (source.count() == 0) return;
+  Random random(1);
+  for (int n = 0; n < samples; ++n) {
+    const SweptElement element = source.at(random.below(source.count()));
+    if (!source.exists(element)) continue;
+    elementCrossings(input, element,
+                     [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double) {
+                       if (isMarked(marked, axis, i, j, k)) return;
+                       garbage(device, "no mark on " + edgeName(axis, i, j, k));
+                     });
+  }
+}
+
+void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
+                 const std::string& device) {
+  if (!input.orientable) return;
+  Random random(2);
+  const Placement placement =
+      input.grid.toGrid(input.motion.placements[random.below(input.motion.placements.size())]);
+  std::vector<SnappedPoint> points;
+  points.reserve(input.body.vertices.size());
+  std::array<std::int32_t, 2> low{1 << 20, 1 << 20}, high{0, 0};
+  for (const auto& v : input.body.vertices) {
+    points.push_back(snap(placement, v));
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::int32_t g = points.back()[axis] >> kSubBits;
+      low[axis] = std::min(low[axis], g);
+      high[axis] = std::max(high[axis], g);
+    }
+  }
+  // Change of the winding number at lattice points of the chosen lines, going up.
+  using Line = std::pair<std::int32_t, std::int32_t>;
+  std::map<Line, std::map<std::int32_t, int>> lines;
+  for (int n = 0; n < 64; ++n) {
+    const auto within = [&](int axis) {
+      return low[axis] + static_cast<std::int32_t>(
+                             random.below(static_cast<std::uint64_t>(high[axis] - low[axis]) + 1));
+    };
+    const std::int32_t i = within(0);
+    lines[{i, within(1)}];
+  }
+  for (const auto& t : input.body.triangles) {
+    const SnappedPoint &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+    const std::int64_t turn = static_cast<std::int64_t>(b[0] - a[0]) * (c[1] - a[1]) -
+                              static_cast<std::int64_t>(b[1] - a[1]) * (c[0] - a[0]);
+    rasteriseTriangle<2>(a, b, c, [&](std::int32_t i, std::int32_t j, std::int32_t k, double) {
+      const auto line = lines.find({i, j});
+      if (line != lines.end()) line->second[k + 1] += turn > 0 ? -1 : 1;
+    });
+  }
+  for (const auto& [line, changes] : lines) {
+    LineReader reader(marked, signs, line.first, line.second);
+    int winding = 0;
+    for (auto change = changes.begin(); change != changes.end(); ++change) {
+      winding += change->second;
+      const auto next = std::next(change);
+      if (winding <= 0 || next == changes.end()) continue;
+      for (std::int32_t k = change->first; k < next->first; ++k) {
+        if (!reader.outside(k)) continue;
+        garbage(device, "the outside reaches the lattice point (" + std::to_string(line.first) +
+                            ", " + std::to_string(line.second) + ", " + std::to_string(k) +
+                            ") inside the body");
+      }
+    }
+  }
+}
+
+void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
+                   const std::string& device, int samples) {
+  Random random(3);
+  std::uint64_t total = 0;
+  for (const LayerEdges& layer : marked.layers) {
+    for (const auto& edges : layer.edges) total += edges.size();
+  }
+  const std::uint64_t stride = std::max<std::uint64_t>(1, total / static_cast<unsigned>(samples));
+  std::uint64_t wait = random.below(stride);
+  constexpr double kStep = 2.0 / (1 << CrossingRecord::kFractionBits);
+  for (std::int32_t i = 0; i < input.grid.points[0]; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      forContributing(marked, signs, input.grid, i, axis,
+                      [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
+                        if (wait-- != 0) return;
+                        wait = random.below(2 * stride - 1);
+                        for (const bool low : {true, false}) {
+                          const std::uint32_t winner = low ? edge.lowElement : edge.highElement;
+                          const double fraction = low ? edge.lowFraction : edge.highFraction;
+                          bool found = false;
+                          elementCrossings(
+                              input, marked.elements[winner],
+                              [&](int x, std::int32_t p, std::int32_t q, std::int32_t r, double f) {
+                                found |= x == axis && p == i && q == j && r == edge.k &&
+                                         std::abs(f - fraction) <= kStep;
+                              });
+                          if (!found) {
+                            garbage(device, "the surface said to cross " +
+                                                edgeName(axis, i, j, edge.k) + " does not");
+                          }
+                        }
+                      });
+    }
+  }
+}
+
+}  // namespace swept::gl

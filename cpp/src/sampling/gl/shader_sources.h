@@ -1,0 +1,12 @@
+// Text of the files in shaders/, embedded when the program is built.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+namespace swept::gl {
+
+/// Null if there is no such file.
+const char* shaderSource(const std::string& name);
+
+}  // namespace swept::gl

@@ -1,0 +1,101 @@
+// Does this fragment's lattice line meet the triangle, and where: the exact decision of
+// sampling/cpu/rasterise.h in 32-bit integers (products in 64 and 96 bits), ties by the same
+// simulation of simplicity. The two give the same edge for every triangle and line.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+flat in ivec3 a;
+flat in ivec3 b;
+flat in ivec3 c;
+flat in uvec2 idAndAxis;
+
+struct Crossing {
+  ivec3 edge;     // first lattice point, from the brick's corner
+  uint fraction;  // of 2^23 - 1
+};
+
+// Sign of an edge function at the shifted line where its value is zero.
+bool tieIsInside(ivec2 d) {
+  return d.y < 0 || (d.y == 0 && d.x > 0);
+}
+bool isInside(uvec2 e, ivec2 d) {
+  int s = signOf(e);
+  return s > 0 || (s == 0 && tieIsInside(d));
+}
+
+// 96-bit, not negative.
+uvec3 times(uvec2 x, uint y) {
+  uint h0, l0, h1, l1, carry;
+  umulExtended(x.x, y, h0, l0);
+  umulExtended(x.y, y, h1, l1);
+  uint middle = uaddCarry(h0, l1, carry);
+  return uvec3(l0, middle, h1 + carry);
+}
+uvec3 sum(uvec3 x, uvec3 y) {
+  uint c0, c1, c2;
+  uint low = uaddCarry(x.x, y.x, c0);
+  uint middle = uaddCarry(x.y, y.y, c1);
+  middle = uaddCarry(middle, c0, c2);
+  return uvec3(low, middle, x.z + y.z + c1 + c2);
+}
+
+int normalSign(ivec3 p, ivec3 q, int axis) {
+  int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return signOf(crossOf(ivec2(p[i], p[j]), ivec2(q[i], q[j])));
+}
+
+// Is the crossing above lattice point k of the line?
+bool isAbove(uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k, int axis) {
+  uvec3 numerator = sum(sum(times(e0, uint(a.z)), times(e1, uint(b.z))), times(e2, uint(c.z)));
+  uvec3 point = times(area2, uint(k) << kSubBits);
+  for (int i = 2; i >= 0; --i) {
+    if (numerator[i] != point[i]) return numerator[i] > point[i];
+  }
+  // On the plane: the first axis along which moving the lattice point leaves it decides.
+  ivec3 p = unordered(b - a, axis), q = unordered(c - a, axis);
+  int along = normalSign(p, q, axis);
+  for (int i = 0; i < 3; ++i) {
+    if (i == axis) return false;
+    int n = normalSign(p, q, i);
+    if (n != 0) return (n > 0) != (along > 0);
+  }
+  return false;
+}
+
+double asDouble(uvec2 x) {
+  precise double value = double(x.y) * 4294967296.0LF + double(x.x);
+  return value;
+}
+
+bool findCrossing(out Crossing crossing) {
+  int axis = int(idAndAxis.y);
+  ivec3 low = ordered(brickLow, axis), size = ordered(brickSize, axis);
+  ivec2 line = ivec2(gl_FragCoord.xy) + low.xy;
+  ivec2 at = line << kSubBits;
+  ivec2 d0 = c.xy - b.xy, d1 = a.xy - c.xy, d2 = b.xy - a.xy;
+  uvec2 e0 = crossOf(d0, at - b.xy), e1 = crossOf(d1, at - c.xy), e2 = crossOf(d2, at - a.xy);
+  if (!(isInside(e0, d0) && isInside(e1, d1) && isInside(e2, d2))) return false;
+
+  uvec2 area2 = plus(plus(e0, e1), e2);
+  precise double scale = 1.0LF / (asDouble(area2) * double(kSubUnits));
+  precise double g = (asDouble(e0) * double(a.z) + asDouble(e1) * double(b.z) +
+                      asDouble(e2) * double(c.z)) * scale;
+  int k = int(g);
+  precise double fraction = g - double(k);
+  const double kNear = 1e-6LF;  // far above the rounding of g
+  if (fraction < kNear) {
+    if (!isAbove(e0, e1, e2, area2, k, axis)) {
+      --k;
+      fraction = 1.0LF;
+    }
+  } else if (fraction > 1.0LF - kNear) {
+    if (isAbove(e0, e1, e2, area2, k + 1, axis)) {
+      ++k;
+      fraction = 0.0LF;
+    }
+  }
+  ivec3 edge = ivec3(line, k) - low;
+  if (any(lessThan(edge, ivec3(0))) || any(greaterThanEqual(edge, size))) return false;
+  crossing.edge = unordered(edge, axis);
+  crossing.fraction = uint(fraction * 8388607.0LF);
+  return true;
+}
