@@ -17,6 +17,7 @@
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
 #include "mend/mend.h"
+#include "sampling/backend.h"
 #include "sampling/body_topology.h"
 #include "sampling/grid_plan.h"
 #include "sampling/hermite.h"
@@ -97,10 +98,6 @@ class Run {
 
   void compute(const TriMesh& body, const Trajectory& trajectory) {
     checkOptions(options_);
-    if (options_.backend == Backend::Gpu) {
-      throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-                  "the GPU sampler is not part of this build; use --backend cpu or auto");
-    }
     run_.checkpoint(Phase::Input);
     prepared_.body = checkBody(body, options_, run_);
     prepared_.trajectory = checkTrajectory(trajectory);
@@ -112,6 +109,7 @@ class Run {
     describePlan();
     const Estimate e = estimateOf(prepared_);
     report_.estimatedMemoryBytes = e.memoryBytes;
+    cpuSeconds_ = e.seconds;
     requireMemory(e, run_);
     const BodyTopology topology = buildTopology(prepared_.body.mesh);
     stage("motion");
@@ -140,15 +138,25 @@ class Run {
   HermiteGrid sample(const BodyTopology& topology, bool cull) {
     const SamplerInput input{prepared_.body.mesh, topology, prepared_.motion,
                              prepared_.grid,      cull,     prepared_.body.orientable};
-    MarkedEdges marked = sampleCpu(input, run_);
-    report_.backend = "cpu";
+    SampledSurface sampled = sampleSurface(
+        input, options_.backend, cpuSeconds_,
+        [&](const MarkedEdges& marks) {
+          stage("sampling");
+          SignRuns found = findOutside(marks, prepared_.grid, run_);
+          stage("signs");
+          return found;
+        },
+        run_);
+    MarkedEdges& marked = sampled.marked;
+    const SignRuns& signs = sampled.signs;
+    if (sampled.backend == "gpu") stage("winners");
+    report_.backend = sampled.backend;
+    report_.device = sampled.device;
+    add(report_.warnings, sampled.notes);
     report_.sweptFaces = report_.sweptPatches = 0;
     for (const SweptElement& element : marked.elements) {
       ++(element.isPatch() ? report_.sweptPatches : report_.sweptFaces);
     }
-    stage("sampling");
-    const SignRuns signs = findOutside(marked, prepared_.grid, run_);
-    stage("signs");
     HermiteGrid hermite = buildHermiteGrid(input, marked, signs, run_);
     stage("crossings");
     report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
@@ -229,6 +237,7 @@ class Run {
   Report& report_;
   Prepared prepared_;
   Timer timer_;
+  double cpuSeconds_ = 0;
 };
 
 void fail(Result& result, Status status, const std::string& code, const std::string& message) {
