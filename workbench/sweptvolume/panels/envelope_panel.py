@@ -38,6 +38,7 @@ class EnvelopePanel:
         self.document = document
         self.obj = obj
         self.run = None
+        self.buttons = []
         self.close_when_done = True
         values = DEFAULTS
         if obj is not None:
@@ -228,10 +229,8 @@ class EnvelopePanel:
         for box in self.form.findChildren(QtWidgets.QGroupBox):
             if box is not self.box:
                 box.setEnabled(on)
-        for kind in (QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Apply):
-            button = widgets.button_of(self.form, kind)
-            if button is not None:
-                button.setEnabled(on)
+        for button in self.buttons:
+            button.setEnabled(on)
 
     def ended(self, run):
         self.run = None
@@ -254,6 +253,12 @@ class EnvelopePanel:
     def getStandardButtons(self):
         box = QtWidgets.QDialogButtonBox
         return widgets.standard_buttons(box.Ok, box.Apply, box.Cancel)
+
+    def modifyStandardButtons(self, box):
+        """FreeCAD hands over the buttons of the open panel."""
+        kinds = (QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Apply)
+        self.buttons = [box.button(kind) for kind in kinds]
+        self._button_box = box  # keeps the wrappers of the buttons alive
 
     def clicked(self, button):
         if int(button) == int(QtWidgets.QDialogButtonBox.Apply) and self.run is None:

@@ -69,18 +69,6 @@ def standard_buttons(*buttons):
         return value
 
 
-def button_of(form, standard):
-    """A standard button of the open task panel, or None. Found from the panel's own form upwards."""
-    parent = form.parentWidget()
-    while parent is not None:
-        for box in parent.findChildren(QtWidgets.QDialogButtonBox):
-            button = box.button(standard)
-            if button is not None:
-                return button
-        parent = parent.parentWidget()
-    return None
-
-
 def show_message(label, text):
     """Text for people below a panel; hidden when empty."""
     label.setText(text)

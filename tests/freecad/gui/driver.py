@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Drives FreeCAD's window step by step on its own event loop; no test framework inside.
+
+A scenario is a generator: `yield` gives the loop a moment, `yield seconds` a longer one, `yield test`
+(a callable) waits until test() is true. Ends the process: 0 passed, 7 failed.
+"""
+import os
+import subprocess
+import time
+import traceback
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:
+    QtWidgets = QtGui
+
+SHOTS = os.environ.get("SWEPT_SHOTS", "")
+STEP, LIMIT = 150, 60.0
+
+
+class Gaps:
+    """Longest time between two ticks of a 5 ms timer: how long the window stood still."""
+
+    def __init__(self):
+        self.longest, self._last = 0.0, time.perf_counter()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._tick)
+        self._timer.start(5)
+
+    def _tick(self):
+        now = time.perf_counter()
+        self.longest = max(self.longest, now - self._last)
+        self._last = now
+
+    def stop(self):
+        self._timer.stop()
+        return self.longest
+
+
+def say(text):
+    os.write(1, (text + "\n").encode())
+
+
+def shot(name):
+    """Picture of the whole screen, where a folder was given; the window goes on living meanwhile."""
+    if SHOTS:
+        Gui.updateGui()
+        subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
+
+
+def find(kind, name):
+    """A visible widget by object name."""
+    found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]
+    assert found, "no visible {} {}".format(kind.__name__, name)
+    return found[0]
+
+
+def panel_button(standard):
+    """A standard button of the open task panel."""
+    for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox):
+        button = box.button(standard) if box.isVisible() else None
+        if button is not None:
+            return button
+    raise AssertionError("the panel has no such button")
+
+
+def click(button):
+    """A real click: press and release at the middle of the widget."""
+    assert button.isEnabled(), "the button is disabled"
+    middle = QtCore.QPointF(button.rect().center())
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    keys = QtCore.Qt.NoModifier
+    where = QtCore.QPointF(button.mapToGlobal(button.rect().center()))
+    for kind, held in ((QtCore.QEvent.MouseButtonPress, left), (QtCore.QEvent.MouseButtonRelease, none)):
+        event = QtGui.QMouseEvent(kind, middle, where, left, held, keys)
+        QtWidgets.QApplication.sendEvent(button, event)
+
+
+def no_panel():
+    return not Gui.Control.activeDialog()
+
+
+def run(scenario):
+    """Runs a generator function on the event loop and leaves FreeCAD."""
+    steps = scenario()
+    state = {"wait": None, "since": time.time(), "value": None}
+
+    def fail():
+        traceback.print_exc()
+        os._exit(7)
+
+    def tick():
+        try:
+            if state["wait"] is not None:
+                if not state["wait"]():
+                    if time.time() - state["since"] > LIMIT:
+                        raise AssertionError("waited {} s in vain".format(LIMIT))
+                    return QtCore.QTimer.singleShot(20, tick)
+                state["wait"] = None
+            wanted = next(steps)
+            pause = STEP
+            if callable(wanted):
+                state.update(wait=wanted, since=time.time())
+                pause = 20
+            elif wanted:
+                pause = int(wanted * 1000)
+            QtCore.QTimer.singleShot(pause, tick)
+        except StopIteration:
+            say("passed")
+            os._exit(0)
+        except BaseException:
+            fail()
+
+    QtCore.QTimer.singleShot(300, tick)
+
+
+__all__ = ["App", "Gaps", "Gui", "QtWidgets", "click", "find", "no_panel", "panel_button", "run", "say", "shot"]

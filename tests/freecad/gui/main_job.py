@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The main job by real commands: motion, envelope, cancel, stale, solid, export, save and open."""
+import os
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import App, Gaps, Gui, QtWidgets, click, find, no_panel, panel_button, run, say, shot
+
+Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
+CSV = "# t in s\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n2,4,4,0,0,0,0.7071068,0.7071068\n"
+
+
+def select(*items):
+    Gui.Selection.clearSelection()
+    for item in items:
+        if isinstance(item, tuple):
+            Gui.Selection.addSelection(item[0].Document.Name, item[0].Name, item[1])
+        else:
+            Gui.Selection.addSelection(item)
+
+
+def scenario():
+    from sweptvolume import runner
+    from sweptvolume.features import envelope
+    from sweptvolume.panels import file_dialogs, file_panel
+
+    folder = tempfile.mkdtemp()
+    Gui.activateWorkbench("SweptVolumeWorkbench")
+    yield
+    doc = App.newDocument("Job")
+    doc.UndoMode = 1
+    part, box = doc.addObject("App::Part", "Assembly"), doc.addObject("Part::Box", "Box")
+    part.addObject(box)
+    box.Length, box.Width, box.Height = 20, 12, 8
+    part.Placement.Base.z = 5
+    doc.recompute()
+    Gui.activeDocument().activeView().viewIsometric()
+    yield
+
+    # Motion from a file, with its unit, through the panel.
+    csv = os.path.join(folder, "path.csv")
+    with open(csv, "w") as out:
+        out.write(CSV)
+    file_panel.ask_file = lambda: csv
+    Gui.runCommand("SweptVolume_MotionFromFile")
+    yield
+    unit = find(QtWidgets.QComboBox, "SweptVolumeUnit")
+    unit.setCurrentIndex(unit.findData("cm"))
+    yield
+    shot("01_motion_from_file")
+    yield 0.5
+    click(panel_button(Ok))
+    yield no_panel
+    motion = doc.getObject("Motion")
+    assert motion.Count == 3 and abs(motion.Placements[2].Base.y - 40) < 1e-9, motion.Placements
+    motion.Frame = "Relative"
+    doc.recompute()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield
+
+    # The envelope of a face picked inside the assembly: one panel, one undo step.
+    undo = doc.UndoCount
+    select((part, "Box.Face6"), motion)
+    Gui.runCommand("SweptVolume_Envelope")
+    yield 0.6
+    assert find(QtWidgets.QListWidget, "SweptVolumeParts").count() == 1
+    shot("02_envelope_panel")
+    yield 0.5
+    gaps = Gaps()
+    click(panel_button(Ok))
+    yield no_panel
+    say("longest gap while a small envelope is made: {:.0f} ms".format(gaps.stop() * 1000))
+    made = doc.getObject("Envelope")
+    assert made.Status == envelope.UP_TO_DATE and made.Mesh.isSolid(), made.Status
+    assert abs(made.Mesh.BoundBox.ZMin - 5) < made.UsedCellSize.Value
+    assert doc.UndoCount == undo + 1, (doc.UndoCount, undo)
+    yield
+    shot("03_envelope")
+    yield 0.5
+    doc.undo()
+    assert doc.getObject("Envelope") is None
+    doc.redo()
+    made = doc.getObject("Envelope")
+    assert made.Status == envelope.UP_TO_DATE
+    yield
+
+    # A changed input marks it stale, the command computes it again.
+    box.Height = 14
+    doc.recompute()
+    assert made.Status == envelope.STALE
+    yield
+    shot("04_stale")
+    yield 0.5
+    undo = doc.UndoCount
+    select(made)
+    Gui.runCommand("SweptVolume_Recompute")
+    yield no_panel
+    assert made.Status == envelope.UP_TO_DATE and doc.UndoCount == undo + 1
+    assert abs(made.Mesh.BoundBox.ZMax - 19) < made.UsedCellSize.Value
+
+    # A long run: the window lives, Stop stops it, nothing changes.
+    facets, undo = made.Mesh.CountFacets, doc.UndoCount
+    select(made)
+    Gui.runCommand("SweptVolume_EditEnvelope")
+    yield
+    find(QtWidgets.QSpinBox, "SweptVolumeResolution").setValue(1200)
+    yield 0.5
+    gaps = Gaps()
+    click(panel_button(Ok))
+    yield lambda: runner.running() and runner.running()[0].control.progress() > 0.02
+    assert runner.is_running(made)
+    yield 0.4
+    shot("05_running")
+    yield 0.5
+    click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
+    yield lambda: not runner.running()
+    say("longest gap while a large envelope runs: {:.0f} ms".format(gaps.stop() * 1000))
+    yield
+    shot("06_stopped")
+    yield 0.5
+    assert (made.Mesh.CountFacets, doc.UndoCount, made.Resolution) == (facets, undo, 128)
+    click(panel_button(Cancel))
+    yield no_panel
+
+    # Solid and STEP.
+    undo = doc.UndoCount
+    select(made)
+    Gui.runCommand("SweptVolume_Solid")
+    yield no_panel
+    body = doc.getObject("EnvelopeSolid")
+    assert body.Shape.isValid() and len(body.Shape.Solids) == 1
+    assert doc.UndoCount == undo + 1, (doc.UndoNames, undo)
+    yield
+    shot("07_solid")
+    yield 0.5
+    step = os.path.join(folder, "out.step")
+    file_dialogs.ask_export = lambda name: step
+    select(made)
+    Gui.runCommand("SweptVolume_Export")
+    yield no_panel
+    import Part
+
+    assert abs(Part.read(step).Volume - made.Mesh.Volume) < 1e-3 * made.Mesh.Volume
+
+    # Save, close, open: the results are there and nothing runs.
+    path = os.path.join(folder, "job.FCStd")
+    doc.saveAs(path)
+    App.closeDocument(doc.Name)
+    yield
+    doc = App.openDocument(path)
+    made = doc.getObject("Envelope")
+    assert made.Status == envelope.UP_TO_DATE and made.Mesh.CountFacets == facets
+    assert not runner.running()
+    yield
+    shot("08_reopened")
+    yield 0.5
+
+    # The document closes, an object goes while a run is under way.
+    for end in ("delete", "close"):
+        select(made)
+        Gui.runCommand("SweptVolume_EditEnvelope")
+        yield
+        find(QtWidgets.QSpinBox, "SweptVolumeResolution").setValue(1000)
+        click(panel_button(Ok))
+        yield lambda: runner.running() and runner.running()[0].control.progress() > 0.01
+        if end == "delete":
+            doc.removeObject(made.Name)
+            yield lambda: not runner.running()
+            assert doc.getObject("Envelope") is None
+            yield
+            shot("09_deleted_meanwhile")
+            yield 0.5
+            click(panel_button(Cancel))
+            yield no_panel
+            doc.undo()
+            made = doc.getObject("Envelope")
+            if made is None:
+                App.closeDocument(doc.Name)
+                doc = App.openDocument(path)
+                made = doc.getObject("Envelope")
+        else:
+            App.closeDocument(doc.Name)
+            yield lambda: not runner.running()
+    yield 0.5
+    assert not App.listDocuments()
+    assert no_panel()
+
+
+run(scenario)

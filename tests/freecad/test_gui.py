@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the window scenarios of gui/ in a real FreeCAD on a virtual display.
+
+SWEPT_SHOTS=DIR keeps the screenshots there.
+"""
+import os
+import shutil
+import subprocess
+import tempfile
+
+import pytest
+
+from conftest import ROOT
+
+HERE = os.path.join(ROOT, "tests", "freecad", "gui")
+SCENARIOS = sorted(n for n in os.listdir(HERE) if n.endswith(".py") and n != "driver.py")
+
+
+def _freecad():
+    return shutil.which("freecad") or shutil.which("FreeCAD")
+
+
+@pytest.mark.skipif(not shutil.which("xvfb-run"), reason="xvfb-run is not installed")
+@pytest.mark.skipif(not _freecad(), reason="FreeCAD with a window is not installed")
+@pytest.mark.parametrize("scenario", SCENARIOS)
+def test_scenario(scenario):
+    from sweptvolume import core
+
+    if not core.available():
+        pytest.skip("the compiled core _swept is not built")
+    with tempfile.TemporaryDirectory() as home:
+        os.makedirs(os.path.join(home, "Mod"))
+        os.symlink(ROOT, os.path.join(home, "Mod", "SweptVolume"))
+        shutil.copy(os.path.join(ROOT, "resources", "demo-user.cfg"), os.path.join(home, "user.cfg"))
+        environment = dict(os.environ, FREECAD_USER_HOME=home)
+        environment.pop("DISPLAY", None)
+        environment.pop("PYTHONPATH", None)
+        command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", _freecad()]
+        done = subprocess.run(
+            command + [os.path.join(HERE, scenario)],
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+    print(done.stdout[-1500:])
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
+    assert "passed" in done.stdout
