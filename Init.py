@@ -6,16 +6,17 @@ import sys
 import FreeCAD
 
 
-def _module_directory():
-    """FreeCAD runs this file by exec, where __file__ is not defined; the code object knows its file."""
-    here = os.path.dirname(os.path.abspath(sys._getframe().f_code.co_filename))
-    for folder in [here] + sys.path:
+def _module_directory(known):
+    """Where this file lies. FreeCAD runs it by exec: __file__ is not defined, but most versions leave
+    the name of the file in InstallFile; else it is the folder on the path that holds the package."""
+    folders = [os.path.dirname(known)] if known else []
+    for folder in folders + [f for f in sys.path if f]:
         if os.path.isfile(os.path.join(folder, "workbench", "sweptvolume", "__init__.py")):
             return folder
     return None
 
 
-_folder = _module_directory()
+_folder = _module_directory(locals().get("InstallFile", ""))
 if _folder is None:
     FreeCAD.Console.PrintError("Swept Volume: the folder workbench/sweptvolume was not found.\n")
 else:

@@ -52,6 +52,16 @@ def shot(name):
         subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
 
 
+def widen():
+    """A roomier window: no console, no report view, a wider combo view."""
+    window = Gui.getMainWindow()
+    for dock in window.findChildren(QtWidgets.QDockWidget):
+        if dock.objectName() in ("Report view", "Python console"):
+            dock.hide()
+        elif dock.objectName() == "Combo View":
+            window.resizeDocks([dock], [400], QtCore.Qt.Horizontal)
+
+
 def find(kind, name):
     """A visible widget by object name."""
     found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]
@@ -118,4 +128,4 @@ def run(scenario):
     QtCore.QTimer.singleShot(300, tick)
 
 
-__all__ = ["App", "Gaps", "Gui", "QtWidgets", "click", "find", "no_panel", "panel_button", "run", "say", "shot"]
+__all__ = ["App", "Gaps", "Gui", "QtWidgets", "click", "find", "no_panel", "panel_button", "run", "say", "shot", "widen"]

@@ -47,13 +47,13 @@ class EnvelopePanel:
         self.pairs = list(pairs)
         title = translate("Panels", "Swept envelope")
         self.form, self.layout = widgets.window(title, "SweptVolume_Envelope")
+        self.box = widgets.RunBox()
+        self.message = widgets.message_label()
+        self.layout.addWidget(self.box)  # on top: visible without scrolling
+        self.layout.addWidget(self.message)
         self._build_inputs(motion_obj)
         self._build_accuracy(values)
         self._build_method(values)
-        self.box = widgets.RunBox()
-        self.message = widgets.message_label()
-        self.layout.addWidget(self.box)
-        self.layout.addWidget(self.message)
         self.layout.addStretch(1)
         self.timer = QtCore.QTimer(self.form)
         self.timer.setSingleShot(True)
@@ -91,13 +91,15 @@ class EnvelopePanel:
         self.by = widgets.choice(
             ["Resolution", "CellSize"],
             "CellSize" if values["CellSize"] > 0 else "Resolution",
-            [translate("Panels", "Cells along the longest side"), translate("Panels", "Cell size")],
+            [translate("Panels", "Number of cells"), translate("Panels", "Cell size")],
         )
         self.resolution = QtWidgets.QSpinBox()
         self.resolution.setRange(8, 4096)
         self.resolution.setSingleStep(16)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
+        tip = translate("Panels", "Cells along the longest side of the sweep")
+        widgets.hint(self.resolution, tip)
         self.cell = widgets.length(values["CellSize"] or 1.0)
         self.tolerance = widgets.length(values["Tolerance"])
         self.offset = widgets.length(values["Offset"])
@@ -111,7 +113,7 @@ class EnvelopePanel:
         rows.addRow(self.estimate_label)
         rows.addRow(translate("Panels", "Simplification"), self.tolerance)
         rows.addRow(translate("Panels", "Offset"), self.offset)
-        self.conservative = QtWidgets.QCheckBox(translate("Panels", "Contain the swept volume provably"))
+        self.conservative = QtWidgets.QCheckBox(translate("Panels", "Contain the sweep provably"))
         self.conservative.setChecked(values["Conservative"])
         self.cavities = QtWidgets.QCheckBox(translate("Panels", "Keep enclosed cavities"))
         self.cavities.setChecked(values["KeepCavities"])
@@ -197,6 +199,9 @@ class EnvelopePanel:
 
     def estimate(self):
         """Shows grid, memory and time before anything is started."""
+        if not widgets.alive(self.document):
+            Gui.Control.closeDialog()
+            return
         try:
             e = self.plan().estimate()
         except (InputProblem, core.CoreError, core.CoreMissing) as problem:
@@ -234,10 +239,17 @@ class EnvelopePanel:
 
     def ended(self, run):
         self.run = None
+        if not widgets.alive(self.document):
+            self.timer.stop()
+            Gui.Control.closeDialog()
+            return
+        if self.obj is not None and not widgets.alive(self.obj):
+            self.obj = None  # deleted meanwhile: OK makes a new one
         self.box.hide()
         self._enable(True)
         if run.state == "ok":
             self.obj = run.task.obj
+            Gui.Selection.clearSelection()
             if self.close_when_done:
                 Gui.Control.closeDialog()
             else:

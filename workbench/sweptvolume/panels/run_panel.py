@@ -25,7 +25,7 @@ class RunPanel:
 
     def ended(self, run):
         self.box.hide()
-        if run.state == "ok":
+        if run.state == "ok" or not widgets.alive(run.task.document):
             Gui.Control.closeDialog()
             return
         text = run.message

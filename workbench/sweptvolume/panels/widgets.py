@@ -46,6 +46,9 @@ def length(value, minimum=0.0, step=None):
 def choice(names, now, texts=None):
     """Combo box; the data of an entry is its untranslated name."""
     box = QtWidgets.QComboBox()
+    # The task view is narrow: long entries may be cut in the closed box, not in the open list.
+    box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(8)
     for i, name in enumerate(names):
         box.addItem(texts[i] if texts else name, name)
     if now in names:
@@ -67,6 +70,14 @@ def standard_buttons(*buttons):
         return int(value)
     except TypeError:
         return value
+
+
+def alive(thing):
+    """Whether a document or object still exists behind its Python face."""
+    try:
+        return bool(thing.Name)
+    except (ReferenceError, RuntimeError):
+        return False
 
 
 def show_message(label, text):
