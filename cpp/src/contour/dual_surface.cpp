@@ -64,7 +64,8 @@ class CellColumn {
 struct Escape {
   std::uint32_t vertex;      // in its layer
   Eigen::Vector3d from, to;  // mass point and minimiser, in the cell's coordinates
-  double error;              // mean squared distance of the planes from it
+  Qef planes;                // in the cell's coordinates
+  double error;              // mean squared distance of the planes from the minimiser
 };
 
 class LayerBuilder {
@@ -114,7 +115,7 @@ class LayerBuilder {
       vertex.local = qefs[c].solve(kCellMargin, free).cast<float>();
       if (mayEscape(free)) {
         escapes_->push_back({static_cast<std::uint32_t>(vertices.size()), qefs[c].massPoint(), free,
-                             qefs[c].error(free) / qefs[c].count()});
+                             qefs[c], qefs[c].error(free) / qefs[c].count()});
       }
       vertex.i = static_cast<std::int16_t>(i);
       vertex.j = static_cast<std::int16_t>(j);
@@ -212,8 +213,17 @@ class TipPlacer {
       }
       return x.error < y.error;
     });
+    std::size_t group = 0;  // first claim on the same cell
     for (std::size_t n = 0; n < claims.size(); ++n) {
-      if (n > 0 && claims[n].cell == claims[n - 1].cell) continue;
+      if (claims[n].cell != claims[group].cell) group = n;
+      bool free = true;
+      for (std::size_t m = group; m < n && free; ++m) {
+        free = !claims[m].granted ||
+               ((claims[m].point - claims[n].point).norm() > kApart &&
+                (claims[m].layer != claims[n].layer || claims[m].vertex != claims[n].vertex));
+      }
+      if (!free) continue;
+      claims[n].granted = true;
       DualVertex& v = surface_.vertices[claims[n].layer][claims[n].vertex];
       v.local = (claims[n].point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
     }
@@ -225,12 +235,15 @@ class TipPlacer {
     double error;
     std::uint32_t layer, vertex;
     Eigen::Vector3d point;  // grid coordinates
+    bool granted = false;
   };
+  static constexpr double kApart = 0.1;  // cells between two vertices on one crease
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
              std::vector<Claim>& out) {
+    constexpr double kSharp = 0.05;       // two planes that differ by 26 degrees
     constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
-    if (escape.error > kPlanesMeet) return;
+    if (escape.error > kPlanesMeet || escape.planes.sharpness() < kSharp) return;
     const DualVertex& v = surface_.vertices[layer][escape.vertex];
     const Eigen::Vector3i own(v.i, v.j, v.k);
     const Eigen::Vector3d way = escape.to - escape.from;
@@ -251,7 +264,17 @@ class TipPlacer {
         }
         const double error = qef.error(point - target.cast<double>()) / qef.count();
         if (error > kPlanesMeet) continue;
-        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point});
+        const DualVertex& taker = surface_.vertices[target[0]][vertex];
+        const Eigen::Vector3d there =
+            Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
+        const double missed =
+            escape.planes.error(there - own.cast<double>()) / escape.planes.count();
+        if (missed > kPlanesMeet) {
+          out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point});
+        } else if ((there - point).norm() > kApart) {
+          // The neighbour stands on the same crease: this vertex may go there as well.
+          out.push_back({target, way.norm(), layer, escape.vertex, point});
+        }
         return;
       }
       return;

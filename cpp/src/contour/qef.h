@@ -32,6 +32,12 @@ class Qef {
   int count() const { return count_; }
   Eigen::Vector3d massPoint() const { return mass_ / count_; }
   Eigen::Matrix3d matrix() const;
+  /// Second invariant of the mean normal tensor: 0 for one plane, sin^2(t/2) cos^2(t/2) for two
+  /// that differ by t, 1/3 for a cube's corner.
+  double sharpness() const {
+    const double minors = xx_ * yy_ - xy_ * xy_ + yy_ * zz_ - yz_ * yz_ + zz_ * xx_ - xz_ * xz_;
+    return minors / (static_cast<double>(count_) * count_);
+  }
   double error(const Eigen::Vector3d& x) const;
 
   /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the one without the box.
