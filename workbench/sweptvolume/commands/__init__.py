@@ -6,8 +6,11 @@ from ..texts import translate
 
 #: Module below commands/; "" is a separator.
 _MODULES = [
+    "new_motion",
     "motion_from_file",
     "motion_from_selection",
+    "motion_from_source",
+    "edit_motion",
     "reload_motion",
     "",
     "create_envelope",

@@ -207,17 +207,23 @@ def motion_from_file(document, path, unit="mm", interpolation="Linear", frame="A
     return obj
 
 
-def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
-    """A motion object linked to the placements of objects, one pose an object, in order."""
-    settings = sources.Settings(kind="Placements", objects=list(objects), step=step)
+def motion_from_source(document, kind, objects, interpolation="Linear", frame="Absolute", **values):
+    """A motion object linked to a source other than a file. `values`: see trajectory/sources.py."""
+    settings = sources.Settings(kind=kind, objects=list(objects), **values)
     poses = sources.read(settings)
     obj = make_motion(document)
-    obj.SourceType = "Placements"
+    obj.SourceType = kind
     obj.SourceObjects = list(objects)
     obj.SourceSettings = settings.extra
     store(obj, poses)
     obj.Interpolation = interpolation
+    obj.Frame = frame
     return obj
+
+
+def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
+    """A motion object linked to the placements of objects, one pose an object, in order."""
+    return motion_from_source(document, "Placements", objects, interpolation, step=step)
 
 
 def capture(obj, placement, time=None):
@@ -238,6 +244,7 @@ __all__ = [
     "make_motion",
     "motion_from_file",
     "motion_from_objects",
+    "motion_from_source",
     "motion_from_poses",
     "poses_of",
     "reload_source",

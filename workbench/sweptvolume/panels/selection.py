@@ -78,3 +78,9 @@ def _first(test):
         if target is not None and test(target):
             return target
     return None
+
+
+def plain():
+    """Selected objects that are not ours, with or without a placement."""
+    found = [_target(pair) for pair in paths()]
+    return [target for target in found if target is not None and not _ours(target)]

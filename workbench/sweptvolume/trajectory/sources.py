@@ -4,7 +4,7 @@ import json
 
 from ..convert import InputProblem
 from ..texts import translate
-from . import csv_file, objects
+from . import array, cam, csv_file, curve, driven, objects, robot
 from .poses import Poses
 
 
@@ -41,11 +41,64 @@ def _placements(settings):
     return objects.placements(settings.objects, settings.get("step", 1.0))
 
 
+def _curve(settings):
+    return curve.poses(
+        settings.objects,
+        int(settings.get("count", 32)),
+        settings.get("orientation", "Fixed"),
+        float(settings.get("duration", 10.0)),
+    )
+
+
+def _robot(settings):
+    return robot.poses(settings.objects, int(settings.get("count", 32)))
+
+
+def _array(settings):
+    return array.poses(settings.objects, float(settings.get("step", 1.0)))
+
+
+def _cam(settings):
+    return cam.poses(settings.objects, float(settings.get("rapid", 100.0)))
+
+
+def _driven(settings):
+    return driven.poses(
+        settings.objects,
+        settings.get("property", ""),
+        float(settings.get("start", 0.0)),
+        float(settings.get("end", 1.0)),
+        int(settings.get("count", 16)),
+        float(settings.get("duration", 10.0)),
+    )
+
+
+def kind_for(found):
+    """The kind of source that selected objects are, "" for none."""
+    if len(found) == 1:
+        obj = found[0]
+        for kind, test in (
+            ("Robot", robot.is_trajectory),
+            ("CAM", cam.is_path),
+            ("Array", array.is_array),
+            ("Curve", curve.is_curve),
+        ):
+            if test(obj):
+                return kind
+    return ""
+
+
 #: kind -> (reader, live). Live sources are read at every recompute of the motion.
 KINDS = {
     "Stored": (_stored, False),
     "File": (_file, False),
     "Placements": (_placements, True),
+    "Curve": (_curve, True),
+    "Robot": (_robot, True),
+    "Array": (_array, True),
+    "CAM": (_cam, True),
+    # Driving recomputes the document and so cannot happen inside a recompute.
+    "Driven": (_driven, False),
 }
 
 

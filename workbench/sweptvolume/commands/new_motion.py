@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""New motion: the path editor on an empty motion."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_NewMotion"
+    TEXT = mark("Commands", "New motion...")
+    TIP = mark(
+        "Commands",
+        "Opens the path editor: move the selected part step by step and capture its placements",
+    )
+
+    def run(self, document):
+        from ..panels import motion_panel
+
+        motion_panel.show(document)

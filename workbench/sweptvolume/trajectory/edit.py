@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Editing a list of key poses: pure operations, undone by not taking the result."""
+import FreeCAD as App
+
+from ..convert import InputProblem
+from ..texts import translate
+from .poses import Poses, at_time
+
+
+class Keys:
+    """Times (s) and placements under edit. Indices count from 0; times always grow."""
+
+    def __init__(self, times=(), placements=(), step=1.0):
+        self.times = list(times)
+        self.placements = [App.Placement(p) for p in placements]
+        self.step = step
+
+    def __len__(self):
+        return len(self.times)
+
+    def poses(self):
+        return Poses(self.times, self.placements)
+
+    def append(self, placement):
+        self.times.append(self.times[-1] + self.step if self.times else 0.0)
+        self.placements.append(App.Placement(placement))
+        return len(self) - 1
+
+    def insert_after(self, index, interpolation="Linear", placement=None):
+        """A key half-way to the next one, where the part then is; behind the last: one step later."""
+        if index + 1 >= len(self):
+            return self.append(placement or (self.placements[-1] if self.placements else App.Placement()))
+        time = 0.5 * (self.times[index] + self.times[index + 1])
+        if placement is None:
+            placement = at_time(self.poses(), interpolation, time)
+        self.times.insert(index + 1, time)
+        self.placements.insert(index + 1, App.Placement(placement))
+        return index + 1
+
+    def duplicate(self, index):
+        return self.insert_after(index, placement=self.placements[index])
+
+    def update(self, index, placement):
+        self.placements[index] = App.Placement(placement)
+
+    def delete(self, index):
+        del self.times[index]
+        del self.placements[index]
+
+    def move(self, index, by):
+        """Moves a key up or down; the times keep their order."""
+        target = index + by
+        if not 0 <= target < len(self):
+            return index
+        self.placements.insert(target, self.placements.pop(index))
+        return target
+
+    def reverse(self):
+        """The way back: last key first, the same pauses between keys."""
+        if not self.times:
+            return
+        first, last = self.times[0], self.times[-1]
+        self.times = [first + last - t for t in reversed(self.times)]
+        self.placements.reverse()
+
+    def set_time(self, index, time):
+        """Changes one time; it must stay between its neighbours."""
+        before = self.times[index - 1] if index else None
+        after = self.times[index + 1] if index + 1 < len(self) else None
+        if (before is not None and time <= before) or (after is not None and time >= after):
+            raise InputProblem(
+                translate("Messages", "the time of key {0} must lie between those of its neighbours.").format(
+                    index + 1
+                )
+            )
+        self.times[index] = float(time)
+
+    def even(self, step):
+        """Even times, one key a step (s)."""
+        first = self.times[0] if self.times else 0.0
+        self.times = [first + k * step for k in range(len(self))]
+        self.step = step
+
+
+def as_numbers(placement):
+    """x, y, z (mm), yaw, pitch, roll (degrees)."""
+    base, angles = placement.Base, placement.Rotation.toEuler()
+    return (base.x, base.y, base.z) + tuple(angles)
+
+
+def from_numbers(numbers):
+    """The way back from as_numbers."""
+    x, y, z, yaw, pitch, roll = numbers
+    return App.Placement(App.Vector(x, y, z), App.Rotation(yaw, pitch, roll))
+
+
+def number_from(text, unit):
+    """A number with or without a unit: "12.5", "2 in", "1 rad". `unit`: "mm", "deg" or "s"."""
+    text = text.strip()
+    try:
+        return float(text.replace(",", "."))
+    except ValueError:
+        pass
+    try:
+        quantity, one = App.Units.Quantity(text), App.Units.Quantity("1 " + unit)
+        if quantity.Unit == one.Unit:
+            return quantity.Value / one.Value
+    except (ValueError, SyntaxError, ArithmeticError):
+        pass
+    raise InputProblem(translate("Messages", '"{0}" is not a number or quantity in {1}.').format(text, unit))
