@@ -55,7 +55,7 @@ EdgeTable::EdgeTable(const std::vector<std::array<std::int32_t, 3>>& triangles,
     sum += value;
     value = sum;
   }
-  records_.resize(3 * triangles.size());
+  records_ = RawArray<std::uint64_t>(3 * triangles.size());
   tbb::parallel_for(Range(0, triangles.size(), kGrain), [&](const Range& range) {
     for (std::size_t t = range.begin(); t != range.end(); ++t) {
       const auto& tri = triangles[t];

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/raw_array.h"
+
 namespace swept {
 
 /// Half-edge h = 3 * triangle + k runs from corner k to corner k + 1 (mod 3) of its triangle.
@@ -20,7 +22,7 @@ class EdgeTable {
   std::int64_t vertexCount() const { return static_cast<std::int64_t>(start_.size()) - 1; }
   /// Records of edges whose smaller vertex is `low`: [begin(low), begin(low + 1)) of records().
   std::int64_t begin(std::int64_t low) const { return start_[static_cast<std::size_t>(low)]; }
-  const std::vector<std::uint64_t>& records() const { return records_; }
+  const RawArray<std::uint64_t>& records() const { return records_; }
 
   static std::int32_t high(std::uint64_t record) { return static_cast<std::int32_t>(record >> 33); }
   /// True if the half-edge runs from the smaller to the larger vertex.
@@ -48,7 +50,7 @@ class EdgeTable {
 
  private:
   std::vector<std::uint32_t> start_;
-  std::vector<std::uint64_t> records_;
+  RawArray<std::uint64_t> records_;
 };
 
 }  // namespace swept

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/ray_columns.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace swept {
@@ -33,30 +37,56 @@ RayColumns::RayColumns(const TriMesh& mesh) : mesh_(mesh) {
     low_ = low_.cwiseMin(v);
     high_ = high_.cwiseMax(v);
   }
+  build();
+}
+
+RayColumns::RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+    : mesh_(mesh), low_(low), high_(high) {
+  build();
+}
+
+bool RayColumns::cellsOf(std::size_t triangle, Cells& cells) const {
+  const auto& tri = mesh_.triangles[triangle];
+  const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]], &c = mesh_.vertices[tri[2]];
+  const double y0 = std::min({a.y(), b.y(), c.y()}), y1 = std::max({a.y(), b.y(), c.y()});
+  const double z0 = std::min({a.z(), b.z(), c.z()}), z1 = std::max({a.z(), b.z(), c.z()});
+  if (y1 < low_.y() || y0 > high_.y() || z1 < low_.z() || z0 > high_.z()) return false;
+  cells = {column(y0, 1), column(y1, 1), column(z0, 2), column(z1, 2)};
+  return true;
+}
+
+void RayColumns::build() {
   columns_ = std::clamp(
-      static_cast<std::int32_t>(std::sqrt(static_cast<double>(mesh.triangles.size()))), 1, 128);
+      static_cast<std::int32_t>(std::sqrt(static_cast<double>(mesh_.triangles.size()))), 1, 128);
   const auto cells = static_cast<std::size_t>(columns_) * columns_;
   start_.assign(cells + 1, 0);
   auto forEachCell = [&](auto&& visit) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& tri = mesh.triangles[t];
-      const auto &a = mesh.vertices[tri[0]], &b = mesh.vertices[tri[1]], &c = mesh.vertices[tri[2]];
-      const std::int32_t y0 = column(std::min({a.y(), b.y(), c.y()}), 1);
-      const std::int32_t y1 = column(std::max({a.y(), b.y(), c.y()}), 1);
-      const std::int32_t z0 = column(std::min({a.z(), b.z(), c.z()}), 2);
-      const std::int32_t z1 = column(std::max({a.z(), b.z(), c.z()}), 2);
-      for (std::int32_t z = z0; z <= z1; ++z) {
-        for (std::int32_t y = y0; y <= y1; ++y) {
-          visit(static_cast<std::size_t>(z) * columns_ + y, static_cast<std::int32_t>(t));
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, mesh_.triangles.size(), 1 << 13), [&](const Range& range) {
+      Cells under{};
+      for (std::size_t t = range.begin(); t != range.end(); ++t) {
+        if (!cellsOf(t, under)) continue;
+        for (std::int32_t z = under.z0; z <= under.z1; ++z) {
+          for (std::int32_t y = under.y0; y <= under.y1; ++y) {
+            visit(start_[static_cast<std::size_t>(z) * columns_ + y], static_cast<std::int32_t>(t));
+          }
         }
       }
-    }
+    });
   };
-  forEachCell([&](std::size_t cell, std::int32_t) { ++start_[cell + 1]; });
-  for (std::size_t i = 0; i < cells; ++i) start_[i + 1] += start_[i];
-  items_.resize(start_[cells]);
-  std::vector<std::uint32_t> cursor(start_.begin(), start_.end() - 1);
-  forEachCell([&](std::size_t cell, std::int32_t t) { items_[cursor[cell]++] = t; });
+  // Atomic counters: the order within a column varies, the sorted crossings of a line do not.
+  forEachCell([](std::uint32_t& count, std::int32_t) {
+    std::atomic_ref<std::uint32_t>(count).fetch_add(1, std::memory_order_relaxed);
+  });
+  std::uint32_t sum = 0;
+  for (auto& value : start_) {
+    sum += value;
+    value = sum;
+  }
+  items_.resize(sum);
+  forEachCell([&](std::uint32_t& end, std::int32_t t) {
+    items_[std::atomic_ref<std::uint32_t>(end).fetch_sub(1, std::memory_order_relaxed) - 1] = t;
+  });
 }
 
 std::int32_t RayColumns::column(double value, int axis) const {

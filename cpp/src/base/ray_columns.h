@@ -22,12 +22,20 @@ class RayColumns {
   };
 
   explicit RayColumns(const TriMesh& mesh);
+  /// Only lines with (y, z) inside the box will be asked for.
+  RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   /// Crossings of the line (any x, y, z), sorted by x, then by triangle.
   void crossings(double y, double z, std::vector<Crossing>& out) const;
   const Eigen::Vector3d& low() const { return low_; }
   const Eigen::Vector3d& high() const { return high_; }
 
  private:
+  struct Cells {
+    std::int32_t y0, y1, z0, z1;
+  };
+  /// Columns under a triangle; false if it lies beside all of them.
+  bool cellsOf(std::size_t triangle, Cells& cells) const;
+  void build();
   std::int32_t column(double value, int axis) const;
 
   const TriMesh& mesh_;

@@ -3,6 +3,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,11 +50,19 @@ struct Frame {
 };
 
 Frame frameOf(const TriMesh& mesh) {
-  Eigen::Vector3d low = mesh.vertices[0], high = mesh.vertices[0];
-  for (const auto& v : mesh.vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
+  using Box = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
+  const auto [low, high] = tbb::parallel_reduce(
+      Range(0, mesh.vertices.size(), kGrain), Box{mesh.vertices[0], mesh.vertices[0]},
+      [&](const Range& range, Box box) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v) {
+          box.first = box.first.cwiseMin(mesh.vertices[v]);
+          box.second = box.second.cwiseMax(mesh.vertices[v]);
+        }
+        return box;
+      },
+      [](const Box& a, const Box& b) {
+        return Box{a.first.cwiseMin(b.first), a.second.cwiseMax(b.second)};
+      });
   const double extent = (high - low).maxCoeff();
   return {(low + high) / 2, extent > 0 ? ((1u << kHilbertBits) - 1) / extent : 0};
 }
@@ -76,10 +85,10 @@ double typicalExtent(const TriMesh& mesh) {
 }
 
 /// Key in the upper half, triangle in the lower.
-std::vector<std::uint64_t> makeKeys(const TriMesh& mesh, const Frame& frame) {
+RawArray<std::uint64_t> makeKeys(const TriMesh& mesh, const Frame& frame) {
   const double typical = typicalExtent(mesh);
   const double half = (1u << kHilbertBits) / 2.0;
-  std::vector<std::uint64_t> keys(mesh.triangles.size());
+  RawArray<std::uint64_t> keys(mesh.triangles.size());
   tbb::parallel_for(Range(0, keys.size(), kGrain), [&](const Range& range) {
     for (std::size_t t = range.begin(); t != range.end(); ++t) {
       const auto& tri = mesh.triangles[t];
@@ -102,11 +111,11 @@ std::vector<std::uint64_t> makeKeys(const TriMesh& mesh, const Frame& frame) {
 }
 
 /// Stable sort by the upper 32 bits: three passes of 11 bits over blocks of fixed size.
-void sortByKey(std::vector<std::uint64_t>& keys) {
+void sortByKey(RawArray<std::uint64_t>& keys) {
   constexpr std::size_t kDigits = 1 << 11;
   const std::size_t block = std::max<std::size_t>(1 << 15, keys.size() / 32 + 1);
   const std::size_t blocks = (keys.size() + block - 1) / block;
-  std::vector<std::uint64_t> other(keys.size());
+  RawArray<std::uint64_t> other(keys.size());
   std::vector<std::uint32_t> counts(blocks * kDigits);
   for (int shift = 32; shift < 64; shift += 11) {
     auto digit = [shift](std::uint64_t key) { return (key >> shift) & (kDigits - 1); };
@@ -129,7 +138,7 @@ void sortByKey(std::vector<std::uint64_t>& keys) {
         other[counts[b * kDigits + digit(keys[i])]++] = keys[i];
       }
     });
-    keys.swap(other);
+    std::swap(keys, other);
   }
 }
 
@@ -141,7 +150,7 @@ float roundedDown(double value) {
 }
 float roundedUp(double value) { return -roundedDown(-value); }
 
-void fillLeaf(const TriMesh& mesh, const Frame& frame, const std::vector<std::uint64_t>& keys,
+void fillLeaf(const TriMesh& mesh, const Frame& frame, const RawArray<std::uint64_t>& keys,
               std::size_t index, TriangleLeaf& leaf, FloatBox& box) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   box.low.fill(kInfinity);
@@ -177,10 +186,10 @@ BoxTree buildBoxTree(const TriMesh& mesh) {
   BoxTree tree;
   if (mesh.triangles.empty()) return tree;
   const Frame frame = frameOf(mesh);
-  std::vector<std::uint64_t> keys = makeKeys(mesh, frame);
+  RawArray<std::uint64_t> keys = makeKeys(mesh, frame);
   sortByKey(keys);
   const std::size_t count = (keys.size() + kLeafSize - 1) / kLeafSize;
-  tree.leaves.resize(count);
+  tree.leaves = RawArray<TriangleLeaf>(count);
   tree.levels.emplace_back(count);
   tbb::parallel_for(Range(0, count, kGrain / kLeafSize), [&](const Range& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {

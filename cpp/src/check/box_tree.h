@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/raw_array.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -33,7 +34,7 @@ struct FloatBox {
 };
 
 struct BoxTree {
-  std::vector<TriangleLeaf> leaves;
+  RawArray<TriangleLeaf> leaves;
   /// levels[0]: boxes of the leaves; levels[k][i] covers levels[k-1][4i .. 4i+3]. The last has one.
   std::vector<std::vector<FloatBox>> levels;
 };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check/mesh_check.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
+#include <unordered_map>
 
 #include "base/exact_predicates.h"
 #include "base/ray_columns.h"
@@ -18,10 +21,20 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kBlock = 1 << 14;
+using Range = tbb::blocked_range<std::size_t>;
 
 void requireValidIndices(const TriMesh& mesh) {
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  std::atomic<bool> valid{true};
+  tbb::parallel_for(Range(0, mesh.triangles.size(), kBlock), [&](const Range& range) {
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      const auto& tri = mesh.triangles[t];
+      if (std::min({tri[0], tri[1], tri[2]}) < 0 || std::max({tri[0], tri[1], tri[2]}) >= count) {
+        valid.store(false, std::memory_order_relaxed);
+      }
+    }
+  });
+  for (std::size_t t = 0; !valid && t < mesh.triangles.size(); ++t) {
     for (const std::int32_t v : mesh.triangles[t]) {
       if (v >= 0 && v < count) continue;
       throw Error(Status::InvalidInput, "BadIndex",
@@ -32,8 +45,15 @@ void requireValidIndices(const TriMesh& mesh) {
 }
 
 bool allFinite(const TriMesh& mesh) {
-  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                     [](const Eigen::Vector3d& v) { return v.allFinite(); });
+  std::atomic<bool> finite{true};
+  tbb::parallel_for(Range(0, mesh.vertices.size(), kBlock), [&](const Range& range) {
+    bool here = true;
+    for (std::size_t v = range.begin(); v != range.end(); ++v) {
+      here = here && mesh.vertices[v].allFinite();
+    }
+    if (!here) finite.store(false, std::memory_order_relaxed);
+  });
+  return finite;
 }
 
 struct Sums {
@@ -78,28 +98,61 @@ struct Shell {
   double volume = 0;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL);
   Eigen::Vector3d high = Eigen::Vector3d::Constant(-HUGE_VAL);
-  std::int64_t size = 0;
-  std::int32_t first = -1, last = -1;
+  std::int32_t first = -1, last = -1;  ///< triangles
+
+  void add(const Shell& other) {
+    volume += other.volume;
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+    if (first < 0) first = other.first;
+    last = other.last;
+  }
 };
 
-std::vector<Shell> measureShells(const TriMesh& mesh, const MeshTopology& topology) {
-  std::vector<Shell> shells(topology.shells);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Shell& shell = shells[topology.shellOf[t]];
-    const auto& tri = mesh.triangles[t];
+/// The shells within one block of triangles, in the order in which they appear.
+using ShellParts = std::vector<std::pair<std::int32_t, Shell>>;
+
+ShellParts measureBlock(const TriMesh& mesh, const MeshTopology& topology,
+                        const std::vector<Eigen::Vector3d>& origins, std::size_t begin,
+                        std::size_t end) {
+  ShellParts parts;
+  std::unordered_map<std::int32_t, std::size_t> places;
+  std::size_t place = 0;
+  for (std::size_t t = begin; t < end; ++t) {
+    const std::int32_t s = topology.shellOf[t];
+    if (parts.empty() || parts[place].first != s) {
+      const auto [it, fresh] = places.try_emplace(s, parts.size());
+      if (fresh) parts.emplace_back(s, Shell{});
+      place = it->second;
+    }
+    Shell& shell = parts[place].second;
     if (shell.first < 0) shell.first = static_cast<std::int32_t>(t);
     shell.last = static_cast<std::int32_t>(t);
-    ++shell.size;
-    // Volume as seen from a vertex of the shell itself, so that a far-off place costs no digits.
-    const Eigen::Vector3d& origin = mesh.vertices[mesh.triangles[shell.first][0]];
-    const Eigen::Vector3d a = mesh.vertices[tri[0]] - origin;
-    const Eigen::Vector3d b = mesh.vertices[tri[1]] - origin;
-    const Eigen::Vector3d c = mesh.vertices[tri[2]] - origin;
-    shell.volume += a.dot(b.cross(c)) / 6;
-    for (const std::int32_t v : tri) {
-      shell.low = shell.low.cwiseMin(mesh.vertices[v]);
-      shell.high = shell.high.cwiseMax(mesh.vertices[v]);
+    const auto& tri = mesh.triangles[t];
+    const auto &a = mesh.vertices[tri[0]], &b = mesh.vertices[tri[1]], &c = mesh.vertices[tri[2]];
+    shell.volume += (a - origins[s]).dot((b - a).cross(c - a)) / 6;
+    shell.low = shell.low.cwiseMin(a).cwiseMin(b).cwiseMin(c);
+    shell.high = shell.high.cwiseMax(a).cwiseMax(b).cwiseMax(c);
+  }
+  return parts;
+}
+
+std::vector<Shell> measureShells(const TriMesh& mesh, const MeshTopology& topology) {
+  // Volume as seen from a vertex of the shell itself, so that a far-off place costs no digits.
+  std::vector<Eigen::Vector3d> origins;
+  for (std::size_t t = 0; static_cast<std::int64_t>(origins.size()) < topology.shells; ++t) {
+    if (topology.shellOf[t] == static_cast<std::int32_t>(origins.size())) {
+      origins.push_back(mesh.vertices[mesh.triangles[t][0]]);
     }
+  }
+  std::vector<ShellParts> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+    blocks[i] = measureBlock(mesh, topology, origins, i * kBlock,
+                             std::min(mesh.triangles.size(), (i + 1) * kBlock));
+  });
+  std::vector<Shell> shells(static_cast<std::size_t>(topology.shells));
+  for (const ShellParts& parts : blocks) {
+    for (const auto& [s, shell] : parts) shells[s].add(shell);
   }
   return shells;
 }
@@ -129,37 +182,48 @@ int depthOf(const TriMesh& mesh, const MeshTopology& topology, const std::vector
   return static_cast<int>(odd.size());
 }
 
+/// Shells whose box lies within that of another one.
+std::vector<std::int32_t> nestedShells(const std::vector<Shell>& shells, RunContext& run) {
+  std::vector<std::int32_t> byLow(shells.size());
+  for (std::size_t i = 0; i < shells.size(); ++i) byLow[i] = static_cast<std::int32_t>(i);
+  std::sort(byLow.begin(), byLow.end(),
+            [&](std::int32_t a, std::int32_t b) { return shells[a].low.x() < shells[b].low.x(); });
+  std::vector<std::uint8_t> nested(shells.size(), 0);
+  for (std::size_t i = 0; i < byLow.size(); ++i) {
+    if (i % 256 == 0) run.checkpoint(Phase::Check);
+    for (std::size_t j = i + 1; j < byLow.size(); ++j) {
+      if (shells[byLow[j]].low.x() >= shells[byLow[i]].high.x()) break;
+      if (boxInside(shells[byLow[j]], shells[byLow[i]])) nested[byLow[j]] = 1;
+    }
+  }
+  std::vector<std::int32_t> result;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    if (nested[s] != 0) result.push_back(static_cast<std::int32_t>(s));
+  }
+  return result;
+}
+
 /// Shells that lie in an even number of others bound material from outside, the rest a cavity.
 bool shellsOriented(const TriMesh& mesh, const MeshTopology& topology, RunContext& run) {
   const std::vector<Shell> shells = measureShells(mesh, topology);
   run.checkpoint(Phase::Check);
-  // Only shells that turn inward can lie wrongly, or those that another one might hold.
-  bool nested = false;
-  if (shells.size() > 1) {
-    std::vector<std::int32_t> byLow(shells.size());
-    for (std::size_t i = 0; i < shells.size(); ++i) byLow[i] = static_cast<std::int32_t>(i);
-    std::sort(byLow.begin(), byLow.end(), [&](std::int32_t a, std::int32_t b) {
-      return shells[a].low.x() < shells[b].low.x();
-    });
-    for (std::size_t i = 0; i < byLow.size() && !nested; ++i) {
-      for (std::size_t j = i + 1; j < byLow.size() && !nested; ++j) {
-        if (shells[byLow[j]].low.x() >= shells[byLow[i]].high.x()) break;
-        nested = boxInside(shells[byLow[j]], shells[byLow[i]]);
-      }
+  const std::vector<std::int32_t> nested = nestedShells(shells, run);
+  std::vector<std::uint8_t> cavity(shells.size(), 0);
+  if (!nested.empty()) {
+    Shell region;
+    for (const std::int32_t s : nested) region.add(shells[s]);
+    const RayColumns columns(mesh, region.low, region.high);
+    for (const std::int32_t s : nested) {
+      run.checkpoint(Phase::Check);
+      // Shells that cross each other have no depth of their own: two samples that agree, or the
+      // outward rule.
+      const int depth = depthOf(mesh, topology, shells, columns, shells[s].first);
+      const bool sure = depth == depthOf(mesh, topology, shells, columns, shells[s].last);
+      cavity[s] = sure && depth % 2 == 1;
     }
   }
-  if (!nested) {
-    return std::all_of(shells.begin(), shells.end(), [](const Shell& s) { return s.volume > 0; });
-  }
-  const RayColumns columns(mesh);
-  for (const Shell& shell : shells) {
-    run.checkpoint(Phase::Check);
-    // Shells that cross each other have no depth of their own: two samples that agree, or the
-    // outward rule.
-    const int depth = depthOf(mesh, topology, shells, columns, shell.first);
-    const bool sure = depth == depthOf(mesh, topology, shells, columns, shell.last);
-    const bool cavity = sure && depth % 2 == 1;
-    if (cavity ? !(shell.volume < 0) : !(shell.volume > 0)) return false;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    if (cavity[s] != 0 ? !(shells[s].volume < 0) : !(shells[s].volume > 0)) return false;
   }
   return true;
 }

@@ -19,7 +19,7 @@ struct EdgeSums {
   std::int64_t open = 0, nonManifold = 0, odd = 0, misoriented = 0;
 };
 
-EdgeSums joinEdges(const EdgeTable& edges, std::vector<std::uint32_t>& across, RunContext& run) {
+EdgeSums joinEdges(const EdgeTable& edges, RawArray<std::uint32_t>& across, RunContext& run) {
   auto count = [&](const Range& range, EdgeSums sums) {
     run.checkpoint(Phase::Check);
     edges.forEachEdge(
@@ -64,7 +64,7 @@ struct Fan {
 };
 
 /// Walks from `start` over edges with two triangles; `forward`: counter-clockwise first.
-void walk(const TriMesh& mesh, const std::vector<std::uint32_t>& across, std::uint32_t start,
+void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint32_t start,
           bool forward, Fan& fan) {
   const std::int32_t v = mesh.triangles[start / 3][start % 3];
   std::uint32_t corner = start;
@@ -166,8 +166,9 @@ void walkFans(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
   topology.unusedVertices = unused.load();
   // Corners that no walk met belong to vertices with a second fan.
   std::vector<std::int32_t> second;
-  for (std::size_t c = 0; c < seen.size(); ++c) {
-    if (seen[c] == 0) second.push_back(mesh.triangles[c / 3][c % 3]);
+  for (auto it = seen.begin(); (it = std::find(it, seen.end(), 0)) != seen.end(); ++it) {
+    const auto c = static_cast<std::size_t>(it - seen.begin());
+    second.push_back(mesh.triangles[c / 3][c % 3]);
   }
   std::sort(second.begin(), second.end());
   second.erase(std::unique(second.begin(), second.end()), second.end());
@@ -227,7 +228,11 @@ MeshTopology findTopology(const TriMesh& mesh, RunContext& run) {
   MeshTopology topology;
   {
     const EdgeTable edges(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
-    topology.across.assign(3 * mesh.triangles.size(), kNoNeighbour);
+    topology.across = RawArray<std::uint32_t>(3 * mesh.triangles.size());
+    tbb::parallel_for(Range(0, topology.across.size(), 1 << 16), [&](const Range& range) {
+      std::fill(topology.across.data() + range.begin(), topology.across.data() + range.end(),
+                kNoNeighbour);
+    });
     const EdgeSums sums = joinEdges(edges, topology.across, run);
     topology.openEdges = sums.open;
     topology.nonManifoldEdges = sums.nonManifold;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/edge_table.h"
+#include "base/raw_array.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -26,7 +27,7 @@ struct MeshTopology {
   std::int64_t unusedVertices = 0;
   std::int64_t shells = 0;  ///< pieces joined by edges of two triangles
   /// Half-edge on the other side of each half-edge where the edge has two triangles.
-  std::vector<std::uint32_t> across;
+  RawArray<std::uint32_t> across;
   std::vector<std::int32_t> shellOf;  ///< per triangle; shells are numbered by their first triangle
   /// 1: the triangles round this vertex are not known to be free of each other. All others, seen
   /// along some direction, lie round their vertex like the sectors of a disc, once round.
