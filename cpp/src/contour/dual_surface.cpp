@@ -241,8 +241,6 @@ class TipPlacer {
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
              std::vector<Claim>& out) {
-    constexpr double kSharp = 0.05;       // two planes that differ by 26 degrees
-    constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
     if (escape.error > kPlanesMeet || escape.planes.sharpness() < kSharp) return;
     const DualVertex& v = surface_.vertices[layer][escape.vertex];
     const Eigen::Vector3i own(v.i, v.j, v.k);
@@ -251,31 +249,17 @@ class TipPlacer {
     const Eigen::Vector3d point = escape.to + own.cast<double>();
     const Cell cell = gatherCell(grid_, target);
     if (cell.mask != 0) {
-      Components components;
-      finder.find(cell, grid_.crossings.data(), components);
-      for (int c = 0; c < components.count; ++c) {
-        Qef qef;
-        std::uint32_t vertex = DualSurface::kNone;
-        for (int slot = 0; slot < kSlots; ++slot) {
-          if (components.of[slot] != c) continue;
-          const Crossing& crossing = grid_.crossings[cell.crossing(slot)];
-          qef.add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
-          vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
-        }
-        const double error = qef.error(point - target.cast<double>()) / qef.count();
-        if (error > kPlanesMeet) continue;
-        const DualVertex& taker = surface_.vertices[target[0]][vertex];
-        const Eigen::Vector3d there =
-            Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
-        const double missed =
-            escape.planes.error(there - own.cast<double>()) / escape.planes.count();
-        if (missed > kPlanesMeet) {
-          out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point});
-        } else if ((there - point).norm() > kApart) {
-          // The neighbour stands on the same crease: this vertex may go there as well.
-          out.push_back({target, way.norm(), layer, escape.vertex, point});
-        }
-        return;
+      const std::uint32_t vertex = agreeing(cell, target, point, finder);
+      if (vertex == DualSurface::kNone) return;
+      const DualVertex& taker = surface_.vertices[target[0]][vertex];
+      const Eigen::Vector3d there =
+          Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
+      const double missed = escape.planes.error(there - own.cast<double>()) / escape.planes.count();
+      if (missed > kPlanesMeet) {
+        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point});
+      } else if ((there - point).norm() > kApart) {
+        // The neighbour stands on the same crease: this vertex may go there as well.
+        out.push_back({target, way.norm(), layer, escape.vertex, point});
       }
       return;
     }
@@ -283,10 +267,36 @@ class TipPlacer {
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + way * (static_cast<double>(s) / kSamples);
       const Eigen::Vector3i step = x.array().floor().matrix().cast<int>();
-      if (step != Eigen::Vector3i::Zero() && gatherCell(grid_, own + step).mask != 0) return;
+      if (step == Eigen::Vector3i::Zero()) continue;
+      const Cell passed = gatherCell(grid_, own + step);
+      if (passed.mask != 0 && agreeing(passed, own + step, point, finder) == DualSurface::kNone) {
+        return;
+      }
     }
     out.push_back({target, way.norm(), layer, escape.vertex, point});
   }
+
+  /// Vertex of the first component of a leaf cell whose planes pass through the point, or kNone.
+  std::uint32_t agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
+                         ComponentFinder& finder) const {
+    Components components;
+    finder.find(cell, grid_.crossings.data(), components);
+    for (int c = 0; c < components.count; ++c) {
+      Qef qef;
+      std::uint32_t vertex = DualSurface::kNone;
+      for (int slot = 0; slot < kSlots; ++slot) {
+        if (components.of[slot] != c) continue;
+        const Crossing& crossing = grid_.crossings[cell.crossing(slot)];
+        qef.add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
+        vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
+      }
+      if (qef.error(point - at.cast<double>()) <= kPlanesMeet * qef.count()) return vertex;
+    }
+    return DualSurface::kNone;
+  }
+
+  static constexpr double kSharp = 0.05;       // two planes that differ by 26 degrees
+  static constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
 
   const HermiteGrid& grid_;
   ComponentMethod method_;
