@@ -10,10 +10,10 @@
 namespace swept {
 
 struct StepOptions {
-  bool mergeCoplanar = true;       ///< flat regions become single planar faces with holes
-  double planarTolerance = 1e-6;   ///< mm: how far a vertex may lie off its region's plane
-  double tolerance = 0;            ///< mm, > 0: planes, cylinders, cones, spheres and tori are recognised
-                                   ///< where the mesh lies within this of them; the rest keeps its facets
+  bool mergeCoplanar = true;      ///< flat regions become single planar faces with holes
+  double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off its region's plane
+  double tolerance = 0;  ///< mm, > 0: planes, cylinders, cones, spheres and tori are recognised
+                         ///< where the mesh lies within this of them; the rest keeps its facets
   std::int64_t maxFaces = 120000;  ///< above: Error(ExportFailed, "TooManyFaces") with numbers
   std::string productName = "Swept envelope";
   std::string schema = "AP214IS";  ///< AP214IS | AP242DIS | AP203
