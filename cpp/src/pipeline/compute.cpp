@@ -17,7 +17,7 @@
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
 #include "mend/mend.h"
-#include "sampling/backend.h"
+#include "pipeline/backend.h"
 #include "sampling/body_topology.h"
 #include "sampling/grid_plan.h"
 #include "sampling/hermite.h"

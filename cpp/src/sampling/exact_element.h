@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sampling/cpu/rasterise.h"
+#include "sampling/rasterise.h"
 #include "sampling/sampler.h"
 
 namespace swept {

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "sampling/cpu/rasterise.h"
 #include "sampling/crossing_records.h"
 #include "sampling/kept_elements.h"
+#include "sampling/rasterise.h"
 #include "sampling/sampler.h"
 #include "sampling/snap.h"
 

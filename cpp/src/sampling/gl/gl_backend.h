@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "sampling/backend.h"
+#include "pipeline/backend.h"
 #include "sampling/gl/gl_passes.h"
 
 namespace swept::gl {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sampling/backend.h"
+#include "pipeline/backend.h"
 
 #ifdef SWEPT_WITH_GL
 #include "sampling/gl/gl_backend.h"
