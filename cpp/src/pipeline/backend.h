@@ -7,25 +7,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "sampling/sampler.h"
-#include "sampling/signs.h"
-#include "swept/report.h"
+#include "sampling/sampled_surface.h"
 
 namespace swept {
-
-struct SampledSurface {
-  MarkedEdges marked;
-  SignRuns signs;
-  std::string backend = "cpu", device;
-  std::vector<Finding> notes;
-};
-
-/// Signs from marks; called between the passes, and again if a sampler had to be changed.
-using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
 
 /// cpuSeconds: estimate of the whole run on the CPU; below kLeastAutoSeconds auto does not look for
 /// a GPU. GPU runs of one process take turns.

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "pipeline/backend.h"
 #include "sampling/gl/gl_passes.h"
+#include "sampling/sampled_surface.h"
 
 namespace swept::gl {
 

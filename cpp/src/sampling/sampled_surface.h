@@ -1,0 +1,25 @@
+// What a sampling run hands on to the pipeline, whoever did it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sampling/sampler.h"
+#include "sampling/signs.h"
+#include "swept/report.h"
+
+namespace swept {
+
+struct SampledSurface {
+  MarkedEdges marked;
+  SignRuns signs;
+  std::string backend = "cpu", device;
+  std::vector<Finding> notes;
+};
+
+/// Signs from marks; called between the passes, and again if a sampler had to be changed.
+using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
+
+}  // namespace swept
