@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "clearance/penetration.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace swept::clearance {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr std::size_t kRound = 64;  // pieces a round; fixed, see motion_search.cpp
+
+// A piece of surface: a box of the hierarchy, or a triangle cut out of a leaf's triangle.
+struct Piece {
+  bool ofBody = true;
+  std::int32_t node = 0;
+  bool isTriangle = false;
+  Corners corners;
+};
+
+struct Item {
+  double bound = 0;  // mm, no point of the piece can be deeper in this part of the motion
+  std::int64_t number = 0;
+  MotionNode motion;
+  Piece piece;
+  double radius = 0;
+  double reach = 0;
+};
+
+struct Lower {
+  bool operator()(const Item& a, const Item& b) const {
+    return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
+  }
+};
+
+struct Probe {
+  double depth = 0;  // at the piece's centre
+  double radius = 0;
+  Vector3d surfacePoint;  // world, at the representative pose
+  double surfaceDepth = 0;
+};
+
+Vector3d centroid(const Corners& c) { return (c[0] + c[1] + c[2]) / 3.0; }
+
+double radiusOf(const Corners& c) {
+  const Vector3d m = centroid(c);
+  return std::sqrt(std::max({(c[0] - m).squaredNorm(), (c[1] - m).squaredNorm(),
+                             (c[2] - m).squaredNorm()}));
+}
+
+// Depth of a point of one mesh, given in that mesh's frame, below the other's surface.
+double depthIn(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, bool ofBody,
+               const Vector3d& local) {
+  return ofBody ? pair.neighbour().depth(R * local + t)
+                : pair.body().depth(R.transpose() * (local - t));
+}
+
+Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const Piece& piece) {
+  Probe p;
+  const BoxTree& own = piece.ofBody ? pair.body() : pair.neighbour();
+  Vector3d local;
+  if (piece.isTriangle) {
+    local = centroid(piece.corners);
+    p.radius = radiusOf(piece.corners);
+    p.depth = p.surfaceDepth = depthIn(pair, R, t, piece.ofBody, local);
+  } else {
+    const BoxNode& box = own.nodes()[piece.node];
+    p.radius = box.half.norm();
+    p.depth = depthIn(pair, R, t, piece.ofBody, box.centre);
+    local = box.centre;
+    p.surfaceDepth = -std::numeric_limits<double>::infinity();  // the centre is not on the surface
+  }
+  p.surfacePoint = piece.ofBody ? Vector3d(R * local + t) : local;
+  return p;
+}
+
+void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out) {
+  const BoxTree& own = piece.ofBody ? pair.body() : pair.neighbour();
+  if (!piece.isTriangle) {
+    const BoxNode& box = own.nodes()[piece.node];
+    for (const std::int32_t child : {piece.node + 1, box.right}) {
+      const std::int32_t leaf = own.nodes()[child].leaf;
+      Piece p{piece.ofBody, child, leaf >= 0, {}};
+      if (leaf >= 0) p.corners = own.corners(leaf);
+      out.push_back(p);
+    }
+    return;
+  }
+  const Corners& c = piece.corners;
+  const Vector3d a = 0.5 * (c[0] + c[1]);
+  const Vector3d b = 0.5 * (c[1] + c[2]);
+  const Vector3d d = 0.5 * (c[2] + c[0]);
+  for (const Corners& part : {Corners{c[0], a, d}, Corners{a, c[1], b}, Corners{d, b, c[2]},
+                              Corners{a, b, d}})
+    out.push_back({piece.ofBody, piece.node, true, part});
+}
+
+std::vector<Piece> roots(const PairSearch& pair) {
+  std::vector<Piece> pieces;
+  for (const bool ofBody : {true, false}) {
+    const BoxTree& own = ofBody ? pair.body() : pair.neighbour();
+    const BoxTree& other = ofBody ? pair.neighbour() : pair.body();
+    if (!other.closed()) continue;
+    Piece p{ofBody, 0, own.size() == 1, {}};
+    if (p.isTriangle) p.corners = own.corners(0);
+    pieces.push_back(p);
+  }
+  return pieces;
+}
+
+class DepthSearch {
+ public:
+  DepthSearch(SearchContext& context, double tolerance, std::int64_t effort)
+      : c_(context), tolerance_(tolerance), effort_(effort) {}
+
+  PenetrationResult run() {
+    for (const Piece& piece : roots(c_.pair)) fresh_.push_back(makeItem(c_.motion.root(), piece));
+    examine();
+    while (!queue_.empty() && queue_.top().bound > best_.depth + allowed() && spent_ < effort_) {
+      c_.run.checkpoint(Phase::Check);
+      for (std::size_t i = 0; i < kRound && !queue_.empty(); ++i) {
+        const Item item = queue_.top();
+        if (item.bound <= best_.depth + allowed()) break;
+        queue_.pop();
+        divide(item);
+      }
+      examine();
+    }
+    if (!(best_.depth > 0)) return {};
+    best_.known = true;
+    best_.depthBound = queue_.empty() ? best_.depth + allowed()
+                                      : std::max(best_.depth, queue_.top().bound);
+    best_.depthBound = std::max(best_.depthBound, best_.depth);
+    finish();
+    return best_;
+  }
+
+ private:
+  double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
+
+  Item makeItem(const MotionNode& node, const Piece& piece) {
+    Item item;
+    item.number = number_++;
+    item.motion = node;
+    item.piece = piece;
+    return item;
+  }
+
+  void divide(const Item& item) {
+    const bool byMotion = c_.motion.splits(item.motion) && item.reach > item.radius;
+    if (byMotion) {
+      nodes_.clear();
+      c_.motion.split(item.motion, nodes_);
+      for (const MotionNode& node : nodes_) fresh_.push_back(makeItem(node, item.piece));
+    } else {
+      pieces_.clear();
+      cutPiece(c_.pair, item.piece, pieces_);
+      for (const Piece& piece : pieces_) fresh_.push_back(makeItem(item.motion, piece));
+    }
+  }
+
+  void examine() {
+    probes_.assign(fresh_.size(), {});
+    tbb::parallel_for(std::size_t{0}, fresh_.size(), [&](std::size_t i) {
+      if (c_.run.isCancelled()) return;
+      Item& item = fresh_[i];
+      const MotionBound b = c_.motion.bound(item.motion);
+      probes_[i] = probe(c_.pair, b.R, b.t, item.piece);
+      item.radius = probes_[i].radius;
+      item.reach = b.reach;
+      item.bound = probes_[i].depth + item.radius + item.reach;
+    });
+    c_.run.checkpoint(Phase::Check);
+    spent_ += std::ssize(fresh_);
+    for (std::size_t i = 0; i < fresh_.size(); ++i) {
+      if (probes_[i].surfaceDepth > best_.depth) {
+        best_.depth = probes_[i].surfaceDepth;
+        best_.point = probes_[i].surfacePoint;
+        best_.pointOfBody = fresh_[i].piece.ofBody;
+        best_.parameter = c_.motion.bound(fresh_[i].motion).parameter;
+      }
+    }
+    for (const Item& item : fresh_)
+      if (item.bound > best_.depth + allowed()) queue_.push(item);
+    fresh_.clear();
+  }
+
+  void finish();
+  void measureRegion(const Matrix3d& R, const Vector3d& t);
+
+  SearchContext& c_;
+  double tolerance_;
+  std::int64_t effort_;
+  std::int64_t spent_ = 0;
+  std::int64_t number_ = 0;
+  PenetrationResult best_;
+  std::priority_queue<Item, std::vector<Item>, Lower> queue_;
+  std::vector<Item> fresh_;
+  std::vector<Probe> probes_;
+  std::vector<MotionNode> nodes_;
+  std::vector<Piece> pieces_;
+};
+
+void DepthSearch::finish() {
+  best_.pose = c_.motion.poseAt(best_.parameter);
+  best_.timeSeconds = best_.pose.timeSeconds;
+  const Matrix3d R = best_.pose.rotation.toRotationMatrix();
+  const Vector3d t = best_.pose.translation;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  best_.surface =
+      best_.pointOfBody ? c_.pair.neighbour().nearest(best_.point, kFar).point
+                  : Vector3d(R * c_.pair.body().nearest(R.transpose() * (best_.point - t), kFar).point + t);
+  measureRegion(R, t);
+}
+
+// Box round the crossing of the surfaces and all corners that lie inside the other part. A box of the
+// hierarchy that is deeper than its radius lies inside as a whole, one that is as far off outside.
+void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
+  Vector3d low = best_.point.cwiseMin(best_.surface);
+  Vector3d high = best_.point.cwiseMax(best_.surface);
+  const auto grow = [&](const Vector3d& x) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  };
+  for (const LeafPair& pair : c_.pair.meetingPairs(R, t, 200000)) {
+    const NearestPoints p = c_.pair.leafDistance(R, t, pair);
+    grow(p.a);
+  }
+  for (const Piece& root : roots(c_.pair)) {
+    const BoxTree& own = root.ofBody ? c_.pair.body() : c_.pair.neighbour();
+    std::vector<std::int32_t> stack{0};
+    while (!stack.empty()) {
+      const std::int32_t index = stack.back();
+      stack.pop_back();
+      const BoxNode& box = own.nodes()[index];
+      if (box.leaf >= 0) {
+        for (const Vector3d& x : own.corners(box.leaf)) {
+          const Vector3d world = root.ofBody ? Vector3d(R * x + t) : x;
+          // Nothing new inside the box found so far: no need to ask.
+          if ((world.array() >= low.array()).all() && (world.array() <= high.array()).all()) continue;
+          if (depthIn(c_.pair, R, t, root.ofBody, x) > 0) grow(world);
+        }
+        continue;
+      }
+      const Vector3d middle = root.ofBody ? Vector3d(R * box.centre + t) : box.centre;
+      const Vector3d half = root.ofBody ? Vector3d(R.cwiseAbs() * box.half) : box.half;
+      const bool nothingNew = ((middle - half).array() >= low.array()).all() &&
+                              ((middle + half).array() <= high.array()).all();
+      if (nothingNew) continue;
+      if (depthIn(c_.pair, R, t, root.ofBody, box.centre) + box.half.norm() < 0) continue;
+      stack.push_back(index + 1);
+      stack.push_back(box.right);
+    }
+  }
+  best_.regionMin = low;
+  best_.regionMax = high;
+}
+
+}  // namespace
+
+PenetrationResult deepestPenetration(SearchContext& context, double tolerance,
+                                     std::int64_t effort) {
+  return DepthSearch(context, tolerance, effort).run();
+}
+
+bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
+  if (atLeast < 0) return true;
+  struct Open {
+    double bound;
+    Piece piece;
+    bool operator<(const Open& other) const { return bound < other.bound; }
+  };
+  std::priority_queue<Open> queue;
+  std::vector<Piece> fresh = roots(pair);
+  for (int effort = 0; effort < 150;) {
+    for (const Piece& piece : fresh) {
+      ++effort;
+      const Probe p = probe(pair, R, t, piece);
+      if (p.surfaceDepth >= atLeast) return true;
+      if (p.depth + p.radius > atLeast) queue.push({p.depth + p.radius, piece});
+    }
+    if (queue.empty()) return false;
+    const Piece next = queue.top().piece;
+    queue.pop();
+    fresh.clear();
+    cutPiece(pair, next, fresh);
+  }
+  return false;
+}
+
+}  // namespace swept::clearance
