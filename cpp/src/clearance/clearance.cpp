@@ -65,7 +65,7 @@ class NeighbourCheck {
     Minimum least = searchMinimum(context, slack);
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
-      row.penetration = deepestPenetration(context, o_.tolerance, o_.penetration ? 60000 : 4000);
+      row.penetration = deepestPenetration(context, o_.tolerance, o_.penetration ? 40000 : 4000);
       const bool undecidable = !row.penetration.known && least.distance <= 0 && !body_.closed() && !tree.closed();
       if (row.penetration.depth > touch || undecidable) row.verdict = ClearanceVerdict::Clash;
       else row.verdict = ClearanceVerdict::Contact;

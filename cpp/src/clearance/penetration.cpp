@@ -24,7 +24,8 @@ struct Piece {
 };
 
 struct Item {
-  double bound = 0;  // mm, no point of the piece can be deeper in this part of the motion
+  double bound = 0;    // mm, no point of the piece can be deeper in this part of the motion
+  double promise = 0;  // mm, how deep some point may well be: going by it finds deep points early
   std::int64_t number = 0;
   MotionNode motion;
   Piece piece;
@@ -32,9 +33,9 @@ struct Item {
   double reach = 0;
 };
 
-struct Lower {
+struct LessPromising {
   bool operator()(const Item& a, const Item& b) const {
-    return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
+    return a.promise != b.promise ? a.promise < b.promise : a.number > b.number;
   }
 };
 
@@ -121,21 +122,21 @@ class DepthSearch {
   PenetrationResult run() {
     for (const Piece& piece : roots(c_.pair)) fresh_.push_back(makeItem(c_.motion.root(), piece));
     examine();
-    while (!queue_.empty() && queue_.top().bound > best_.depth + allowed() && spent_ < effort_) {
+    while (!queue_.empty() && spent_ < effort_) {
       c_.run.checkpoint(Phase::Check);
       for (std::size_t i = 0; i < kRound && !queue_.empty(); ++i) {
         const Item item = queue_.top();
-        if (item.bound <= best_.depth + allowed()) break;
         queue_.pop();
-        divide(item);
+        if (item.bound > best_.depth + allowed()) divide(item);
       }
       examine();
     }
+    double bound = best_.depth + allowed();
+    for (; !queue_.empty(); queue_.pop()) bound = std::max(bound, queue_.top().bound);
     if (!(best_.depth > 0)) return {};
     best_.known = true;
-    best_.depthBound = queue_.empty() ? best_.depth + allowed()
-                                      : std::max(best_.depth, queue_.top().bound);
-    best_.depthBound = std::max(best_.depthBound, best_.depth);
+    sharpen();
+    best_.depthBound = std::max(bound, best_.depth);
     finish();
     return best_;
   }
@@ -174,6 +175,7 @@ class DepthSearch {
       item.radius = probes_[i].radius;
       item.reach = b.reach;
       item.bound = probes_[i].depth + item.radius + item.reach;
+      item.promise = probes_[i].depth + 0.3 * (item.radius + item.reach);
     });
     c_.run.checkpoint(Phase::Check);
     spent_ += std::ssize(fresh_);
@@ -181,6 +183,8 @@ class DepthSearch {
       if (probes_[i].surfaceDepth > best_.depth) {
         best_.depth = probes_[i].surfaceDepth;
         best_.point = probes_[i].surfacePoint;
+        bestCorners_ = fresh_[i].piece.corners;
+        bestSpan_ = fresh_[i].motion.to - fresh_[i].motion.from;
         best_.pointOfBody = fresh_[i].piece.ofBody;
         best_.parameter = c_.motion.bound(fresh_[i].motion).parameter;
       }
@@ -190,6 +194,7 @@ class DepthSearch {
     fresh_.clear();
   }
 
+  void sharpen();
   void finish();
   void measureRegion(const Matrix3d& R, const Vector3d& t);
 
@@ -199,12 +204,50 @@ class DepthSearch {
   std::int64_t spent_ = 0;
   std::int64_t number_ = 0;
   PenetrationResult best_;
-  std::priority_queue<Item, std::vector<Item>, Lower> queue_;
+  Corners bestCorners_;  // the piece of triangle that holds the deepest point, in its mesh's frame
+  double bestSpan_ = 0;
+  std::priority_queue<Item, std::vector<Item>, LessPromising> queue_;
   std::vector<Item> fresh_;
   std::vector<Probe> probes_;
   std::vector<MotionNode> nodes_;
   std::vector<Piece> pieces_;
 };
+
+// Moves the deepest point to better corners of its piece and to a better moment; only ever deeper.
+void DepthSearch::sharpen() {
+  const auto tryAt = [&](double u, const Vector3d& local) {
+    const Pose pose = c_.motion.poseAt(u);
+    const Matrix3d R = pose.rotation.toRotationMatrix();
+    const double depth = depthIn(c_.pair, R, pose.translation, best_.pointOfBody, local);
+    if (depth > best_.depth) {
+      best_.depth = depth;
+      best_.parameter = u;
+      best_.point = best_.pointOfBody ? Vector3d(R * local + pose.translation) : local;
+    }
+    return depth;
+  };
+  Vector3d local = centroid(bestCorners_);
+  double deepest = best_.depth;
+  for (const Vector3d& corner : bestCorners_) {
+    const double depth = tryAt(best_.parameter, corner);
+    if (depth > deepest) {
+      deepest = depth;
+      local = corner;
+    }
+  }
+  if (!c_.motion.isContinuous()) return;
+  const double width = bestSpan_ > 0 ? 4 * bestSpan_ : 1.0;
+  double low = std::max(0.0, best_.parameter - width);
+  double high = std::min(c_.motion.largestParameter(), best_.parameter + width);
+  for (int i = 0; i < 60; ++i) {
+    const double a = low + (high - low) * 0.382;
+    const double b = low + (high - low) * 0.618;
+    if (tryAt(a, local) >= tryAt(b, local))
+      high = b;
+    else
+      low = a;
+  }
+}
 
 void DepthSearch::finish() {
   best_.pose = c_.motion.poseAt(best_.parameter);
