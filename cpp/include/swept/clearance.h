@@ -24,12 +24,13 @@ struct ClearanceNeighbour {
 };
 
 struct ClearanceOptions {
-  double required = 0;          ///< mm, distance asked for; 0: only contact and clash matter
-  double tolerance = 0.01;      ///< mm, how far the smallest distance may be off between two poses
-  double bodyChordError = 0;    ///< mm, as ClearanceNeighbour::chordError, for the moving body
-  double intervalTolerance = 0; ///< mm of travel to which ends of intervals are found; 0: 10 tolerance
-  int curveSamples = 200;       ///< points of the graph of distance over time; 0: none
-  bool penetration = true;      ///< measure how deep a clash goes and where
+  double required = 0;        ///< mm, distance asked for; 0: only contact and clash matter
+  double tolerance = 0.01;    ///< mm, how far the smallest distance may be off between two poses
+  double bodyChordError = 0;  ///< mm, as ClearanceNeighbour::chordError, for the moving body
+  double intervalTolerance =
+      0;                    ///< mm of travel to which ends of intervals are found; 0: 10 tolerance
+  int curveSamples = 200;   ///< points of the graph of distance over time; 0: none
+  bool penetration = true;  ///< measure how deep a clash goes and where
 };
 
 /// Clear: at least the required distance. BelowRequired: apart, but nearer than required. Contact:
@@ -38,7 +39,8 @@ struct ClearanceOptions {
 enum class ClearanceVerdict { Clear, BelowRequired, Contact, Clash };
 const char* clearanceVerdictName(ClearanceVerdict verdict);  // clear | below | contact | clash
 
-/// Closed span of time. With Interpolation::None: from the first to the last pose of a run of poses.
+/// Closed span of time. With Interpolation::None: from the first to the last pose of a run of
+/// poses.
 struct TimeInterval {
   double from = 0;
   double to = 0;
@@ -50,7 +52,7 @@ struct CurvePoint {
 };
 
 struct PenetrationResult {
-  bool known = false;     ///< false: no clash, not asked for, or neither mesh is closed
+  bool known = false;  ///< false: no clash, not asked for, or neither mesh is closed
   /// Largest distance, over the motion, of a surface point of one part that lies inside the other
   /// to that other's surface, mm; the search stopped when no point could be deeper than depthBound.
   double depth = 0;
@@ -69,17 +71,18 @@ struct PenetrationResult {
 struct NeighbourClearance {
   std::string name;
   ClearanceVerdict verdict = ClearanceVerdict::Clear;
-  double distance = 0;     ///< mm between the triangles, 0 where they meet; at most `tolerance` too large
+  double distance =
+      0;  ///< mm between the triangles, 0 where they meet; at most `tolerance` too large
   double guaranteed = 0;   ///< distance - tolerance (if interpolated) - chord errors, not below 0
   double chordError = 0;   ///< mm, both parts together
   double timeSeconds = 0;  ///< when the smallest distance occurs; for a clash: when it is deepest
   Pose pose;               ///< placement of the body at that time
   Eigen::Vector3d pointOnBody = Eigen::Vector3d::Zero();       ///< world
   Eigen::Vector3d pointOnNeighbour = Eigen::Vector3d::Zero();  ///< world
-  std::int64_t bodyTriangle = -1;
+  std::int64_t bodyTriangle = -1;  ///< -1: surfaces meet, or the mesh had to be mended first
   std::int64_t neighbourTriangle = -1;
-  bool closed = true;      ///< false: the neighbour's mesh is open, inside is not defined
-  bool inside = false;     ///< at some time one part lies inside the other without touching it
+  bool closed = true;   ///< false: the neighbour's mesh is open, inside is not defined
+  bool inside = false;  ///< at some time one part lies inside the other without touching it
   PenetrationResult penetration;
   std::vector<TimeInterval> below;    ///< guaranteed distance below required (if required > 0)
   std::vector<TimeInterval> contact;  ///< contact or clash
@@ -94,8 +97,8 @@ struct ClearanceReport {
   std::string code;
   std::string message;
   std::vector<NeighbourClearance> neighbours;  ///< in the order given
-  int smallest = -1;       ///< index of the neighbour that comes nearest (deepest clash first)
-  std::string summary;     ///< "12 checked, smallest 3.2 mm at t = 4.1 s (bracket)"
+  int smallest = -1;    ///< index of the neighbour that comes nearest (deepest clash first)
+  std::string summary;  ///< "12 checked, smallest 3.2 mm at t = 4.1 s (bracket)"
   double required = 0;
   double tolerance = 0;
   std::int64_t placements = 0;
@@ -108,8 +111,8 @@ struct ClearanceReport {
   std::vector<Finding> warnings;
 };
 
-/// Never throws except std::bad_alloc; failures are in report.status. The same numbers for any count
-/// of threads.
+/// Never throws except std::bad_alloc; failures are in report.status. The same numbers for any
+/// count of threads.
 ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory,
                                const std::vector<ClearanceNeighbour>& neighbours,
                                const ClearanceOptions& options, RunContext& run);

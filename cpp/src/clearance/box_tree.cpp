@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 
 void requireUsable(const TriMesh& mesh, const std::string& who) {
   if (mesh.triangles.empty())
-    throw Error(Status::InvalidInput, "EmptyMesh", who + " has no triangles; choose a part with a surface");
+    throw Error(Status::InvalidInput, "EmptyMesh",
+                who + " has no triangles; choose a part with a surface");
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     if (!mesh.vertices[i].allFinite())
       throw Error(Status::InvalidInput, "NonFiniteVertex",
@@ -48,6 +49,19 @@ std::vector<std::int32_t> weldedIndices(const TriMesh& mesh) {
     welded[order[i]] = same ? welded[order[i - 1]] : order[i];
   }
   return welded;
+}
+
+std::pair<int, double> longestEdge(const Corners& c) {
+  int longest = 0;
+  double best = -1;
+  for (int k = 0; k < 3; ++k) {
+    const double squared = (c[(k + 1) % 3] - c[k]).squaredNorm();
+    if (squared > best) {
+      best = squared;
+      longest = k;
+    }
+  }
+  return {longest, best};
 }
 
 struct DirectedEdge {
@@ -110,29 +124,76 @@ BoxTree::BoxTree(const TriMesh& mesh, const std::string& who) {
   if (count > 500'000'000)
     throw Error(Status::ResourceLimit, "TooManyTriangles",
                 who + " has " + std::to_string(count) + " triangles, the limit is 500 million");
-  std::vector<std::int32_t> order(count);
+  const std::vector<Piece> parts = cutSlivers(mesh);
+  std::vector<std::int32_t> order(parts.size());
   std::iota(order.begin(), order.end(), 0);
-  nodes_.resize(2 * count - 1);
-  corners_.resize(count);
-  triangles_.resize(count);
-  build(0, order.data(), order.data() + count, mesh, 0);
+  nodes_.resize(2 * parts.size() - 1);
+  corners_.resize(parts.size());
+  triangles_.resize(parts.size());
+  build(0, order.data(), order.data() + parts.size(), parts, 0);
   const std::vector<std::int32_t> welded = weldedIndices(mesh);
   closed_ = balanced(mesh, welded);
   pieces_ = onePointAPiece(mesh, welded);
 }
 
-void BoxTree::build(std::int32_t node, std::int32_t* first, std::int32_t* last, const TriMesh& mesh,
-                    std::int32_t leafOffset) {
+std::vector<BoxTree::Piece> BoxTree::cutSlivers(const TriMesh& mesh) {
+  constexpr double kSlender = 6;  // longest edge over height from which a triangle is cut
+  const std::size_t count = mesh.triangles.size();
+  std::vector<Piece> parts(count);
+  std::vector<std::array<double, 2>> sizes(count);  // longest edge, height over it
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Corners& c = parts[i].corners;
+    for (int k = 0; k < 3; ++k) c[k] = mesh.vertices[mesh.triangles[i][k]];
+    parts[i].triangle = static_cast<std::int64_t>(i);
+    const double edge = std::sqrt(longestEdge(c).second);
+    sizes[i] = {edge, edge > 0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / edge : 0.0};
+    sum += edge;
+  }
+  // The length to which slivers are cut grows until the pieces are no more than the triangles.
+  double least = sum / static_cast<double>(count) / 16;
+  const auto lengthFor = [&](std::size_t i) { return std::max(3 * sizes[i][1], least); };
+  const auto extra = [&] {
+    double pieces = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (sizes[i][0] > kSlender * sizes[i][1]) pieces += sizes[i][0] / lengthFor(i);
+    return pieces;
+  };
+  while (least > 0 && extra() > 0.5 * static_cast<double>(count)) least *= 1.5;
+  for (std::size_t i = 0; i < count && least > 0; ++i) {
+    if (sizes[i][0] <= kSlender * sizes[i][1]) continue;
+    const double limit = lengthFor(i) * lengthFor(i);
+    std::vector<std::size_t> todo{i};
+    while (!todo.empty()) {
+      const std::size_t at = todo.back();
+      const auto [edge, squared] = longestEdge(parts[at].corners);
+      todo.pop_back();
+      if (squared <= limit) continue;
+      Piece second = parts[at];
+      const int next = (edge + 1) % 3;
+      const Vector3d middle = 0.5 * (second.corners[edge] + second.corners[next]);
+      second.corners[edge] = middle;
+      parts[at].corners[next] = middle;
+      todo.push_back(at);
+      todo.push_back(parts.size());
+      parts.push_back(second);
+    }
+  }
+  return parts;
+}
+
+void BoxTree::build(std::int32_t node, std::int32_t* first, std::int32_t* last,
+                    const std::vector<Piece>& parts, std::int32_t leafOffset) {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());
   Vector3d high = -low;
   Vector3d centreLow = low;
   Vector3d centreHigh = high;
   for (const std::int32_t* i = first; i != last; ++i) {
     Vector3d sum = Vector3d::Zero();
-    for (const std::int32_t v : mesh.triangles[*i]) {
-      low = low.cwiseMin(mesh.vertices[v]);
-      high = high.cwiseMax(mesh.vertices[v]);
-      sum += mesh.vertices[v];
+    for (const Vector3d& x : parts[*i].corners) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+      sum += x;
     }
     centreLow = centreLow.cwiseMin(sum);
     centreHigh = centreHigh.cwiseMax(sum);
@@ -144,15 +205,15 @@ void BoxTree::build(std::int32_t node, std::int32_t* first, std::int32_t* last, 
   const auto count = static_cast<std::int32_t>(last - first);
   if (count == 1) {
     box.leaf = leafOffset;
-    triangles_[leafOffset] = *first;
-    for (int k = 0; k < 3; ++k) corners_[leafOffset][k] = mesh.vertices[mesh.triangles[*first][k]];
+    triangles_[leafOffset] = parts[*first].triangle;
+    corners_[leafOffset] = parts[*first].corners;
     return;
   }
   int axis = 0;
   (centreHigh - centreLow).maxCoeff(&axis);
   const auto key = [&](std::int32_t i) {
-    const auto& t = mesh.triangles[i];
-    return mesh.vertices[t[0]][axis] + mesh.vertices[t[1]][axis] + mesh.vertices[t[2]][axis];
+    const Corners& c = parts[i].corners;
+    return c[0][axis] + c[1][axis] + c[2][axis];
   };
   std::int32_t* middle = first + count / 2;
   std::nth_element(first, middle, last, [&](std::int32_t a, std::int32_t b) {
@@ -162,8 +223,8 @@ void BoxTree::build(std::int32_t node, std::int32_t* first, std::int32_t* last, 
   });
   const std::int32_t onLeft = count / 2;
   box.right = node + 2 * onLeft;
-  const auto left = [&] { build(node + 1, first, middle, mesh, leafOffset); };
-  const auto right = [&] { build(node + 2 * onLeft, middle, last, mesh, leafOffset + onLeft); };
+  const auto left = [&] { build(node + 1, first, middle, parts, leafOffset); };
+  const auto right = [&] { build(node + 2 * onLeft, middle, last, parts, leafOffset + onLeft); };
   if (count > 4096) {
     tbb::parallel_invoke(left, right);
   } else {

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "clearance/penetration.h"
+#include "input/body_check.h"
 #include "input/trajectory_check.h"
 
 namespace swept {
@@ -30,7 +31,8 @@ void requireOption(const char* name, double value, bool mayBeZero, const std::st
   throw Error(Status::InvalidInput, "BadOption", text);
 }
 
-void checkClearanceOptions(const ClearanceOptions& o, const std::vector<ClearanceNeighbour>& parts) {
+void checkClearanceOptions(const ClearanceOptions& o,
+                           const std::vector<ClearanceNeighbour>& parts) {
   requireOption("required distance", o.required, true);
   requireOption("tolerance", o.tolerance, false);
   requireOption("chord error of the body", o.bodyChordError, true);
@@ -39,21 +41,40 @@ void checkClearanceOptions(const ClearanceOptions& o, const std::vector<Clearanc
     throw Error(Status::InvalidInput, "BadOption",
                 "curve samples: " + std::to_string(o.curveSamples) + "; allowed: 0 to 1000000");
   if (parts.empty())
-    throw Error(Status::InvalidInput, "NoNeighbours", "no neighbouring part given; choose at least one");
+    throw Error(Status::InvalidInput, "NoNeighbours",
+                "no neighbouring part given; choose at least one");
   for (const ClearanceNeighbour& part : parts)
     requireOption("chord error", part.chordError, true, "neighbour '" + part.name + "': ");
+}
+
+/// The hierarchy of a mesh; of a welded and turned copy if the mesh itself is not closed but that
+/// is.
+BoxTree closedTree(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended) {
+  BoxTree tree(mesh, who);
+  if (tree.closed()) return tree;
+  try {
+    const CheckedBody checked = checkBody(mesh, Options{}, run);
+    if (!checked.orientable) return tree;
+    mended = true;
+    return BoxTree(checked.mesh, who);
+  } catch (const Error& error) {
+    if (error.status() == Status::InvalidInput)
+      return tree;  // e.g. a flat sheet: still a neighbour
+    throw;
+  }
 }
 
 /// One neighbour from its mesh to its row of the report.
 class NeighbourCheck {
  public:
-  NeighbourCheck(const BoxTree& body, const MotionTree& motion, const ClearanceOptions& options,
-                 RunContext& run)
-      : body_(body), motion_(motion), o_(options), run_(run) {}
+  NeighbourCheck(const BoxTree& body, bool bodyMended, const MotionTree& motion,
+                 const ClearanceOptions& options, RunContext& run)
+      : body_(body), bodyMended_(bodyMended), motion_(motion), o_(options), run_(run) {}
 
   NeighbourClearance operator()(const ClearanceNeighbour& part) const {
     const Clock::time_point start = Clock::now();
-    const BoxTree tree(part.mesh, "neighbour '" + part.name + "'");
+    bool mended = false;
+    const BoxTree tree = closedTree(part.mesh, "neighbour '" + part.name + "'", run_, mended);
     const PairSearch pair(body_, tree);
     SearchContext context{pair, motion_, run_};
     NeighbourClearance row;
@@ -65,19 +86,27 @@ class NeighbourCheck {
     Minimum least = searchMinimum(context, slack);
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
-      row.penetration = deepestPenetration(context, o_.tolerance, o_.penetration ? 40000 : 4000);
-      const bool undecidable = !row.penetration.known && least.distance <= 0 && !body_.closed() && !tree.closed();
-      if (row.penetration.depth > touch || undecidable) row.verdict = ClearanceVerdict::Clash;
-      else row.verdict = ClearanceVerdict::Contact;
+      row.penetration =
+          deepestPenetration(context, least, o_.tolerance, o_.penetration ? 40000 : 4000);
+      const bool undecidable =
+          !row.penetration.known && least.distance <= 0 && !body_.closed() && !tree.closed();
+      if (row.penetration.depth > touch || undecidable)
+        row.verdict = ClearanceVerdict::Clash;
+      else
+        row.verdict = ClearanceVerdict::Contact;
     } else if (least.distance <= touch) {
       row.verdict = ClearanceVerdict::Contact;
     }
     fillMinimum(row, least, pair);
+    if (mended) row.neighbourTriangle = -1;  // the numbers of the copy mean nothing to the caller
+    if (bodyMended_) row.bodyTriangle = -1;
     row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);
     const bool below = o_.required > 0 && row.distance - row.chordError < o_.required;
-    if (row.verdict == ClearanceVerdict::Clear && below) row.verdict = ClearanceVerdict::BelowRequired;
+    if (row.verdict == ClearanceVerdict::Clear && below)
+      row.verdict = ClearanceVerdict::BelowRequired;
     fillSpans(row, context, touch, below);
-    for (const auto& [u, d] : sampleDistances(context, o_.curveSamples, parameterOfMinimum(row, least)))
+    for (const auto& [u, d] :
+         sampleDistances(context, o_.curveSamples, parameterOfMinimum(row, least)))
       row.curve.push_back({motion_.timeAt(u), d});
     row.distanceQueries = context.queries;
     row.certificates = context.certificates;
@@ -87,8 +116,9 @@ class NeighbourCheck {
 
  private:
   double parameterOfMinimum(const NeighbourClearance& row, const Minimum& least) const {
-    return row.verdict == ClearanceVerdict::Clash && row.penetration.known ? row.penetration.parameter
-                                                                           : least.parameter;
+    return row.verdict == ClearanceVerdict::Clash && row.penetration.known
+               ? row.penetration.parameter
+               : least.parameter;
   }
 
   void fillMinimum(NeighbourClearance& row, const Minimum& least, const PairSearch& pair) const {
@@ -97,8 +127,10 @@ class NeighbourCheck {
     row.pose = motion_.poseAt(parameterOfMinimum(row, least));
     row.timeSeconds = row.pose.timeSeconds;
     if (clash) {
-      row.pointOnBody = row.penetration.pointOfBody ? row.penetration.point : row.penetration.surface;
-      row.pointOnNeighbour = row.penetration.pointOfBody ? row.penetration.surface : row.penetration.point;
+      row.pointOnBody =
+          row.penetration.pointOfBody ? row.penetration.point : row.penetration.surface;
+      row.pointOnNeighbour =
+          row.penetration.pointOfBody ? row.penetration.surface : row.penetration.point;
       return;
     }
     if (least.at.pair.body < 0) return;
@@ -109,7 +141,7 @@ class NeighbourCheck {
   }
 
   void fillSpans(NeighbourClearance& row, SearchContext& context, double touch, bool below) const {
-    const double resolution = !motion_.isContinuous()     ? 0.0
+    const double resolution = !motion_.isContinuous()    ? 0.0
                               : o_.intervalTolerance > 0 ? o_.intervalTolerance
                                                          : 10 * o_.tolerance;
     const OverlapTest overlaps = [&](const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double d) {
@@ -126,6 +158,7 @@ class NeighbourCheck {
   }
 
   const BoxTree& body_;
+  bool bodyMended_;
   const MotionTree& motion_;
   const ClearanceOptions& o_;
   RunContext& run_;
@@ -177,13 +210,16 @@ void warnOpen(ClearanceReport& report, bool bodyClosed) {
     if (open.first.size() < 8) open.first.push_back(static_cast<std::int64_t>(i));
   }
   if (open.count > 0) {
-    open.text = std::to_string(open.count) +
-                " neighbours are open or badly oriented surfaces: a part that lies wholly inside one "
-                "is not noticed, and depth is measured on the other side only";
+    open.text =
+        std::to_string(open.count) +
+        " neighbours are open or badly oriented surfaces: a part that lies wholly inside one "
+        "is not noticed, and depth is measured on the other side only";
     report.warnings.push_back(open);
   }
   if (!bodyClosed)
-    report.warnings.push_back({"OpenBody", 1, {},
+    report.warnings.push_back({"OpenBody",
+                               1,
+                               {},
                                "the moving body is an open or badly oriented surface: a neighbour "
                                "that lies wholly inside it is not noticed"});
 }
@@ -196,7 +232,8 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   checkClearanceOptions(options, neighbours);
   CheckedTrajectory checked = checkTrajectory(trajectory);
   report.warnings = std::move(checked.findings);
-  const BoxTree tree(body, "the moving body");
+  bool mended = false;
+  const BoxTree tree = closedTree(body, "the moving body", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
   for (const ClearanceNeighbour& part : neighbours)
     report.neighbourTriangles += std::ssize(part.mesh.triangles);
@@ -207,7 +244,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   const Clock::time_point search = Clock::now();
   report.neighbours.resize(neighbours.size());
   std::atomic<std::uint64_t> done{0};
-  const NeighbourCheck check(tree, motion, options, run);
+  const NeighbourCheck check(tree, mended, motion, options, run);
   tbb::parallel_for(std::size_t{0}, neighbours.size(), [&](std::size_t i) {
     report.neighbours[i] = check(neighbours[i]);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
@@ -219,7 +256,8 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   run.checkpoint(Phase::Done);
 }
 
-void fail(ClearanceReport& report, Status status, const std::string& code, const std::string& text) {
+void fail(ClearanceReport& report, Status status, const std::string& code,
+          const std::string& text) {
   report.status = status;
   report.code = code;
   report.message = text;
@@ -232,10 +270,14 @@ void fail(ClearanceReport& report, Status status, const std::string& code, const
 
 const char* clearanceVerdictName(ClearanceVerdict verdict) {
   switch (verdict) {
-    case ClearanceVerdict::Clear: return "clear";
-    case ClearanceVerdict::BelowRequired: return "below";
-    case ClearanceVerdict::Contact: return "contact";
-    case ClearanceVerdict::Clash: return "clash";
+    case ClearanceVerdict::Clear:
+      return "clear";
+    case ClearanceVerdict::BelowRequired:
+      return "below";
+    case ClearanceVerdict::Contact:
+      return "contact";
+    case ClearanceVerdict::Clash:
+      return "clash";
   }
   return "?";
 }
@@ -266,15 +308,16 @@ std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, c
                                    RunContext& run) {
   const BoxTree tree(mesh, "the mesh");
   std::vector<double> distances(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      run.checkpoint(Phase::Check);
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        const double d =
-                            tree.nearest(points[i], std::numeric_limits<double>::infinity()).distance;
-                        distances[i] = tree.inside(points[i]) ? -d : d;
-                      }
-                    });
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, points.size(), 1024),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        run.checkpoint(Phase::Check);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const double d =
+              tree.nearest(points[i], std::numeric_limits<double>::infinity()).distance;
+          distances[i] = tree.inside(points[i]) ? -d : d;
+        }
+      });
   return distances;
 }
 

@@ -1,149 +1,83 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cmath>
-#include <cstdio>
-
+#include "base/json_writer.h"
 #include "swept/clearance.h"
 
 namespace swept {
 namespace {
 
-// Grows a JSON text; commas are put where they are needed.
-class Json {
- public:
-  Json& open(char bracket) {
-    comma();
-    text_ += bracket;
-    fresh_ = true;
-    return *this;
-  }
-  Json& close(char bracket) {
-    text_ += bracket;
-    fresh_ = false;
-    return *this;
-  }
-  Json& key(const char* name) {
-    string(name);
-    text_ += ": ";
-    fresh_ = true;
-    return *this;
-  }
-  Json& string(const std::string& value) {
-    comma();
-    text_ += '"';
-    for (const char c : value) escape(c);
-    text_ += '"';
-    return *this;
-  }
-  Json& number(double value) {
-    comma();
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%.17g", value);
-    text_ += std::isfinite(value) ? buffer : "null";
-    return *this;
-  }
-  Json& integer(std::int64_t value) {
-    comma();
-    text_ += std::to_string(value);
-    return *this;
-  }
-  Json& boolean(bool value) {
-    comma();
-    text_ += value ? "true" : "false";
-    return *this;
-  }
-  Json& vector(const Eigen::Vector3d& v) {
-    return open('[').number(v[0]).number(v[1]).number(v[2]).close(']');
-  }
-  std::string take() { return std::move(text_); }
+void put(JsonWriter& json, const char* name, const Eigen::Vector3d& v) {
+  json.key(name).beginArray().value(v[0]).value(v[1]).value(v[2]).endArray();
+}
 
- private:
-  void comma() {
-    if (!fresh_ && !text_.empty()) text_ += ", ";
-    fresh_ = false;
-  }
-  void escape(char c) {
-    if (c == '"' || c == '\\') {
-      text_ += '\\';
-      text_ += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      char buffer[8];
-      std::snprintf(buffer, sizeof buffer, "\\u%04x", static_cast<unsigned>(c));
-      text_ += buffer;
-    } else {
-      text_ += c;
-    }
-  }
-  std::string text_;
-  bool fresh_ = true;
-};
-
-void put(Json& j, const Pose& pose) {
-  j.open('{').key("t").number(pose.timeSeconds).key("translation").vector(pose.translation);
+void put(JsonWriter& json, const Pose& pose) {
+  json.key("pose").beginObject().field("t", pose.timeSeconds);
+  put(json, "translation", pose.translation);
   const Eigen::Quaterniond& q = pose.rotation;
-  j.key("quaternionXyzw").open('[').number(q.x()).number(q.y()).number(q.z()).number(q.w());
-  j.close(']').close('}');
+  json.key("quaternion_xyzw").beginArray();
+  json.value(q.x()).value(q.y()).value(q.z()).value(q.w()).endArray().endObject();
 }
 
-void put(Json& j, const char* key, const std::vector<TimeInterval>& intervals) {
-  j.key(key).open('[');
-  for (const TimeInterval& i : intervals) j.open('[').number(i.from).number(i.to).close(']');
-  j.close(']');
+void put(JsonWriter& json, const char* name, const std::vector<TimeInterval>& intervals) {
+  json.key(name).beginArray();
+  for (const TimeInterval& i : intervals) json.beginArray().value(i.from).value(i.to).endArray();
+  json.endArray();
 }
 
-void put(Json& j, const PenetrationResult& p) {
-  j.open('{').key("depth").number(p.depth).key("depthBound").number(p.depthBound);
-  j.key("timeSeconds").number(p.timeSeconds).key("pose");
-  put(j, p.pose);
-  j.key("pointOf").string(p.pointOfBody ? "body" : "neighbour");
-  j.key("point").vector(p.point).key("surface").vector(p.surface);
-  j.key("regionMin").vector(p.regionMin).key("regionMax").vector(p.regionMax).close('}');
+void put(JsonWriter& json, const PenetrationResult& p) {
+  json.key("penetration").beginObject();
+  json.field("depth", p.depth).field("depth_bound", p.depthBound);
+  json.field("time_seconds", p.timeSeconds);
+  put(json, p.pose);
+  json.field("point_of", p.pointOfBody ? "body" : "neighbour");
+  put(json, "point", p.point);
+  put(json, "surface", p.surface);
+  put(json, "region_min", p.regionMin);
+  put(json, "region_max", p.regionMax);
+  json.endObject();
 }
 
-void put(Json& j, const NeighbourClearance& row) {
-  j.open('{').key("name").string(row.name);
-  j.key("verdict").string(clearanceVerdictName(row.verdict));
-  j.key("distance").number(row.distance).key("guaranteed").number(row.guaranteed);
-  j.key("chordError").number(row.chordError).key("timeSeconds").number(row.timeSeconds).key("pose");
-  put(j, row.pose);
-  j.key("pointOnBody").vector(row.pointOnBody).key("pointOnNeighbour").vector(row.pointOnNeighbour);
-  j.key("bodyTriangle").integer(row.bodyTriangle);
-  j.key("neighbourTriangle").integer(row.neighbourTriangle);
-  j.key("closed").boolean(row.closed).key("inside").boolean(row.inside);
-  if (row.penetration.known) {
-    j.key("penetration");
-    put(j, row.penetration);
-  }
-  put(j, "below", row.below);
-  put(j, "contact", row.contact);
-  j.key("curve").open('[');
+void put(JsonWriter& json, const NeighbourClearance& row) {
+  json.beginObject().field("name", row.name).field("verdict", clearanceVerdictName(row.verdict));
+  json.field("distance", row.distance).field("guaranteed", row.guaranteed);
+  json.field("chord_error", row.chordError).field("time_seconds", row.timeSeconds);
+  put(json, row.pose);
+  put(json, "point_on_body", row.pointOnBody);
+  put(json, "point_on_neighbour", row.pointOnNeighbour);
+  json.field("body_triangle", row.bodyTriangle).field("neighbour_triangle", row.neighbourTriangle);
+  json.field("closed", row.closed).field("inside", row.inside);
+  if (row.penetration.known) put(json, row.penetration);
+  put(json, "below", row.below);
+  put(json, "contact", row.contact);
+  json.key("curve").beginArray();
   for (const CurvePoint& p : row.curve)
-    j.open('[').number(p.timeSeconds).number(p.distance).close(']');
-  j.close(']').key("distanceQueries").integer(row.distanceQueries);
-  j.key("certificates").integer(row.certificates).key("seconds").number(row.seconds).close('}');
+    json.beginArray().value(p.timeSeconds).value(p.distance).endArray();
+  json.endArray().field("distance_queries", row.distanceQueries);
+  json.field("certificates", row.certificates).field("seconds", row.seconds).endObject();
 }
 
 }  // namespace
 
-std::string toJson(const ClearanceReport& r) {
-  Json j;
-  j.open('{').key("status").string(statusName(r.status));
-  j.key("code").string(r.code).key("message").string(r.message).key("summary").string(r.summary);
-  j.key("required").number(r.required).key("tolerance").number(r.tolerance);
-  j.key("interpolation").string(r.interpolation).key("witness").string(r.witness);
-  j.key("placements").integer(r.placements).key("bodyTriangles").integer(r.bodyTriangles);
-  j.key("neighbourTriangles").integer(r.neighbourTriangles).key("threads").integer(r.threads);
-  j.key("smallest").integer(r.smallest).key("neighbours").open('[');
-  for (const NeighbourClearance& row : r.neighbours) put(j, row);
-  j.close(']').key("seconds").open('{');
-  for (const StageSeconds& s : r.seconds) j.key(s.stage.c_str()).number(s.seconds);
-  j.close('}').key("warnings").open('[');
-  for (const Finding& f : r.warnings) {
-    j.open('{').key("code").string(f.code).key("count").integer(f.count).key("first").open('[');
-    for (const std::int64_t i : f.first) j.integer(i);
-    j.close(']').key("text").string(f.text).close('}');
+std::string toJson(const ClearanceReport& report) {
+  JsonWriter json;
+  json.beginObject().field("status", statusName(report.status)).field("code", report.code);
+  json.field("message", report.message).field("summary", report.summary);
+  json.field("required", report.required).field("tolerance", report.tolerance);
+  json.field("interpolation", report.interpolation).field("witness", report.witness);
+  json.field("placements", report.placements).field("body_triangles", report.bodyTriangles);
+  json.field("neighbour_triangles", report.neighbourTriangles).field("threads", report.threads);
+  json.field("smallest", report.smallest).key("neighbours").beginArray();
+  for (const NeighbourClearance& row : report.neighbours) put(json, row);
+  json.endArray().key("seconds").beginObject();
+  for (const StageSeconds& stage : report.seconds) json.field(stage.stage, stage.seconds);
+  json.endObject().key("warnings").beginArray();
+  for (const Finding& finding : report.warnings) {
+    json.beginObject().field("code", finding.code).field("count", finding.count);
+    json.key("first").beginArray();
+    for (const std::int64_t i : finding.first) json.value(i);
+    json.endArray().field("text", finding.text).endObject();
   }
-  j.close(']').close('}');
-  return j.take();
+  json.endArray().endObject();
+  return json.text();
 }
 
 }  // namespace swept

@@ -11,7 +11,8 @@ namespace swept::clearance {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kRound = 16;  // nodes a round; fixed, so that results do not depend on threads
+constexpr std::size_t kRound =
+    16;  // nodes a round; fixed, so that results do not depend on threads
 
 struct QueuedNode {
   double key = 0;           // mm, how near this node may come, as far as known
@@ -102,7 +103,8 @@ class MinimumSearch {
       e.at = c_.pair.distanceAt(b.R, b.t, best, hint);
       ++c_.queries;
     }
-    if (e.finished && (e.proof.holds || e.at.distance > 0)) e.inside = c_.pair.containedAt(b.R, b.t);
+    if (e.finished && (e.proof.holds || e.at.distance > 0))
+      e.inside = c_.pair.containedAt(b.R, b.t);
     return e;
   }
 
@@ -252,7 +254,8 @@ std::vector<std::pair<double, double>> spansBelow(SearchContext& c, double level
       if (item.outcome == Level::Split) {
         children.clear();
         c.motion.split(item.node, children);
-        for (const MotionNode& child : children) next.push_back({child, item.hint, item.level + 1, {}});
+        for (const MotionNode& child : children)
+          next.push_back({child, item.hint, item.level + 1, {}});
       } else if (item.outcome == Level::Below) {
         members.clear();
         c.motion.listMembers(item.node, members);
@@ -275,7 +278,8 @@ std::vector<std::pair<double, double>> spansBelow(SearchContext& c, double level
   return joined;
 }
 
-std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int samples, double extra) {
+std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int samples,
+                                                       double extra) {
   std::vector<double> parameters;
   const double largest = c.motion.largestParameter();
   const auto& poses = c.motion.trajectory().poses;
@@ -302,8 +306,8 @@ std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int sam
     for (std::size_t i = r * kRun; i < std::min(parameters.size(), (r + 1) * kRun); ++i) {
       if (c.run.isCancelled()) return;
       const Pose pose = c.motion.poseAt(parameters[i]);
-      const PairDistance d = c.pair.distanceAt(pose.rotation.toRotationMatrix(), pose.translation,
-                                               kInfinity, hint);
+      const PairDistance d =
+          c.pair.distanceAt(pose.rotation.toRotationMatrix(), pose.translation, kInfinity, hint);
       ++c.queries;
       hint = d.pair;
       result[i] = {parameters[i], d.distance};

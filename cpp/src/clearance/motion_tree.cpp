@@ -19,7 +19,8 @@ constexpr std::int32_t kBucket = 4;  // members of a cluster without child clust
 template <typename F>
 void forCorners(const Vector3d& centre, const Vector3d& half, F&& f) {
   for (int k = 0; k < 8; ++k)
-    f(Vector3d(centre + half.cwiseProduct(Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1))));
+    f(Vector3d(centre +
+               half.cwiseProduct(Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1))));
 }
 
 // Shortest turn from a to b as axis and angle, in the world frame.
@@ -127,9 +128,10 @@ Pose MotionTree::poseInStep(std::int64_t i, double s) const {
   pose.timeSeconds = a.timeSeconds + s * (b.timeSeconds - a.timeSeconds);
   const Quaterniond turn(Eigen::AngleAxisd(s * step.angle, step.axis));
   pose.rotation = (turn * a.rotation).normalized();
-  pose.translation = step.screw ? Vector3d(turn * (a.translation - step.pivot) + step.pivot +
-                                           s * step.pitch * step.axis)
-                                : Vector3d(a.translation + s * (b.translation - a.translation));
+  pose.translation =
+      step.screw
+          ? Vector3d(turn * (a.translation - step.pivot) + step.pivot + s * step.pitch * step.axis)
+          : Vector3d(a.translation + s * (b.translation - a.translation));
   return pose;
 }
 

@@ -1,12 +1,12 @@
 // Hierarchy over a motion: single poses, or steps between poses, clustered by how the body lies.
 // In:    trajectory; box of the body in its own frame. Units: mm, rad; the parameter of a motion is
 //        member + s, s in [0, 1] within a step.
-// Out:   for every node a representative pose and a bound on how far any point of the body lies from
+// Out:   for every node a representative pose and a bound on how far any point of the body lies
+// from
 //        where the representative puts it, also along one direction only.
 // Cost:  O(n log n), about 120 bytes a pose.
-// Why the corners of a box suffice: a displacement is affine in the point, so its length is convex and
-// largest at a corner of any box round the body.
-// SPDX-License-Identifier: LGPL-2.1-or-later
+// Why the corners of a box suffice: a displacement is affine in the point, so its length is convex
+// and largest at a corner of any box round the body. SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <vector>
@@ -99,8 +99,8 @@ class MotionTree {
   bool continuous_ = false;
   std::int64_t members_ = 0;
   std::vector<Step> steps_;
-  std::vector<Affine> affine_;        ///< per pose: R | R centre + t
-  std::vector<std::int32_t> order_;   ///< members sorted into clusters
+  std::vector<Affine> affine_;       ///< per pose: R | R centre + t
+  std::vector<std::int32_t> order_;  ///< members sorted into clusters
   std::vector<Cluster> clusters_;
 };
 

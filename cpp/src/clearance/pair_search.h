@@ -2,10 +2,10 @@
 // In:    two box trees, a pose or a motion node. Units: mm.
 // Out:   nearest pair of triangles; or "no pair comes nearer than x anywhere in this node".
 // Cost:  proportional to the surface that lies nearer than the distance asked about.
-// How a proof works: two convex things, gap g along the unit vector n. If no point of the moving one
-// advances by more than a along n, they stay g - a apart (they are on two sides of a slab). Boxes are
-// tried first, then triangles; sliding along a wall costs nothing because n stands on the wall.
-// SPDX-License-Identifier: LGPL-2.1-or-later
+// How a proof works: two convex things, gap g along the unit vector n. If no point of the moving
+// one advances by more than a along n, they stay g - a apart (they are on two sides of a slab).
+// Boxes are tried first, then triangles; sliding along a wall costs nothing because n stands on the
+// wall. SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "clearance/box_tree.h"
@@ -21,15 +21,15 @@ struct LeafPair {
 
 struct PairDistance {
   double distance = 0;
-  LeafPair pair;               ///< none if nothing nearer than asked for was found
+  LeafPair pair;  ///< none if nothing nearer than asked for was found
   Eigen::Vector3d onBody = Eigen::Vector3d::Zero();       ///< world
   Eigen::Vector3d onNeighbour = Eigen::Vector3d::Zero();  ///< world
 };
 
 struct Certificate {
   bool holds = false;
-  LeafPair obstacle;       ///< pair that spoilt the proof, none if the effort ran out
-  double estimate = 0;     ///< mm, how near the obstacle might come; for ordering only
+  LeafPair obstacle;    ///< pair that spoilt the proof, none if the effort ran out
+  double estimate = 0;  ///< mm, how near the obstacle might come; for ordering only
 };
 
 class PairSearch {

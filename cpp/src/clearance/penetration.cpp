@@ -13,6 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr std::size_t kRound = 64;  // pieces a round; fixed, see motion_search.cpp
 
 // A piece of surface: a box of the hierarchy, or a triangle cut out of a leaf's triangle.
@@ -33,9 +34,14 @@ struct Item {
   double reach = 0;
 };
 
-struct LessPromising {
+// Order of the queue: first by promise, to find deep points; then by bound, to prove there are none
+// much deeper.
+struct Before {
+  bool byBound = false;
   bool operator()(const Item& a, const Item& b) const {
-    return a.promise != b.promise ? a.promise < b.promise : a.number > b.number;
+    const double x = byBound ? a.bound : a.promise;
+    const double y = byBound ? b.bound : b.promise;
+    return x != y ? x < y : a.number > b.number;
   }
 };
 
@@ -50,8 +56,8 @@ Vector3d centroid(const Corners& c) { return (c[0] + c[1] + c[2]) / 3.0; }
 
 double radiusOf(const Corners& c) {
   const Vector3d m = centroid(c);
-  return std::sqrt(std::max({(c[0] - m).squaredNorm(), (c[1] - m).squaredNorm(),
-                             (c[2] - m).squaredNorm()}));
+  return std::sqrt(
+      std::max({(c[0] - m).squaredNorm(), (c[1] - m).squaredNorm(), (c[2] - m).squaredNorm()}));
 }
 
 // Depth of a point of one mesh, given in that mesh's frame, below the other's surface.
@@ -96,8 +102,8 @@ void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& ou
   const Vector3d a = 0.5 * (c[0] + c[1]);
   const Vector3d b = 0.5 * (c[1] + c[2]);
   const Vector3d d = 0.5 * (c[2] + c[0]);
-  for (const Corners& part : {Corners{c[0], a, d}, Corners{a, c[1], b}, Corners{d, b, c[2]},
-                              Corners{a, b, d}})
+  for (const Corners& part :
+       {Corners{c[0], a, d}, Corners{a, c[1], b}, Corners{d, b, c[2]}, Corners{a, b, d}})
     out.push_back({piece.ofBody, piece.node, true, part});
 }
 
@@ -119,20 +125,27 @@ class DepthSearch {
   DepthSearch(SearchContext& context, double tolerance, std::int64_t effort)
       : c_(context), tolerance_(tolerance), effort_(effort) {}
 
-  PenetrationResult run() {
-    for (const Piece& piece : roots(c_.pair)) fresh_.push_back(makeItem(c_.motion.root(), piece));
+  PenetrationResult run(const Minimum& touch) {
+    begin(touch);
+    for (const Piece& piece : roots(c_.pair))
+      fresh_.push_back(makeItem(c_.motion.root(), piece, kNoBound));
     examine();
     while (!queue_.empty() && spent_ < effort_) {
       c_.run.checkpoint(Phase::Check);
+      if (!before_.byBound && 2 * spent_ > effort_) {
+        before_.byBound = true;
+        std::make_heap(queue_.begin(), queue_.end(), before_);
+      }
       for (std::size_t i = 0; i < kRound && !queue_.empty(); ++i) {
-        const Item item = queue_.top();
-        queue_.pop();
+        std::pop_heap(queue_.begin(), queue_.end(), before_);
+        const Item item = std::move(queue_.back());
+        queue_.pop_back();
         if (item.bound > best_.depth + allowed()) divide(item);
       }
       examine();
     }
     double bound = best_.depth + allowed();
-    for (; !queue_.empty(); queue_.pop()) bound = std::max(bound, queue_.top().bound);
+    for (const Item& item : queue_) bound = std::max(bound, item.bound);
     if (!(best_.depth > 0)) return {};
     best_.known = true;
     sharpen();
@@ -144,8 +157,10 @@ class DepthSearch {
  private:
   double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
 
-  Item makeItem(const MotionNode& node, const Piece& piece) {
+  // `bound`: what holds for the item this one is a part of.
+  Item makeItem(const MotionNode& node, const Piece& piece, double bound) {
     Item item;
+    item.bound = bound;
     item.number = number_++;
     item.motion = node;
     item.piece = piece;
@@ -157,11 +172,12 @@ class DepthSearch {
     if (byMotion) {
       nodes_.clear();
       c_.motion.split(item.motion, nodes_);
-      for (const MotionNode& node : nodes_) fresh_.push_back(makeItem(node, item.piece));
+      for (const MotionNode& node : nodes_)
+        fresh_.push_back(makeItem(node, item.piece, item.bound));
     } else {
       pieces_.clear();
       cutPiece(c_.pair, item.piece, pieces_);
-      for (const Piece& piece : pieces_) fresh_.push_back(makeItem(item.motion, piece));
+      for (const Piece& piece : pieces_) fresh_.push_back(makeItem(item.motion, piece, item.bound));
     }
   }
 
@@ -174,7 +190,7 @@ class DepthSearch {
       probes_[i] = probe(c_.pair, b.R, b.t, item.piece);
       item.radius = probes_[i].radius;
       item.reach = b.reach;
-      item.bound = probes_[i].depth + item.radius + item.reach;
+      item.bound = std::min(item.bound, probes_[i].depth + item.radius + item.reach);
       item.promise = probes_[i].depth + 0.3 * (item.radius + item.reach);
     });
     c_.run.checkpoint(Phase::Check);
@@ -183,17 +199,24 @@ class DepthSearch {
       if (probes_[i].surfaceDepth > best_.depth) {
         best_.depth = probes_[i].surfaceDepth;
         best_.point = probes_[i].surfacePoint;
+        bestHasPiece_ = true;
         bestCorners_ = fresh_[i].piece.corners;
         bestSpan_ = fresh_[i].motion.to - fresh_[i].motion.from;
         best_.pointOfBody = fresh_[i].piece.ofBody;
         best_.parameter = c_.motion.bound(fresh_[i].motion).parameter;
       }
     }
-    for (const Item& item : fresh_)
-      if (item.bound > best_.depth + allowed()) queue_.push(item);
+    for (const Item& item : fresh_) {
+      if (item.bound <= best_.depth + allowed()) continue;
+      queue_.push_back(item);
+      std::push_heap(queue_.begin(), queue_.end(), before_);
+    }
     fresh_.clear();
   }
 
+  double tryAt(double u, bool ofBody, const Vector3d& local);
+  void tryRound(double u, double width, bool ofBody, const Vector3d& local);
+  void begin(const Minimum& touch);
   void sharpen();
   void finish();
   void measureRegion(const Matrix3d& R, const Vector3d& t);
@@ -206,47 +229,76 @@ class DepthSearch {
   PenetrationResult best_;
   Corners bestCorners_;  // the piece of triangle that holds the deepest point, in its mesh's frame
   double bestSpan_ = 0;
-  std::priority_queue<Item, std::vector<Item>, LessPromising> queue_;
+  bool bestHasPiece_ = false;
+  std::vector<Item> queue_;  // a heap
+  Before before_;
   std::vector<Item> fresh_;
   std::vector<Probe> probes_;
   std::vector<MotionNode> nodes_;
   std::vector<Piece> pieces_;
 };
 
+double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
+  const BoxTree& other = ofBody ? c_.pair.neighbour() : c_.pair.body();
+  if (!other.closed()) return -std::numeric_limits<double>::infinity();
+  const Pose pose = c_.motion.poseAt(u);
+  const Matrix3d R = pose.rotation.toRotationMatrix();
+  const double depth = depthIn(c_.pair, R, pose.translation, ofBody, local);
+  if (depth > best_.depth) {
+    best_.depth = depth;
+    best_.parameter = u;
+    best_.pointOfBody = ofBody;
+    best_.point = ofBody ? Vector3d(R * local + pose.translation) : local;
+  }
+  return depth;
+}
+
+// Section search for the moment at which a point is deepest, `width` of the parameter round u.
+void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& local) {
+  double low = std::max(0.0, u - width);
+  double high = std::min(c_.motion.largestParameter(), u + width);
+  for (int i = 0; i < 40; ++i) {
+    const double a = low + (high - low) * 0.382;
+    const double b = low + (high - low) * 0.618;
+    if (tryAt(a, ofBody, local) >= tryAt(b, ofBody, local))
+      high = b;
+    else
+      low = a;
+  }
+}
+
+// Corners of the triangles that come near, and the nearest points, at moments round the nearest
+// one.
+void DepthSearch::begin(const Minimum& touch) {
+  if (touch.at.pair.body < 0) return;
+  const Pose pose = c_.motion.poseAt(touch.parameter);
+  const Vector3d onBody = pose.rotation.conjugate() * (touch.at.onBody - pose.translation);
+  const auto tryPoint = [&](bool ofBody, const Vector3d& local) {
+    tryAt(touch.parameter, ofBody, local);
+    if (!c_.motion.isContinuous()) return;
+    for (const double width : {1.0, 0.05, 0.002}) tryRound(touch.parameter, width, ofBody, local);
+  };
+  tryPoint(true, onBody);
+  tryPoint(false, touch.at.onNeighbour);
+  for (const Vector3d& x : c_.pair.body().corners(touch.at.pair.body)) tryPoint(true, x);
+  for (const Vector3d& x : c_.pair.neighbour().corners(touch.at.pair.neighbour)) tryPoint(false, x);
+}
+
 // Moves the deepest point to better corners of its piece and to a better moment; only ever deeper.
 void DepthSearch::sharpen() {
-  const auto tryAt = [&](double u, const Vector3d& local) {
-    const Pose pose = c_.motion.poseAt(u);
-    const Matrix3d R = pose.rotation.toRotationMatrix();
-    const double depth = depthIn(c_.pair, R, pose.translation, best_.pointOfBody, local);
-    if (depth > best_.depth) {
-      best_.depth = depth;
-      best_.parameter = u;
-      best_.point = best_.pointOfBody ? Vector3d(R * local + pose.translation) : local;
-    }
-    return depth;
-  };
+  if (!bestHasPiece_) return;
+  const bool ofBody = best_.pointOfBody;
   Vector3d local = centroid(bestCorners_);
   double deepest = best_.depth;
   for (const Vector3d& corner : bestCorners_) {
-    const double depth = tryAt(best_.parameter, corner);
+    const double depth = tryAt(best_.parameter, ofBody, corner);
     if (depth > deepest) {
       deepest = depth;
       local = corner;
     }
   }
-  if (!c_.motion.isContinuous()) return;
-  const double width = bestSpan_ > 0 ? 4 * bestSpan_ : 1.0;
-  double low = std::max(0.0, best_.parameter - width);
-  double high = std::min(c_.motion.largestParameter(), best_.parameter + width);
-  for (int i = 0; i < 60; ++i) {
-    const double a = low + (high - low) * 0.382;
-    const double b = low + (high - low) * 0.618;
-    if (tryAt(a, local) >= tryAt(b, local))
-      high = b;
-    else
-      low = a;
-  }
+  if (c_.motion.isContinuous())
+    tryRound(best_.parameter, bestSpan_ > 0 ? 4 * bestSpan_ : 1.0, ofBody, local);
 }
 
 void DepthSearch::finish() {
@@ -256,13 +308,15 @@ void DepthSearch::finish() {
   const Vector3d t = best_.pose.translation;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   best_.surface =
-      best_.pointOfBody ? c_.pair.neighbour().nearest(best_.point, kFar).point
-                  : Vector3d(R * c_.pair.body().nearest(R.transpose() * (best_.point - t), kFar).point + t);
+      best_.pointOfBody
+          ? c_.pair.neighbour().nearest(best_.point, kFar).point
+          : Vector3d(R * c_.pair.body().nearest(R.transpose() * (best_.point - t), kFar).point + t);
   measureRegion(R, t);
 }
 
-// Box round the crossing of the surfaces and all corners that lie inside the other part. A box of the
-// hierarchy that is deeper than its radius lies inside as a whole, one that is as far off outside.
+// Box round the crossing of the surfaces and all corners that lie inside the other part. A box of
+// the hierarchy that is deeper than its radius lies inside as a whole, one that is as far off
+// outside.
 void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
   Vector3d low = best_.point.cwiseMin(best_.surface);
   Vector3d high = best_.point.cwiseMax(best_.surface);
@@ -285,7 +339,8 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
         for (const Vector3d& x : own.corners(box.leaf)) {
           const Vector3d world = root.ofBody ? Vector3d(R * x + t) : x;
           // Nothing new inside the box found so far: no need to ask.
-          if ((world.array() >= low.array()).all() && (world.array() <= high.array()).all()) continue;
+          if ((world.array() >= low.array()).all() && (world.array() <= high.array()).all())
+            continue;
           if (depthIn(c_.pair, R, t, root.ofBody, x) > 0) grow(world);
         }
         continue;
@@ -306,9 +361,9 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
 
 }  // namespace
 
-PenetrationResult deepestPenetration(SearchContext& context, double tolerance,
+PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touch, double tolerance,
                                      std::int64_t effort) {
-  return DepthSearch(context, tolerance, effort).run();
+  return DepthSearch(context, tolerance, effort).run(touch);
 }
 
 bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {

@@ -3,8 +3,8 @@
 // Out:   the surface point (of either mesh) that lies deepest inside the other at some moment.
 // Cost:  branch and bound over moments and surface pieces; one nearest-point and inside query each.
 // Why it is exact up to its tolerance: the depth of a point below a surface changes by no more than
-// the point or the surface moves, so depth at a box's centre + radius + displacement bounds them all.
-// SPDX-License-Identifier: LGPL-2.1-or-later
+// the point or the surface moves, so depth at a box's centre + radius + displacement bounds them
+// all. SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "clearance/motion_search.h"
@@ -13,8 +13,10 @@
 namespace swept::clearance {
 
 /// Deepest point over the motion to within max(tolerance, 1 % of the depth), if `effort` suffices;
-/// depthBound tells. known = false if neither mesh is closed or nothing lies inside.
-PenetrationResult deepestPenetration(SearchContext& context, double tolerance, std::int64_t effort);
+/// depthBound tells. known = false if neither mesh is closed or nothing lies inside. `touch`: where
+/// the surfaces are known to come near, a good place to begin.
+PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touch, double tolerance,
+                                     std::int64_t effort);
 
 /// A surface point of one mesh lies at least `atLeast` deep inside the other at this pose. May say
 /// no although there is one, if a small effort does not find it.

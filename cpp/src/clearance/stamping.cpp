@@ -60,7 +60,8 @@ std::vector<Pose> densePoses(const Trajectory& trajectory, int between) {
   std::vector<Pose> poses;
   const std::int64_t steps = std::ssize(trajectory.poses) - 1;
   for (std::int64_t i = 0; i < steps; ++i)
-    for (int k = 0; k <= between; ++k) poses.push_back(motion.poseAt(double(i) + double(k) / (between + 1)));
+    for (int k = 0; k <= between; ++k)
+      poses.push_back(motion.poseAt(double(i) + double(k) / (between + 1)));
   poses.push_back(trajectory.poses.back());
   return poses;
 }

@@ -43,9 +43,12 @@ void nearestOnSegments(const Vector3d& p, const Vector3d& u, const Vector3d& q, 
 struct Face {
   const Corners& c;
   Vector3d normal;
-  double squared;
+  double squared;  // 0 for needles: their normal is noise, and their edges say it all
   explicit Face(const Corners& corners)
-      : c(corners), normal((c[1] - c[0]).cross(c[2] - c[0])), squared(normal.squaredNorm()) {}
+      : c(corners), normal((c[1] - c[0]).cross(c[2] - c[0])), squared(normal.squaredNorm()) {
+    const double edge = std::max((c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm());
+    if (!(squared > 1e-16 * edge * edge)) squared = 0;
+  }
   double height(const Vector3d& x) const { return normal.dot(x - c[0]); }
   bool covers(const Vector3d& x) const {
     for (int k = 0; k < 3; ++k)
@@ -54,10 +57,12 @@ struct Face {
   }
 };
 
-// Corners of `other` over the face, and edges of `other` through it. `swapped`: the face belongs to b.
+// Corners of `other` over the face, and edges of `other` through it. `swapped`: the face belongs to
+// b.
 void faceCandidates(const Face& face, const Corners& other, bool swapped, NearestPoints& best) {
   if (!(face.squared > 0)) return;
-  const std::array<double, 3> h{face.height(other[0]), face.height(other[1]), face.height(other[2])};
+  const std::array<double, 3> h{face.height(other[0]), face.height(other[1]),
+                                face.height(other[2])};
   const auto keep = [&](double squared, const Vector3d& onFace, const Vector3d& onOther) {
     if (squared >= best.squared) return;
     best.squared = squared;

@@ -1,7 +1,7 @@
 // Distance of two triangles, of a point and a triangle, in double precision.
 // In: corners, mm. Out: distance and the two nearest points. Cost: constant.
-// Degenerate triangles (needles, points) are allowed: their edges still count. Edges that are nearly
-// parallel, the normal case on machine parts, cost at most about 1e-8 of their length.
+// Degenerate triangles (needles, points) are allowed: their edges still count. Edges that are
+// nearly parallel, the normal case on machine parts, cost at most about 1e-8 of their length.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -9,8 +9,10 @@ namespace swept::cli {
 
 int envelopeCommand(const std::vector<std::string>& words);
 int checkCommand(const std::vector<std::string>& words);
+int clearanceCommand(const std::vector<std::string>& words);
 
 extern const char* const kEnvelopeHelp;
 extern const char* const kCheckHelp;
+extern const char* const kClearanceHelp;
 
 }  // namespace swept::cli

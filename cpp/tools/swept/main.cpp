@@ -24,6 +24,9 @@ struct Command {
 constexpr Command kCommands[] = {
     {"envelope", envelopeCommand, &kEnvelopeHelp},
     {"check", checkCommand, &kCheckHelp},
+#ifdef HAVE_SWEPT_CLEARANCE
+    {"clearance", clearanceCommand, &kClearanceHelp},
+#endif
 };
 
 void printHelp() {

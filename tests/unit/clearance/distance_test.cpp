@@ -20,7 +20,9 @@ class Random {
   double number(double low, double high) {
     return low + (high - low) * (double(engine_()) / double(std::mt19937::max()));
   }
-  Vector3d point(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+  Vector3d point(double size) {
+    return {number(-size, size), number(-size, size), number(-size, size)};
+  }
   Eigen::Isometry3d pose(double size) {
     return placement(point(1) + Vector3d(0, 0, 1e-3), number(-180, 180), point(size));
   }
@@ -50,9 +52,10 @@ TEST(TriangleDistance, AgreesWithSampling) {
     Corners b{random.point(1), random.point(1), random.point(1)};
     const Vector3d shift = random.point(1.5);
     for (Vector3d& x : b) x += shift;
-    if (k % 4 == 1) b[1].z() = b[2].z() = b[0].z(), a[1].z() = a[2].z() = a[0].z();  // parallel faces
-    if (k % 4 == 2) b[1] = b[0] + (a[1] - a[0]);                                     // parallel edges
-    if (k % 4 == 3) b[2] = 0.5 * (b[0] + b[1]);                                      // a needle
+    if (k % 4 == 1)
+      b[1].z() = b[2].z() = b[0].z(), a[1].z() = a[2].z() = a[0].z();  // parallel faces
+    if (k % 4 == 2) b[1] = b[0] + (a[1] - a[0]);                       // parallel edges
+    if (k % 4 == 3) b[2] = 0.5 * (b[0] + b[1]);                        // a needle
     const NearestPoints p = nearestPoints(a, b);
     const double d = std::sqrt(p.squared);
     EXPECT_NEAR((p.a - p.b).norm(), d, 1e-12);
@@ -128,7 +131,8 @@ TEST(PairSearch, DistanceAgreesWithAllPairsAndWithFcl) {
       Corners p;
       for (int i = 0; i < 3; ++i) p[i] = place * a.vertices[s[i]];
       for (const auto& t : b.triangles)
-        all = std::min(all, nearestPoints(p, {b.vertices[t[0]], b.vertices[t[1]], b.vertices[t[2]]}).squared);
+        all = std::min(
+            all, nearestPoints(p, {b.vertices[t[0]], b.vertices[t[1]], b.vertices[t[2]]}).squared);
     }
     EXPECT_NEAR(found.distance, std::sqrt(all), 1e-12);
     EXPECT_NEAR((found.onBody - found.onNeighbour).norm(), found.distance, 1e-12);
@@ -136,19 +140,24 @@ TEST(PairSearch, DistanceAgreesWithAllPairsAndWithFcl) {
     EXPECT_NEAR(found.distance, fcl.distance, 1e-9);
     // A bound below the distance must find nothing, one above the same pair.
     if (found.distance > 0) {
-      EXPECT_LT(search.distanceAt(place.linear(), place.translation(), 0.999 * found.distance).pair.body, 0);
+      EXPECT_LT(
+          search.distanceAt(place.linear(), place.translation(), 0.999 * found.distance).pair.body,
+          0);
     }
   }
 }
 
 TEST(MotionBound, NoPointAdvancesFartherThanSaid) {
   Random random(11);
-  for (const Interpolation kind : {Interpolation::None, Interpolation::Linear, Interpolation::Screw}) {
+  for (const Interpolation kind :
+       {Interpolation::None, Interpolation::Linear, Interpolation::Screw}) {
     Trajectory trajectory{{}, kind};
     Eigen::Isometry3d place = random.pose(50);
     for (int i = 0; i < 40; ++i) {
       trajectory.poses.push_back(poseOf(i, place));
-      place = placement(random.point(1), random.number(0, i % 3 == 0 ? 90 : 4), random.point(i % 2 ? 9 : 0.1)) * place;
+      place = placement(random.point(1), random.number(0, i % 3 == 0 ? 90 : 4),
+                        random.point(i % 2 ? 9 : 0.1)) *
+              place;
     }
     const Vector3d centre(3, -2, 8);
     const Vector3d half(4, 7, 2);
@@ -160,12 +169,15 @@ TEST(MotionBound, NoPointAdvancesFartherThanSaid) {
       std::vector<std::int32_t> members;
       motion.listMembers(node, members);
       for (int k = 0; k < 20; ++k) {
-        const std::int32_t m = members[static_cast<std::size_t>(random.number(0, 0.999) * double(members.size()))];
+        const std::int32_t m =
+            members[static_cast<std::size_t>(random.number(0, 0.999) * double(members.size()))];
         const bool whole = node.cluster >= 0;
         double u = m;
-        if (motion.isContinuous()) u += whole ? random.number(0, 1) : random.number(node.from, node.to);
+        if (motion.isContinuous())
+          u += whole ? random.number(0, 1) : random.number(node.from, node.to);
         const Pose pose = motion.poseAt(u);
-        const Vector3d local = Vector3d(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
+        const Vector3d local =
+            Vector3d(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
         const Vector3d x = centre + half.cwiseProduct(local);
         const Vector3d moved = pose.rotation * x + pose.translation - (bound.R * x + bound.t);
         EXPECT_LE(moved.norm(), bound.reach + 1e-9);

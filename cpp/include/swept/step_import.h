@@ -1,0 +1,24 @@
+// STEP or BREP file -> one triangle mesh a solid. Built only where OpenCASCADE is present.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+struct ImportedSolid {
+  std::string name;  ///< file name without suffix, numbered if there is more than one solid
+  TriMesh mesh;      ///< mm, welded
+};
+
+/// Every solid of the file; if there is none, all its faces as one open mesh. linearDeflection: mm,
+/// how far triangles may leave the surface; angularDeflection: rad between neighbouring triangles.
+/// Throws Error(InvalidInput, "BadFile" | "NoSurface"), Error(Cancelled).
+std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
+                                      double angularDeflection, RunContext& run);
+
+}  // namespace swept
