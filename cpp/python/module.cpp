@@ -7,6 +7,7 @@
 
 #include "arrays.h"
 #include "base/report_json.h"
+#include "clearance_bindings.h"
 #include "docstrings.h"
 #include "errors.h"
 #include "io/safe_file.h"
@@ -301,4 +302,7 @@ PYBIND11_MODULE(_swept, module) {
   bindErrors(module);
   bindClasses(module);
   bindFunctions(module);
+#ifdef HAVE_SWEPT_CLEARANCE
+  bindClearance(module);
+#endif
 }

@@ -11,7 +11,6 @@
 #include <TopoDS_Face.hxx>
 #include <filesystem>
 
-#include "input/body_check.h"
 #include "solid_file.h"
 
 namespace swept {
@@ -38,11 +37,11 @@ void appendFace(const TopoDS_Face& face, TriMesh& mesh) {
   }
 }
 
-TriMesh meshOf(const TopoDS_Shape& shape, RunContext& run) {
+TriMesh meshOf(const TopoDS_Shape& shape) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
     appendFace(TopoDS::Face(f.Current()), mesh);
-  return mesh.triangles.empty() ? mesh : checkBody(mesh, Options{}, run).mesh;
+  return mesh;
 }
 
 }  // namespace
@@ -62,10 +61,10 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
     run.checkpoint(Phase::Input);
     std::vector<ImportedSolid> solids;
     for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
-      TriMesh mesh = meshOf(s.Current(), run);
+      TriMesh mesh = meshOf(s.Current());
       if (!mesh.triangles.empty()) solids.push_back({"", std::move(mesh)});
     }
-    if (solids.empty()) solids.push_back({"", meshOf(shape, run)});
+    if (solids.empty()) solids.push_back({"", meshOf(shape)});
     if (solids[0].mesh.triangles.empty())
       throw Error(Status::InvalidInput, "NoSurface",
                   "'" + path + "' holds no face that can be triangulated; export a solid");

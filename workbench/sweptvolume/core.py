@@ -199,3 +199,21 @@ def write_solid(vertices, triangles, path, control, **options):
     """
     with _errors():
         return module().write_solid(path, vertices, triangles, run=control.context, **options)
+
+
+def clearance(request, neighbours, options, control):
+    """Smallest distances of a moving body to (name, vertices, triangles, chord) each: report (dict).
+
+    `request.options` are not used; raises CoreError.
+    """
+    vertices, triangles, motion, interpolation = _arguments(request)
+    with _errors():
+        return module().clearance(
+            vertices, triangles, motion, neighbours, interpolation, run=control.context, **options
+        )
+
+
+def distance_to_mesh(points, vertices, triangles, control):
+    """Distance (mm) of each point to a mesh, negative inside. Raises CoreError."""
+    with _errors():
+        return module().distance_to_mesh(points, vertices, triangles, run=control.context)

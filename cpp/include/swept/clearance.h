@@ -125,4 +125,14 @@ std::string toJson(const ClearanceReport& report);
 std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, const TriMesh& mesh,
                                    RunContext& run);
 
+/// The slow way, for comparison: one query by FCL at every pose and at `between` more in each step.
+/// Sees nothing between those. Throws Error(Cancelled).
+struct StampedClearance {
+  double distance = 0;
+  double timeSeconds = 0;
+  std::int64_t poses = 0;
+};
+StampedClearance stampedClearance(const TriMesh& body, const Trajectory& trajectory,
+                                  const TriMesh& neighbour, int between, RunContext& run);
+
 }  // namespace swept

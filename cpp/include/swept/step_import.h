@@ -12,7 +12,7 @@ namespace swept {
 
 struct ImportedSolid {
   std::string name;  ///< file name without suffix, numbered if there is more than one solid
-  TriMesh mesh;      ///< mm, welded
+  TriMesh mesh;      ///< mm; every face has corners of its own
 };
 
 /// Every solid of the file; if there is none, all its faces as one open mesh. linearDeflection: mm,

@@ -7,6 +7,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "clearance/motion_tree.h"
+#include "swept/clearance.h"
 
 namespace swept::clearance {
 namespace {
@@ -67,3 +68,14 @@ std::vector<Pose> densePoses(const Trajectory& trajectory, int between) {
 }
 
 }  // namespace swept::clearance
+
+namespace swept {
+
+StampedClearance stampedClearance(const TriMesh& body, const Trajectory& trajectory,
+                                  const TriMesh& neighbour, int between, RunContext& run) {
+  const std::vector<Pose> poses = clearance::densePoses(trajectory, between);
+  const clearance::StampedMinimum least = clearance::stampEveryPose(body, poses, neighbour, run);
+  return {least.distance, poses[least.pose].timeSeconds, std::ssize(poses)};
+}
+
+}  // namespace swept

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "arguments.h"
-#include "clearance/stamping.h"
 #include "commands.h"
 #include "io/safe_file.h"
 #include "report_file.h"
@@ -124,13 +123,12 @@ void readNeighbours(const std::string& path, const ClearanceJob& job,
 void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Trajectory& motion,
                        const std::vector<ClearanceNeighbour>& parts, const ClearanceReport& report,
                        RunContext& run) {
-  const std::vector<Pose> poses = clearance::densePoses(motion, static_cast<int>(job.stamp));
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const clearance::StampedMinimum least =
-        clearance::stampEveryPose(body, poses, parts[i].mesh, run);
-    std::printf("stamped %zu poses against %s: smallest %.9g mm at t = %.9g s; motion %.9g mm\n",
-                poses.size(), parts[i].name.c_str(), least.distance, poses[least.pose].timeSeconds,
-                report.neighbours[i].distance);
+    const StampedClearance least =
+        stampedClearance(body, motion, parts[i].mesh, static_cast<int>(job.stamp), run);
+    std::printf("stamped %lld poses against %s: smallest %.9g mm at t = %.9g s; motion %.9g mm\n",
+                static_cast<long long>(least.poses), parts[i].name.c_str(), least.distance,
+                least.timeSeconds, report.neighbours[i].distance);
   }
 }
 

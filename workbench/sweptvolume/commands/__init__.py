@@ -17,6 +17,7 @@ _MODULES = [
     "edit_envelope",
     "recompute_envelope",
     "",
+    "check_clearance",
     "make_solid",
     "export_envelope",
     "",
@@ -57,6 +58,11 @@ def fill_context_menu(workbench, recipient):
     if selection.motion() or selection.parts():
         names.append("SweptVolume_Envelope")
     if selection.envelope():
-        names += ["SweptVolume_Recompute", "SweptVolume_Solid", "SweptVolume_Export"]
+        names += [
+            "SweptVolume_Recompute",
+            "SweptVolume_Clearance",
+            "SweptVolume_Solid",
+            "SweptVolume_Export",
+        ]
     if names:
         workbench.appendContextMenu("", ["Separator"] + names)

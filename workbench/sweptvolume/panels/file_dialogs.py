@@ -26,3 +26,11 @@ def ask_export(name):
     if path and not os.path.splitext(path)[1]:
         path += _KINDS[filters.index(chosen)][2] if chosen in filters else ".step"
     return path
+
+
+def ask_table(name):
+    """CSV file to write; "" when cancelled."""
+    path, _ = QtWidgets.QFileDialog.getSaveFileName(
+        Gui.getMainWindow(), translate("Panels", "Export table"), name + ".csv", "CSV (*.csv)"
+    )
+    return path + ".csv" if path and not os.path.splitext(path)[1] else path

@@ -3,6 +3,7 @@
 import FreeCADGui as Gui
 
 from ..convert import leaves, root_path, split_path
+from ..features.clearance import is_clearance
 from ..features.envelope import is_envelope
 from ..features.motion import is_motion
 from ..features.solid import can_be_source, is_solid
@@ -26,7 +27,7 @@ def _target(pair):
 
 
 def _ours(obj):
-    return is_envelope(obj) or is_motion(obj) or is_solid(obj)
+    return is_envelope(obj) or is_motion(obj) or is_solid(obj) or is_clearance(obj)
 
 
 def parts():
@@ -55,6 +56,11 @@ def envelope():
 
 def solid():
     return _first(is_solid)
+
+
+def clearance():
+    """The selected clearance check, or None."""
+    return _first(is_clearance)
 
 
 def source():

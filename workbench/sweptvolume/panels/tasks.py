@@ -5,7 +5,7 @@ import os
 import FreeCAD as App
 
 from .. import core, export
-from ..features import envelope, solid
+from ..features import clearance, envelope, solid
 from ..runner import Task
 from ..texts import translate
 
@@ -97,3 +97,32 @@ class ExportTask(Task):
                 self.path, os.path.getsize(self.path) / 1000.0
             )
         )
+
+
+class ClearanceTask(Task):
+    """Checks clearances; makes the object if there is none yet. One undo step."""
+
+    def __init__(self, document, plan, obj=None):
+        self.title = translate("Messages", "Check clearance")
+        self.document = document
+        self.plan = plan
+        self.obj = obj
+        self.hash = plan.hash()
+        self.request = plan.request()
+        self.watched = [root for root, _ in plan.pairs] + [plan.motion] + ([obj] if obj else [])
+        self.watched = [o for o in self.watched if o.Document is document]
+
+    def work(self, control):
+        return clearance.work(self.request, control)
+
+    def finish(self, value):
+        if self.obj is None:
+            self.obj = clearance.make_clearance(self.document)
+        self.plan.write(self.obj)
+        clearance.apply(self.obj, value, self.hash)
+        self.obj.purgeTouched()
+        App.Console.PrintMessage("{}: {}\n".format(self.obj.Label, self.obj.Summary))
+
+    def fail(self, text):
+        if self.obj is not None:
+            clearance.fail(self.obj, text)

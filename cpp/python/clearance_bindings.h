@@ -1,0 +1,11 @@
+// Clearance for Python; only where the clearance part is built.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace swept::python {
+
+void bindClearance(pybind11::module_& module);
+
+}  // namespace swept::python

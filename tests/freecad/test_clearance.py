@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Clearance checks in a document without a window."""
+import csv
+import os
+
+import FreeCAD as App
+
+from case import Case, shift
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, envelope
+
+
+class Clearance(Case):
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.box()
+        self.path = self.line()  # 30 mm along x: the box ends at x = 40
+        self.wall = self.box("Wall")
+        self.wall.Placement = shift(x=43.5)
+        self.far = self.box("Far")
+        self.far.Placement = shift(y=25)
+        self.doc.recompute()
+
+    def made(self, **settings):
+        obj = clearance.make_clearance(self.doc, Generators=[(self.part, "")], Motion=self.path, **settings)
+        self.doc.recompute()
+        return obj
+
+    def rows(self, obj):
+        return {row["name"]: row for row in clearance.report_of(obj)["neighbours"]}
+
+    def test_all_visible_others(self):
+        obj = self.made(Required=4.0)
+        self.assertEqual(obj.Status, clearance.NOT_COMPUTED)
+        clearance.compute(obj)
+        self.assertEqual(obj.Status, clearance.UP_TO_DATE)
+        rows = self.rows(obj)
+        self.assertEqual(sorted(rows), ["Far", "Wall"])
+        self.assertAlmostEqual(rows["Wall"]["distance"], 3.5, places=6)
+        self.assertAlmostEqual(rows["Wall"]["time_seconds"], 1.0, places=4)
+        self.assertEqual(rows["Wall"]["verdict"], "below")
+        self.assertAlmostEqual(rows["Far"]["distance"], 15.0, places=6)
+        self.assertEqual(rows["Far"]["verdict"], "clear")
+        # Both solids are meshed to 0.05 mm: that, and the tolerance, is not promised.
+        self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
+        self.assertTrue(obj.Summary.startswith("2 checked, 1 below required, smallest 3.4 mm at t = 1 s"))
+
+    def test_hidden_parts_are_left_out_and_chosen_ones_taken(self):
+        self.far.Visibility = False
+        obj = self.made()
+        clearance.compute(obj)
+        self.assertEqual(list(self.rows(obj)), ["Wall"])
+        chosen = self.made(AllVisible=False, Neighbours=[(self.far, "")])
+        clearance.compute(chosen)
+        self.assertEqual(list(self.rows(chosen)), ["Far"])
+
+    def test_clash_is_measured(self):
+        self.wall.Placement = shift(x=36)
+        obj = self.made()
+        clearance.compute(obj)
+        row = self.rows(obj)["Wall"]
+        self.assertEqual(row["verdict"], "clash")
+        self.assertAlmostEqual(row["penetration"]["depth"], 4.0, delta=0.05)
+        self.assertAlmostEqual(row["contact"][0][0], 26 / 30.0, delta=0.01)
+
+    def test_stale_and_current_again(self):
+        obj = self.made()
+        clearance.compute(obj)
+        self.wall.Placement = shift(x=50)
+        self.doc.recompute()
+        obj.touch()
+        self.doc.recompute()
+        self.assertEqual(obj.Status, clearance.STALE)
+        self.wall.Placement = shift(x=43.5)
+        self.doc.recompute()
+        obj.touch()
+        self.doc.recompute()
+        self.assertEqual(obj.Status, clearance.UP_TO_DATE)
+
+    def test_of_an_envelope_with_its_colours(self):
+        swept = self.envelope([self.part], self.path, Resolution=20)
+        envelope.compute(swept)
+        obj = clearance.make_clearance(self.doc, Envelope=swept)
+        self.doc.recompute()
+        clearance.compute(obj)
+        self.assertEqual(sorted(self.rows(obj)), ["Far", "Wall"])  # the envelope is no neighbour
+        self.assertEqual(len(obj.MapDistances), swept.Mesh.CountPoints)
+        self.assertAlmostEqual(min(obj.MapDistances), 3.5, delta=0.2)
+
+    def test_kept_in_the_file(self):
+        obj = self.made()
+        clearance.compute(obj)
+        summary = obj.Summary
+        path = os.path.join(self.folder, "kept.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        again = self.doc.getObject("Clearance")
+        self.assertEqual((again.Summary, again.Status), (summary, clearance.UP_TO_DATE))
+        self.assertEqual(len(self.rows(again)), 2)
+
+    def test_table_and_spreadsheet(self):
+        obj = self.made()
+        clearance.compute(obj)
+        path = os.path.join(self.folder, "table.csv")
+        clearance.write_csv(clearance.report_of(obj), path)
+        with open(path, encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0], clearance.COLUMNS)
+        self.assertEqual(len(rows), 3)
+        sheet = clearance.make_spreadsheet(obj)
+        self.doc.recompute()
+        self.assertEqual(sheet.get("A1"), "Neighbour")
+        self.assertAlmostEqual(float(sheet.get("C2")), float(rows[1][2]), places=6)
+
+    def test_no_neighbour_is_named(self):
+        self.wall.Visibility = self.far.Visibility = False
+        obj = self.made()
+        with self.assertRaises(InputProblem):
+            clearance.compute(obj)
+        self.assertEqual(obj.Status, clearance.FAILED)
+        self.assertIn("neighbour", obj.Message)

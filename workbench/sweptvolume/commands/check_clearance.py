@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Check clearance: smallest distances of the moving parts to their neighbours."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_Clearance"
+    TEXT = mark("Commands", "Check clearance")
+    TIP = mark(
+        "Commands",
+        "Smallest distance of the moving parts to every neighbour over the whole motion. Select an "
+        "envelope, or parts and a motion, or an earlier check",
+    )
+
+    def run(self, document):
+        from ..panels import clearance_panel, selection
+
+        found, envelope = selection.clearance(), selection.envelope()
+        if found is not None:
+            clearance_panel.show(document, obj=found)
+        elif envelope is not None:
+            clearance_panel.show(document, envelope=envelope, neighbours=selection.parts())
+        else:
+            clearance_panel.show(document, pairs=selection.parts(), motion_obj=selection.motion())

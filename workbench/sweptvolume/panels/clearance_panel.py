@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel of a clearance check: inputs, run, table, graph, colours, export. Nothing is written to
+the document before a run has ended well."""
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import core, runner
+from ..convert import InputProblem, label_of
+from ..features import clearance, motion
+from ..features.base import objects_of_kind
+from ..features.envelope import Envelope
+from ..texts import translate
+from ..views.clearance_view import BANDS
+from . import file_dialogs, selection, widgets
+from .clearance_graph import DistanceGraph
+from .tasks import ClearanceTask
+from .widgets import QtWidgets
+
+DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05}
+RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
+
+
+class _Cell(QtWidgets.QTableWidgetItem):
+    """A cell that sorts by a number and shows a text."""
+
+    def __init__(self, text, key):
+        super().__init__(text)
+        self.key = key
+
+    def __lt__(self, other):
+        return self.key < other.key
+
+
+class ClearancePanel:
+    """Makes a new check (obj None) or shows and repeats one."""
+
+    def __init__(self, document, envelope=None, pairs=(), motion_obj=None, neighbours=(), obj=None):
+        self.document = document
+        self.obj = obj
+        self.run = None
+        values, all_visible = DEFAULTS, not neighbours
+        if obj is not None:
+            plan = clearance.Plan.of(obj)
+            envelope, pairs, motion_obj = plan.envelope, plan.pairs, plan.motion
+            neighbours, all_visible, values = plan.neighbours, plan.all_visible, plan.values
+        self.pairs, self.motion, self.neighbours = list(pairs), motion_obj, list(neighbours)
+        title = translate("Panels", "Clearance")
+        self.form, self.layout = widgets.window(title, "SweptVolume_Clearance")
+        self.box = widgets.RunBox()
+        self.message = widgets.message_label()
+        self.layout.addWidget(self.box)
+        self.layout.addWidget(self.message)
+        self._build_inputs(envelope, all_visible, values)
+        self._build_result()
+        self._show_neighbours()
+        self.show_result()
+
+    # --- building
+
+    def _build_inputs(self, envelope, all_visible, values):
+        rows = widgets.group(translate("Panels", "Check"), self.layout)
+        names = [o.Name for o in objects_of_kind(self.document, Envelope.KIND)]
+        texts = [self.document.getObject(n).Label for n in names]
+        own = translate("Panels", "(parts and motion below)")
+        now = envelope.Name if envelope is not None else ("" if self.pairs or not names else names[0])
+        self.source = widgets.choice([""] + names, now, [own] + texts)
+        self.source.setObjectName("SweptVolumeClearanceSource")
+        rows.addRow(translate("Panels", "Envelope"), self.source)
+        motions = objects_of_kind(self.document, motion.Motion.KIND)
+        self.path = widgets.choice(
+            [o.Name for o in motions],
+            self.motion.Name if self.motion is not None else "",
+            [o.Label for o in motions],
+        )
+        self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
+        rows.addRow(translate("Panels", "Moving parts"), self.moving)
+        rows.addRow(translate("Panels", "Motion"), self.path)
+        self.all = QtWidgets.QCheckBox(translate("Panels", "All other visible parts"))
+        self.all.setChecked(bool(all_visible))
+        self.chosen = QtWidgets.QLabel()
+        self.chosen.setWordWrap(True)
+        self.take = QtWidgets.QPushButton(translate("Panels", "Take selected as neighbours"))
+        rows.addRow(self.all)
+        rows.addRow(self.chosen)
+        rows.addRow(self.take)
+        self.required = widgets.length(values["Required"], 0.0, 0.5)
+        self.tolerance = widgets.length(values["Tolerance"], 1e-6, 0.01)
+        self.deflection = widgets.length(values["Deflection"], 1e-4, 0.01)
+        rows.addRow(translate("Panels", "Required distance"), self.required)
+        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
+        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
+        self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
+        self.check.setObjectName("SweptVolumeCheck")
+        rows.addRow(self.check)
+        self.check.clicked.connect(lambda *ignored: self.start())
+        self.take.clicked.connect(lambda *ignored: self._take())
+        self.all.toggled.connect(lambda *ignored: self._show_neighbours())
+        self.source.currentIndexChanged.connect(lambda *ignored: self._show_neighbours())
+
+    def _build_result(self):
+        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
+        rows = QtWidgets.QVBoxLayout(self.result)
+        self.summary = QtWidgets.QLabel()
+        self.summary.setWordWrap(True)
+        self.summary.setObjectName("SweptVolumeClearanceSummary")
+        self.table = QtWidgets.QTableWidget(0, 5)
+        self.table.setObjectName("SweptVolumeClearanceTable")
+        heads = ("Neighbour", "Verdict", "mm", "at s", "depth mm")
+        self.table.setHorizontalHeaderLabels([translate("Panels", h) for h in heads])
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.verticalHeader().hide()
+        self.table.setSortingEnabled(True)
+        self.table.setMinimumHeight(140)
+        self.graph = DistanceGraph()
+        for widget in (self.summary, self.table, self.graph):
+            rows.addWidget(widget)
+        rows.addLayout(self._bands())
+        buttons = QtWidgets.QHBoxLayout()
+        self.csv = QtWidgets.QPushButton(translate("Panels", "CSV..."))
+        self.sheet = QtWidgets.QPushButton(translate("Panels", "Spreadsheet"))
+        buttons.addWidget(self.csv)
+        buttons.addWidget(self.sheet)
+        rows.addLayout(buttons)
+        self.layout.addWidget(self.result)
+        self.table.itemSelectionChanged.connect(self._row_chosen)
+        self.csv.clicked.connect(lambda *ignored: self.export_csv())
+        self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
+
+    def _bands(self):
+        """The legend of the colour map; its borders can be changed."""
+        self.coloured = QtWidgets.QCheckBox(translate("Panels", "Colour the envelope by distance"))
+        self.coloured.setObjectName("SweptVolumeColours")
+        self.contact_band = widgets.length(0.1, 0.0, 0.1)
+        self.required_band = widgets.length(5.0, 0.0, 0.5)
+        grid = QtWidgets.QGridLayout()
+        grid.addWidget(self.coloured, 0, 0, 1, 3)
+        texts = ("clash: inside", "contact: up to", "too near: up to", "clear: beyond")
+        fields = (None, self.contact_band, self.required_band, None)
+        for k, (text, colour, field) in enumerate(zip(texts, BANDS, fields)):
+            patch = QtWidgets.QLabel()
+            patch.setFixedSize(22, 14)
+            style = "background: rgb({}, {}, {}); border: 1px solid #555;"
+            patch.setStyleSheet(style.format(*(int(255 * c) for c in colour)))
+            grid.addWidget(patch, k + 1, 0)
+            grid.addWidget(QtWidgets.QLabel(translate("Panels", text)), k + 1, 1)
+            if field is not None:
+                grid.addWidget(field, k + 1, 2)
+                field.valueChanged.connect(lambda *ignored: self._paint())
+        grid.setColumnStretch(2, 1)
+        self.coloured.toggled.connect(lambda *ignored: self._paint())
+        return grid
+
+    # --- inputs
+
+    def _take(self):
+        self.neighbours = selection.parts()
+        self.all.setChecked(False)
+        self._show_neighbours()
+
+    def plan(self):
+        name = self.source.currentData()
+        envelope = self.document.getObject(name) if name else None
+        pairs, path = self.pairs, None
+        if envelope is not None:
+            moving = clearance.envelope_feature.Plan.of(envelope)
+            pairs, path = moving.pairs, moving.motion
+        elif self.path.currentData():
+            path = self.document.getObject(self.path.currentData())
+        values = {
+            "Required": float(self.required.property("rawValue")),
+            "Tolerance": float(self.tolerance.property("rawValue")),
+            "Deflection": float(self.deflection.property("rawValue")),
+        }
+        return clearance.Plan(
+            self.document, pairs, path, self.neighbours, self.all.isChecked(), values, envelope
+        )
+
+    def _show_neighbours(self):
+        try:
+            names = [label_of(*pair) for pair in self.plan().leaves()]
+        except (InputProblem, RuntimeError) as problem:
+            self.chosen.setText(str(problem))
+            return
+        more = "" if len(names) <= 6 else " ..."
+        text = translate("Panels", "{0} neighbours: {1}")
+        self.chosen.setText(text.format(len(names), ", ".join(names[:6]) + more))
+        own = not self.source.currentData()
+        self.path.setEnabled(own)
+        self.moving.setEnabled(own)
+
+    # --- run
+
+    def start(self):
+        widgets.show_message(self.message, "")
+        try:
+            task = ClearanceTask(self.document, self.plan(), self.obj)
+        except (InputProblem, core.CoreMissing) as problem:
+            widgets.show_message(self.message, str(problem))
+            return False
+        self.run = runner.start(task)
+        self.box.follow(self.run)
+        self.check.setEnabled(False)
+        self.run.ended.connect(self.ended)
+        return True
+
+    def ended(self, run):
+        self.run = None
+        if not widgets.alive(self.document):
+            Gui.Control.closeDialog()
+            return
+        self.box.hide()
+        self.check.setEnabled(True)
+        if run.state == "ok":
+            self.obj = run.task.obj
+            self.required_band.setProperty("rawValue", self.obj.Required.Value)
+            self.show_result()
+            return
+        text = run.message
+        if run.state == "cancelled":
+            text = translate("Messages", "Cancelled. Nothing was changed.")
+        widgets.show_message(self.message, text)
+
+    # --- result
+
+    def show_result(self):
+        report = clearance.report_of(self.obj) if self.obj is not None else None
+        self.result.setVisible(report is not None)
+        if report is None:
+            return
+        self.report = report
+        text = report["summary"]
+        if self.obj.Status != clearance.UP_TO_DATE:
+            text = translate("Panels", "{0} (stale: check again)").format(text)
+        self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
+        if self.obj.Message:
+            widgets.show_message(self.message, self.obj.Message)
+        self.coloured.setEnabled(bool(self.obj.MapDistances))
+        self._fill()
+        self.graph.show_report(report)
+        self._paint()
+
+    def _fill(self):
+        self.table.setSortingEnabled(False)
+        self.table.setRowCount(len(self.report["neighbours"]))
+        for r, row in enumerate(self.report["neighbours"]):
+            deep = row.get("penetration", {}).get("depth", 0.0)
+            verdict = translate("Messages", clearance.VERDICTS[row["verdict"]])
+            cells = (
+                _Cell(row["name"], row["name"].lower()),
+                _Cell(verdict, RANK[row["verdict"]]),
+                _Cell("{:.4g}".format(row["distance"]), row["distance"]),
+                _Cell("{:.4g}".format(row["time_seconds"]), row["time_seconds"]),
+                _Cell("{:.3g}".format(deep) if deep else "", -deep),
+            )
+            colour = QtGui.QColor.fromRgbF(*BANDS[RANK[row["verdict"]]])
+            for c, cell in enumerate(cells):
+                cell.setData(QtCore.Qt.UserRole, r)
+                if c == 1:
+                    cell.setBackground(colour)
+                    cell.setForeground(QtGui.QColor("black"))
+                self.table.setItem(r, c, cell)
+        self.table.setSortingEnabled(True)
+        self.table.sortItems(2)
+        self.table.resizeColumnsToContents()
+
+    def _row_chosen(self):
+        items = self.table.selectedItems()
+        if not items:
+            return
+        index = items[0].data(QtCore.Qt.UserRole)
+        self.graph.choose(index, self.report["neighbours"][index]["time_seconds"])
+        try:
+            self._view().show_row(self.obj, index)
+        except (InputProblem, RuntimeError) as problem:
+            widgets.show_message(self.message, str(problem))
+
+    def _view(self):
+        return self.obj.ViewObject.Proxy
+
+    def _paint(self):
+        if self.obj is None:
+            return
+        envelope = self.obj.Envelope
+        if not self.coloured.isChecked():
+            self._view().hide_colours()
+            if envelope is not None:
+                envelope.ViewObject.Visibility = True
+            return
+        shown = self._view().show_colours(
+            self.obj,
+            float(self.contact_band.property("rawValue")),
+            float(self.required_band.property("rawValue")),
+        )
+        if shown:
+            envelope.ViewObject.Visibility = False
+        else:
+            text = translate("Panels", "The envelope has changed since the check: check again.")
+            widgets.show_message(self.message, text)
+
+    def export_csv(self):
+        path = file_dialogs.ask_table(self.obj.Label)
+        if not path:
+            return
+        try:
+            clearance.write_csv(self.report, path)
+        except OSError as error:
+            widgets.show_message(self.message, str(error))
+
+    def export_sheet(self):
+        self.document.openTransaction(translate("Messages", "Clearance table"))
+        clearance.make_spreadsheet(self.obj)
+        self.document.commitTransaction()
+        self.document.recompute()
+
+    # --- task panel
+
+    def getStandardButtons(self):
+        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
+
+    def reject(self):
+        """Close: stops what still runs; the drawing of a row goes, the result stays."""
+        if self.run is not None:
+            self.run.ended.disconnect(self.ended)
+            self.run.cancel()
+        if self.obj is not None and widgets.alive(self.obj):
+            self.coloured.setChecked(False)
+            self._view().clear()
+        Gui.Control.closeDialog()
+        return True
+
+
+def show(document, **given):
+    panel = ClearancePanel(document, **given)
+    Gui.Control.showDialog(panel)
+    return panel

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a clearance check looks: one row at a time as the moving part at that moment with the shortest
+line, and the distances as colours on the envelope."""
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import convert
+from ..features import clearance
+from ..texts import translate
+from .base import View, run_command, state_icon
+
+#: Colours of the bands: clash, contact, too near, clear.
+BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
+GHOST, LINE = (0.15, 0.45, 0.90), (0.85, 0.0, 0.6)
+
+
+def band_of(distance, contact, required):
+    """Which of BANDS a distance (mm) falls in."""
+    if distance <= 0:
+        return 0
+    if distance <= contact:
+        return 1
+    return 2 if distance < required else 3
+
+
+class ClearanceView(View):
+    """View provider of the clearance check."""
+
+    def attach(self, view):
+        from pivy import coin
+
+        super().attach(view)
+        self.root = coin.SoSeparator()
+        self.colours = coin.SoSeparator()
+        self.row = coin.SoSeparator()
+        self.root.addChild(self.colours)
+        self.root.addChild(self.row)
+        view.addDisplayMode(self.root, "Result")
+
+    def getDisplayModes(self, view):
+        return ["Result"]
+
+    def getDefaultDisplayMode(self):
+        return "Result"
+
+    def setDisplayMode(self, mode):
+        return mode
+
+    def getIcon(self):
+        return state_icon("SweptVolume_Clearance", self.Object)
+
+    def doubleClicked(self, view):
+        run_command(view.Object, "SweptVolume_Clearance")
+        return True
+
+    def setupContextMenu(self, view, menu):
+        text = translate("Commands", "Check clearance")
+        self.add_menu(
+            menu, text, "SweptVolume_Clearance", lambda: run_command(view.Object, "SweptVolume_Clearance")
+        )
+
+    def clear(self):
+        """Nothing drawn: as after opening a document."""
+        if hasattr(self, "row"):
+            self.row.removeAllChildren()
+            self.colours.removeAllChildren()
+
+    def show_row(self, obj, index, zoom=True):
+        """The moving part as a ghost at the moment of a row, with the shortest line."""
+        self.row.removeAllChildren()
+        found = clearance.report_of(obj)["neighbours"][index]
+        plan = clearance.Plan.of(obj)
+        request_pose = found["pose"]
+        moving = clearance.envelope_feature.Plan(plan.pairs, plan.motion, {})
+        into_base = moving._placements()[2]
+        body = convert.body_from(plan.pairs, max(plan.values["Deflection"], 0.05) * 4)
+        pose = convert.placements_from([request_pose["translation"]], [request_pose["quaternion_xyzw"]])[0]
+        points = convert.transform(convert.matrix_of(pose) @ into_base, body.vertices)
+        self.row.addChild(_surface(points, body.triangles, [GHOST], None, 0.45))
+        a, b = found["point_on_body"], found["point_on_neighbour"]
+        if any(a) or any(b):
+            self.row.addChild(_line(a, b))
+        if zoom:
+            _zoom(points, found)
+
+    def show_colours(self, obj, contact, required):
+        """The envelope in bands of distance; False if there is nothing to colour."""
+        self.colours.removeAllChildren()
+        if obj.Envelope is None or not obj.MapDistances:
+            return False
+        points, triangles = clearance.envelope_arrays(obj.Envelope)
+        if len(points) != len(obj.MapDistances):
+            return False
+        bands = [band_of(d, contact, required) for d in obj.MapDistances]
+        self.colours.addChild(_surface(points, triangles, BANDS, bands, 0.0))
+        return True
+
+    def hide_colours(self):
+        self.colours.removeAllChildren()
+
+
+def _surface(points, triangles, colours, which, transparency):
+    """A surface in one colour, or with one of `colours` at each point."""
+    import numpy as np
+    from pivy import coin
+
+    group = coin.SoSeparator()
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.creaseAngle = 0.5
+    shade, binding = coin.SoMaterial(), coin.SoMaterialBinding()
+    shade.diffuseColor.setValues(0, len(colours), [tuple(c) for c in colours])
+    shade.transparency = transparency
+    where, faces = coin.SoCoordinate3(), coin.SoIndexedFaceSet()
+    where.point.setValues(0, len(points), [tuple(map(float, p)) for p in points])
+    indices = np.full((len(triangles), 4), -1, dtype=int)
+    indices[:, :3] = triangles
+    flat = indices.ravel().tolist()
+    faces.coordIndex.setValues(0, len(flat), flat)
+    if which is not None:
+        binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+        bands = np.append(np.asarray(which, dtype=int), -1)
+        chosen = bands[indices].ravel().tolist()
+        faces.materialIndex.setValues(0, len(chosen), chosen)
+    for node in (hints, shade, binding, where, faces):
+        group.addChild(node)
+    return group
+
+
+def _line(a, b):
+    from pivy import coin
+
+    group = coin.SoSeparator()
+    light, shade, style = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
+    light.model = coin.SoLightModel.BASE_COLOR
+    shade.rgb = LINE
+    style.lineWidth, style.pointSize = 4.0, 9.0
+    where, line, ends = coin.SoCoordinate3(), coin.SoLineSet(), coin.SoPointSet()
+    where.point.setValues(0, 2, [tuple(a), tuple(b)])
+    line.numVertices.setValue(2)
+    for node in (light, shade, style, where, line, ends):
+        group.addChild(node)
+    return group
+
+
+def _zoom(points, found):
+    """Looks at the shortest line, with about the body's size round it."""
+    from pivy import coin
+
+    document = Gui.ActiveDocument
+    view = document.ActiveView if document is not None else None
+    if view is None or not hasattr(view, "getCameraNode"):
+        return
+    middle = [(p + q) / 2.0 for p, q in zip(found["point_on_body"], found["point_on_neighbour"])]
+    size = max(float((points.max(axis=0) - points.min(axis=0)).max()) * 0.8, 4 * found["distance"])
+    camera = view.getCameraNode()
+    forward = view.getViewDirection()
+    camera.position.setValue(coin.SbVec3f(*[m - 2 * size * f for m, f in zip(middle, forward)]))
+    camera.focalDistance.setValue(2 * size)
+    if camera.isOfType(coin.SoOrthographicCamera.getClassTypeId()):
+        camera.height.setValue(size)
+    App.Console.PrintLog("clearance: looking at {}\n".format(found["name"]))
