@@ -4,8 +4,8 @@
 // on tessellated solids, are cut in pieces first (at most twice as many in all): a box round a long
 // oblique sliver is nearly empty and would be opened for nothing. The boxes keep the axes of their
 // mesh: for a pair of meshes one rotation serves every pair of boxes, which makes a box test
-// several times cheaper than for boxes with axes of their own. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// several times cheaper than for boxes with axes of their own.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 //        where the representative puts it, also along one direction only.
 // Cost:  O(n log n), about 120 bytes a pose.
 // Why the corners of a box suffice: a displacement is affine in the point, so its length is convex
-// and largest at a corner of any box round the body. SPDX-License-Identifier: LGPL-2.1-or-later
+// and largest at a corner of any box round the body.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <vector>

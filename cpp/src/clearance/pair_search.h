@@ -5,7 +5,8 @@
 // How a proof works: two convex things, gap g along the unit vector n. If no point of the moving
 // one advances by more than a along n, they stay g - a apart (they are on two sides of a slab).
 // Boxes are tried first, then triangles; sliding along a wall costs nothing because n stands on the
-// wall. SPDX-License-Identifier: LGPL-2.1-or-later
+// wall.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "clearance/box_tree.h"

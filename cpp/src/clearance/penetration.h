@@ -4,7 +4,8 @@
 // Cost:  branch and bound over moments and surface pieces; one nearest-point and inside query each.
 // Why it is exact up to its tolerance: the depth of a point below a surface changes by no more than
 // the point or the surface moves, so depth at a box's centre + radius + displacement bounds them
-// all. SPDX-License-Identifier: LGPL-2.1-or-later
+// all.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "clearance/motion_search.h"
