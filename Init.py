@@ -8,7 +8,8 @@ import FreeCAD
 
 def _module_directory(known):
     """Where this file lies. FreeCAD runs it by exec: __file__ is not defined, but most versions leave
-    the name of the file in InstallFile; else it is the folder on the path that holds the package."""
+    the name of the file in InstallFile; else it is the folder on the path that holds the package.
+    """
     folders = [os.path.dirname(known)] if known else []
     for folder in folders + [f for f in sys.path if f]:
         if os.path.isfile(os.path.join(folder, "workbench", "sweptvolume", "__init__.py")):

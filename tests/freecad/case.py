@@ -11,7 +11,10 @@ from sweptvolume.features import envelope, motion
 
 V = App.Vector
 SHARED = os.path.join(
-    os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))), "..", "shared", "data"
+    os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))),
+    "..",
+    "shared",
+    "data",
 )
 
 

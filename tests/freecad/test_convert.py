@@ -66,7 +66,9 @@ class Convert(Case):
         self.assert_box(array, "1.", (77, 0, 0), (87, 10, 10))
 
     def test_mesh_inside_group(self):
-        feature, group = self.doc.addObject("Mesh::Feature", "M"), self.doc.addObject("App::Part", "G")
+        feature, group = self.doc.addObject("Mesh::Feature", "M"), self.doc.addObject(
+            "App::Part", "G"
+        )
         feature.Mesh = convert.mesh_from_arrays(*TETRA)
         feature.Placement, group.Placement = shift(2), shift(0, 0, 10)
         group.addObject(feature)

@@ -31,7 +31,9 @@ def test_scenario(scenario):
     with tempfile.TemporaryDirectory() as home:
         os.makedirs(os.path.join(home, "Mod"))
         os.symlink(ROOT, os.path.join(home, "Mod", "SweptVolume"))
-        shutil.copy(os.path.join(ROOT, "resources", "demo-user.cfg"), os.path.join(home, "user.cfg"))
+        shutil.copy(
+            os.path.join(ROOT, "resources", "demo-user.cfg"), os.path.join(home, "user.cfg")
+        )
         environment = dict(os.environ, FREECAD_USER_HOME=home)
         environment.pop("DISPLAY", None)
         environment.pop("PYTHONPATH", None)

@@ -9,7 +9,10 @@ from sweptvolume.convert import InputProblem
 from sweptvolume.features import motion
 from sweptvolume.trajectory.poses import Poses, at_time, in_frame
 
-CSV = "# unit: cm\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n2,1,2,3,0,0,0.7071067811865476,0.7071067811865476\n"
+CSV = (
+    "# unit: cm\nt,tx,ty,tz,qx,qy,qz,qw\n"
+    "0,0,0,0,0,0,0,1\n2,1,2,3,0,0,0.7071067811865476,0.7071067811865476\n"
+)
 
 
 class Motion(Case):

@@ -15,7 +15,9 @@ from sweptvolume.trajectory.edit import Keys, as_numbers, from_numbers, number_f
 class Sources(Case):
     def test_wire_by_arc_length_with_tangent(self):
         wire = self.doc.addObject("Part::Feature", "Wire")
-        arc = Part.Arc(V(10, 0, 0), V(10 + 5 * math.sqrt(0.5), 5 - 5 * math.sqrt(0.5), 0), V(15, 5, 0))
+        arc = Part.Arc(
+            V(10, 0, 0), V(10 + 5 * math.sqrt(0.5), 5 - 5 * math.sqrt(0.5), 0), V(15, 5, 0)
+        )
         wire.Shape = Part.Wire([Part.makeLine(V(0, 0, 0), V(10, 0, 0)), arc.toShape()])
         obj = motion.motion_from_source(self.doc, "Curve", [wire], count=21, orientation="Tangent")
         places = obj.Placements
@@ -43,11 +45,15 @@ class Sources(Case):
         self.doc.recompute()
         obj = motion.motion_from_source(self.doc, "Curve", [ring], count=73, orientation="Tangent")
         for a, b in zip(obj.Placements, obj.Placements[1:]):
-            self.assertAlmostEqual(math.degrees(a.Rotation.inverted().multiply(b.Rotation).Angle), 5, 6)
+            self.assertAlmostEqual(
+                math.degrees(a.Rotation.inverted().multiply(b.Rotation).Angle), 5, 6
+            )
 
     def test_pieces_are_refused(self):
         wire = self.doc.addObject("Part::Feature", "Two")
-        wire.Shape = Part.Compound([Part.makeLine(V(), V(1, 0, 0)), Part.makeLine(V(5, 0, 0), V(6, 0, 0))])
+        wire.Shape = Part.Compound(
+            [Part.makeLine(V(), V(1, 0, 0)), Part.makeLine(V(5, 0, 0), V(6, 0, 0))]
+        )
         with self.assertRaisesRegex(InputProblem, "2 separate pieces"):
             motion.motion_from_source(self.doc, "Curve", [wire])
 
@@ -121,7 +127,9 @@ class Sources(Case):
         ring = self.doc.addObject("Part::Circle", "Ring")
         ring.Radius = 10
         self.doc.recompute()
-        name = motion.motion_from_source(self.doc, "Curve", [ring], count=9, orientation="Tangent").Name
+        name = motion.motion_from_source(
+            self.doc, "Curve", [ring], count=9, orientation="Tangent"
+        ).Name
         self.doc.recompute()
         path = os.path.join(self.folder, "c.FCStd")
         self.doc.saveAs(path)
@@ -131,7 +139,9 @@ class Sources(Case):
         self.doc.recompute()
         obj = self.doc.getObject(name)
         self.assertEqual(obj.SourceType, "Curve")
-        self.assert_placement(obj.Placements[2], App.Placement(V(0, 20, 0), obj.Placements[2].Rotation))
+        self.assert_placement(
+            obj.Placements[2], App.Placement(V(0, 20, 0), obj.Placements[2].Rotation)
+        )
 
 
 class Editing(Case):

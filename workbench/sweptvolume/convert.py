@@ -184,9 +184,9 @@ def leaves(root, sub="", hidden=False):
     target = root.getSubObject(sub, retType=1)
     if target is None:
         raise InputProblem(
-            translate("Messages", '"{0}" no longer leads to an object; choose the part again.').format(
-                root.Label + "." + sub
-            )
+            translate(
+                "Messages", '"{0}" no longer leads to an object; choose the part again.'
+            ).format(root.Label + "." + sub)
         )
     if hidden and not getattr(target, "Visibility", True):
         return []
@@ -261,7 +261,9 @@ def box_corners(pairs):
         for linked, path in parts:
             if len(parts) > 1 and not _solid_like(linked):
                 continue
-            data = linked.Mesh.copy() if linked.isDerivedFrom("Mesh::Feature") else linked.Shape.copy()
+            data = (
+                linked.Mesh.copy() if linked.isDerivedFrom("Mesh::Feature") else linked.Shape.copy()
+            )
             data.Placement = App.Placement()
             box = data.BoundBox
             if not box.isValid():
@@ -288,10 +290,20 @@ def signature(pairs):
             words.append(np.array2string(_global_matrix(root, path), precision=9))
             if linked.isDerivedFrom("Mesh::Feature"):
                 data = linked.Mesh
-                size = (data.CountPoints, data.CountFacets, round(data.Area, 6), round(data.Volume, 6))
+                size = (
+                    data.CountPoints,
+                    data.CountFacets,
+                    round(data.Area, 6),
+                    round(data.Volume, 6),
+                )
             else:
                 data = linked.Shape
-                size = (len(data.Faces), len(data.Vertexes), round(data.Area, 6), round(data.Length, 6))
+                size = (
+                    len(data.Faces),
+                    len(data.Vertexes),
+                    round(data.Area, 6),
+                    round(data.Length, 6),
+                )
                 if data.Solids:
                     size += tuple(round(s.Volume, 6) for s in data.Solids)
             box = data.BoundBox

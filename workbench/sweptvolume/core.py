@@ -12,7 +12,7 @@ import sys
 
 import FreeCAD as App
 
-from . import ROOT
+from . import ROOT, settings
 from .texts import translate
 
 _module = None
@@ -147,7 +147,7 @@ class Control:
     """Cancel flag and progress of one run, usable from any thread."""
 
     def __init__(self):
-        self.context = module().RunContext()
+        self.context = module().RunContext(settings.threads(), settings.memory_limit())
 
     def cancel(self):
         self.context.cancel()

@@ -89,7 +89,9 @@ def view_rotation():
     out = App.Vector(-0.42, 0.86, 0.30).normalize()  # from the scene to the camera
     right = App.Vector(0, 0, 1).cross(out).normalize()
     up = out.cross(right)
-    m = App.Matrix(right.x, up.x, out.x, 0, right.y, up.y, out.y, 0, right.z, up.z, out.z, 0, 0, 0, 0, 1)
+    m = App.Matrix(
+        right.x, up.x, out.x, 0, right.y, up.y, out.y, 0, right.z, up.z, out.z, 0, 0, 0, 0, 1
+    )
     return App.Rotation(m)
 
 

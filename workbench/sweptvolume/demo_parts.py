@@ -93,7 +93,12 @@ def starter():
     solenoid = _rod(23.0, -104.0, -13.0, z=58.0)
     rim = solenoid.Edges
     solenoid = solenoid.makeFillet(
-        4.0, [e for e in rim if abs(e.BoundBox.XMax + 104.0) < 1e-6 and isinstance(e.Curve, Part.Circle)]
+        4.0,
+        [
+            e
+            for e in rim
+            if abs(e.BoundBox.XMax + 104.0) < 1e-6 and isinstance(e.Curve, Part.Circle)
+        ],
     )
     saddle = _box((-96, -13), (-13, 13), (20, 52))
     body = can.fuse([solenoid, saddle, _flange()])
@@ -120,7 +125,9 @@ def bell_housing():
     outer = Part.makeCone(188.0, 105.0, 140.0, V(16, CRANK.y, CRANK.z), X)
     inner = Part.makeCone(179.0, 96.0, 140.0, V(16, CRANK.y, CRANK.z), X)
     bulge = _rod(50.0, 15.0, 70.0)
-    hollow = inner.fuse([_rod(42.0, 14.0, 62.0), Part.makeCylinder(165, 20, V(-2, CRANK.y, CRANK.z), X)])
+    hollow = inner.fuse(
+        [_rod(42.0, 14.0, 62.0), Part.makeCylinder(165, 20, V(-2, CRANK.y, CRANK.z), X)]
+    )
     shell = plate.fuse([pad, outer, bulge]).cut(hollow)
     # The clutch side stays closed around the starter's opening.
     lid = pad.cut(Part.makeCylinder(128.0, 30.0, V(-5, CRANK.y, CRANK.z), X))

@@ -63,7 +63,11 @@ def _steps():
     _say("2. The envelope: {} x {} x {} cells of {:.2f} mm ...".format(*e["grid"], e["cell"]))
     gap = _finish(runner.start(tasks.EnvelopeTask(scene.document, Plan.of(obj), obj)))
     text = "   {} triangles in {} shell(s), {:.1f} cm^3, {:.2f} s, self-intersections: {}"
-    _say(text.format(obj.Triangles, obj.Shells, obj.Volume.Value / 1000, obj.Seconds, obj.SelfIntersections))
+    _say(
+        text.format(
+            obj.Triangles, obj.Shells, obj.Volume.Value / 1000, obj.Seconds, obj.SelfIntersections
+        )
+    )
     _say("   longest pause of the window: {:.0f} ms".format(gap * 1000))
     yield
     _say("3. The solid ...")
@@ -118,7 +122,9 @@ def main():
 
 try:
     if not App.GuiUp:
-        _fail("needs the FreeCAD with a window; use run-demo, which brings a display if there is none.")
+        _fail(
+            "needs the FreeCAD with a window; use run-demo, which brings a display if there is none."
+        )
     main()
 except Exception as error:
     _fail(str(error))

@@ -26,6 +26,8 @@ class Task:
     title = ""
     document = None
     watched = ()
+    #: Whether finish() changes the document: then it runs in a transaction and failures are told.
+    writes = True
 
     def work(self, control):
         raise NotImplementedError
@@ -116,7 +118,10 @@ class Run(QtCore.QObject):
         error = self._thread.error
         if error is None:
             try:
-                _in_transaction(self.task, lambda: self.task.finish(self._thread.value))
+                if self.task.writes:
+                    _in_transaction(self.task, lambda: self.task.finish(self._thread.value))
+                else:
+                    self.task.finish(self._thread.value)
                 self.state = "ok"
                 return
             except Exception as problem:
@@ -127,7 +132,8 @@ class Run(QtCore.QObject):
             return
         self.state = "failed"
         self.message = str(error) or type(error).__name__
-        App.Console.PrintError("{}: {}\n".format(self.task.title, self.message))
+        if self.task.writes:
+            App.Console.PrintError("{}: {}\n".format(self.task.title, self.message))
         self.task.fail(self.message)
 
 

@@ -85,7 +85,10 @@ def click(button):
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
     keys = QtCore.Qt.NoModifier
     where = QtCore.QPointF(button.mapToGlobal(button.rect().center()))
-    for kind, held in ((QtCore.QEvent.MouseButtonPress, left), (QtCore.QEvent.MouseButtonRelease, none)):
+    for kind, held in (
+        (QtCore.QEvent.MouseButtonPress, left),
+        (QtCore.QEvent.MouseButtonRelease, none),
+    ):
         event = QtGui.QMouseEvent(kind, middle, where, left, held, keys)
         QtWidgets.QApplication.sendEvent(button, event)
 
@@ -128,4 +131,17 @@ def run(scenario):
     QtCore.QTimer.singleShot(300, tick)
 
 
-__all__ = ["App", "Gaps", "Gui", "QtWidgets", "click", "find", "no_panel", "panel_button", "run", "say", "shot", "widen"]
+__all__ = [
+    "App",
+    "Gaps",
+    "Gui",
+    "QtWidgets",
+    "click",
+    "find",
+    "no_panel",
+    "panel_button",
+    "run",
+    "say",
+    "shot",
+    "widen",
+]

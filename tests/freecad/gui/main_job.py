@@ -5,7 +5,20 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from driver import App, Gaps, Gui, QtWidgets, click, find, no_panel, panel_button, run, say, shot, widen
+from driver import (  # noqa: E402
+    App,
+    Gaps,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    no_panel,
+    panel_button,
+    run,
+    say,
+    shot,
+    widen,
+)
 
 Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
 CSV = "# t in s\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n2,4,4,0,0,0,0.7071068,0.7071068\n"

@@ -2,9 +2,23 @@
 """The path editor by real clicks: capture, edit with units, insert, undo, cancel, play."""
 import os
 import sys
+import time
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from driver import App, Gaps, Gui, QtWidgets, click, find, no_panel, panel_button, run, say, shot, widen
+from driver import (  # noqa: E402
+    App,
+    Gaps,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    no_panel,
+    panel_button,
+    run,
+    say,
+    shot,
+    widen,
+)
 
 Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
 
@@ -19,6 +33,7 @@ def type_into(table, row, column, text):
 
 def scenario():
     from sweptvolume import demo
+    from sweptvolume.panels import motion_panel
 
     Gui.activateWorkbench("SweptVolumeWorkbench")
     widen()
@@ -27,7 +42,6 @@ def scenario():
     doc, starter = scene.document, scene.starter
     yield 0.5
     doc.removeObject(scene.motion.Name)
-    undo = doc.UndoCount
 
     # A new motion: capture here, move the part, capture again, insert one between.
     Gui.Selection.clearSelection()
@@ -52,6 +66,23 @@ def scenario():
     shot("10_path_editor_message")
     yield 0.5
     assert table.item(0, 0).text() == "0"
+
+    # The coarse envelope follows: twenty edits one after the other.
+    panel = motion_panel.opened[-1]
+    yield lambda: panel.preview.run is None
+    assert panel.ghosts.envelope.getNumChildren() == 1
+    gaps, began, done = Gaps(), time.perf_counter(), panel.preview.updates
+    for i in range(20):
+        type_into(table, 3, 3, str(-250 - i))
+        yield lambda: panel.preview.run is None
+    seconds = time.perf_counter() - began
+    assert panel.preview.updates >= done + 20
+    text = "preview: {:.1f} updates a second, longest gap {:.0f} ms"
+    say(text.format(20 / seconds, gaps.stop() * 1000))
+    type_into(table, 3, 3, "-254")
+    yield lambda: panel.preview.run is None
+    shot("14_preview")
+    yield 0.5
     gaps = Gaps()
     click(button("Play"))
     yield 1.5

@@ -9,7 +9,8 @@ class Command(BaseCommand):
     NAME = "SweptVolume_Export"
     TEXT = mark("Commands", "Export envelope...")
     TIP = mark(
-        "Commands", "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way"
+        "Commands",
+        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way",
     )
 
     def run(self, document):

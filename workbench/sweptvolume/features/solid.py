@@ -49,7 +49,9 @@ class Solid(Feature):
                 "App::PropertyInteger",
                 "MaxFaces",
                 "Solid",
-                mark("Properties", "More faces than this are refused: set Tolerance of the envelope"),
+                mark(
+                    "Properties", "More faces than this are refused: set Tolerance of the envelope"
+                ),
                 120000,
                 0,
             ),
@@ -160,7 +162,9 @@ def request_for(source, merge=True, max_faces=120000, world=False):
     """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame."""
     if source is None or not can_be_source(source):
         raise InputProblem(
-            translate("Messages", "compute the envelope first: there is no mesh to make a solid of.")
+            translate(
+                "Messages", "compute the envelope first: there is no mesh to make a solid of."
+            )
         )
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
     if world:

@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import convert, core, runner
+from .. import convert, core, runner, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..features.base import objects_of_kind
@@ -40,7 +40,12 @@ class EnvelopePanel:
         self.run = None
         self.buttons = []
         self.close_when_done = True
-        values = DEFAULTS
+        values = dict(
+            DEFAULTS,
+            Resolution=settings.resolution(),
+            Tolerance=settings.tolerance(),
+            Backend=settings.backend(),
+        )
         if obj is not None:
             plan = Plan.of(obj)
             pairs, motion_obj, values = plan.pairs, plan.motion, plan.values
@@ -71,7 +76,9 @@ class EnvelopePanel:
         self.parts.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
         self.add = QtWidgets.QPushButton(translate("Panels", "Add selected"))
         self.remove = QtWidgets.QPushButton(translate("Panels", "Remove"))
-        widgets.hint(self.add, translate("Panels", "Adds the solids and meshes selected in the tree"))
+        widgets.hint(
+            self.add, translate("Panels", "Adds the solids and meshes selected in the tree")
+        )
         buttons = QtWidgets.QHBoxLayout()
         buttons.addWidget(self.add)
         buttons.addWidget(self.remove)
@@ -103,7 +110,9 @@ class EnvelopePanel:
         self.cell = widgets.length(values["CellSize"] or 1.0)
         self.tolerance = widgets.length(values["Tolerance"])
         self.offset = widgets.length(values["Offset"])
-        widgets.hint(self.tolerance, translate("Panels", "Largest deviation by simplification; 0: none"))
+        widgets.hint(
+            self.tolerance, translate("Panels", "Largest deviation by simplification; 0: none")
+        )
         widgets.hint(self.offset, translate("Panels", "Safety distance around the swept volume"))
         rows.addRow(translate("Panels", "Given by"), self.by)
         rows.addRow(translate("Panels", "Cells"), self.resolution)
@@ -305,5 +314,3 @@ def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     if start:
         panel.start()
     return panel
-
-

@@ -21,7 +21,10 @@ def ask_export(name):
     """File to write, with a suffix; "" when cancelled."""
     filters = ["{} ({})".format(title, patterns) for title, patterns, _ in _KINDS]
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
-        Gui.getMainWindow(), translate("Panels", "Export envelope"), name + ".step", ";;".join(filters)
+        Gui.getMainWindow(),
+        translate("Panels", "Export envelope"),
+        name + ".step",
+        ";;".join(filters),
     )
     if path and not os.path.splitext(path)[1]:
         path += _KINDS[filters.index(chosen)][2] if chosen in filters else ".step"

@@ -61,8 +61,12 @@ class FilePanel:
             return
         points = pose_arrays(poses.placements)[0]
         size = points.max(axis=0) - points.min(axis=0)
-        text = translate("Panels", "{0} poses, {1:g} to {2:g} s, moving {3:.4g} x {4:.4g} x {5:.4g} mm")
-        widgets.show_message(self.info, text.format(len(poses), poses.times[0], poses.times[-1], *size))
+        text = translate(
+            "Panels", "{0} poses, {1:g} to {2:g} s, moving {3:.4g} x {4:.4g} x {5:.4g} mm"
+        )
+        widgets.show_message(
+            self.info, text.format(len(poses), poses.times[0], poses.times[-1], *size)
+        )
 
     def accept(self):
         title = translate("Messages", "Motion from file")

@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import convert
+from .. import convert, core, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..features.envelope import is_envelope
@@ -14,6 +14,7 @@ from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, in_frame
 from ..views.ghost import Ghosts
 from . import selection, widgets
+from .preview import Preview
 from .widgets import QtWidgets
 
 COLUMNS = ["t", "x", "y", "z", "yaw", "pitch", "roll"]
@@ -22,6 +23,10 @@ UNITS = ["s", "mm", "mm", "mm", "deg", "deg", "deg"]
 FRAME_TIME, SLIDER = 40, 1000
 #: Ghosts are coarse: deflection as part of the part's box diagonal; most keys that get one.
 GHOST_DEFLECTION, MOST_GHOSTS = 0.01, 60
+
+
+#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+opened = []
 
 
 class MotionPanel:
@@ -42,6 +47,8 @@ class MotionPanel:
         self.message = widgets.message_label()
         layout.addWidget(self.message)
         layout.addStretch(1)
+        self.body = None
+        self.preview = Preview(document, self.show_preview, self.report_preview)
         self.timer = QtCore.QTimer(self.form)
         self.timer.timeout.connect(self.advance)
         self._make_ghosts()
@@ -77,9 +84,19 @@ class MotionPanel:
         t = lambda text: translate("Panels", text)  # noqa: E731
         return [
             ("Capture", t("Capture"), t("Adds the placement that the part has now"), self._capture),
-            ("Update", t("Update"), t("Takes the part's placement of now for this key"), self._update),
+            (
+                "Update",
+                t("Update"),
+                t("Takes the part's placement of now for this key"),
+                self._update,
+            ),
             ("Insert", t("Insert"), t("A new key half-way to the next one"), self._insert),
-            ("Duplicate", t("Duplicate"), t("The same placement again"), lambda i: self.keys.duplicate(i)),
+            (
+                "Duplicate",
+                t("Duplicate"),
+                t("The same placement again"),
+                lambda i: self.keys.duplicate(i),
+            ),
             ("Delete", t("Delete"), t("Removes the key"), self._delete),
             ("Reverse", t("Reverse"), t("The way back"), self._reverse),
             ("Up", t("Up"), t("Earlier"), lambda i: self.keys.move(i, -1)),
@@ -97,6 +114,13 @@ class MotionPanel:
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
         self.frame.currentIndexChanged.connect(lambda i: self.show_ghosts())
+        self.interpolation.currentIndexChanged.connect(self.ask_preview)
+        self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
+        self.preview_box.setChecked(settings.preview())
+        self.preview_box.toggled.connect(self.ask_preview)
+        self.preview_text = widgets.message_label()
+        rows.addRow(self.preview_box)
+        rows.addRow(self.preview_text)
 
     def _build_player(self, layout):
         rows = widgets.group(translate("Panels", "Play"), layout)
@@ -121,7 +145,10 @@ class MotionPanel:
         """Where the part stands now, by which a captured key is meant."""
         if self.pair is None:
             raise InputProblem(
-                translate("Messages", "no part: close the panel, select the moving part and open it again.")
+                translate(
+                    "Messages",
+                    "no part: close the panel, select the moving part and open it again.",
+                )
             )
         return convert.global_placement(*self.pair)
 
@@ -154,7 +181,9 @@ class MotionPanel:
         widgets.show_message(self.message, "")
         row = self.table.currentRow()
         if row < 0 and action not in (self._capture, self._insert, self._reverse, self._even):
-            widgets.show_message(self.message, translate("Messages", "choose a key in the table first."))
+            widgets.show_message(
+                self.message, translate("Messages", "choose a key in the table first.")
+            )
             return
         try:
             self.fill(action(row if row >= 0 else len(self.keys) - 1))
@@ -220,12 +249,15 @@ class MotionPanel:
         except InputProblem as problem:
             widgets.show_message(self.message, str(problem))
             return
+        self.body = body
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
 
     def _applied(self, placements):
-        """Placements that take the part from where it stands now to each pose."""
+        """Placements that take the body to each pose."""
         keys = Keys(range(len(placements)), placements)
-        applied, base = in_frame(keys.poses(), self.frame.currentData(), self.standing())
+        # The ghosts' points are those of the body as it stood when they were made.
+        there = self.body.placement
+        applied, base = in_frame(keys.poses(), self.frame.currentData(), there)
         return [p.multiply(base.inverse()) for p in applied]
 
     def show_ghosts(self):
@@ -234,6 +266,31 @@ class MotionPanel:
             placements = self.keys.placements[::step]
             self.ghosts.show_keys(self._applied(placements) if placements else [])
         self.show_moving()
+        self.ask_preview()
+
+    def ask_preview(self, *ignored):
+        """Wishes for a coarse envelope of the keys as they are now."""
+        if self.ghosts is None:
+            return
+        if not self.preview_box.isChecked():
+            self.preview.stop()
+            self.ghosts.show_envelope([], [])
+            return
+        rules = self.frame.currentData(), self.interpolation.currentData()
+        try:
+            self.preview.want(
+                self.body, Keys(self.keys.times, self.keys.placements).poses(), *rules
+            )
+        except (InputProblem, core.CoreMissing) as problem:
+            self.report_preview(str(problem))
+
+    def show_preview(self, vertices, triangles):
+        if self.ghosts is not None and self.ghosts.root is not None:
+            self.ghosts.show_envelope(vertices, triangles)
+
+    def report_preview(self, text):
+        self.preview_text.setText(text)
+        self.preview_text.setVisible(bool(text))
 
     def now(self):
         """Time (s) at the slider."""
@@ -268,6 +325,7 @@ class MotionPanel:
 
     def _close(self):
         self.timer.stop()
+        self.preview.stop()
         if self.ghosts is not None and widgets.alive(self.document):
             self.ghosts.remove()
         Gui.Control.closeDialog()
@@ -316,5 +374,6 @@ def _part_of(document, obj):
 
 def show(document, obj=None, pair=None):
     panel = MotionPanel(document, obj, pair)
+    opened[:] = [panel]
     Gui.Control.showDialog(panel)
     return panel

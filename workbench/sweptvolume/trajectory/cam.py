@@ -36,7 +36,9 @@ def poses(objects, rapid=100.0):
         words = command.Parameters
         feed = words.get("F", feed) or feed
         target = {axis: words.get(axis, state[axis]) for axis in state}
-        if not found:  # where the tool comes from is not known: the motion starts at the first target
+        if (
+            not found
+        ):  # where the tool comes from is not known: the motion starts at the first target
             times, found, state = [0.0], [_placement(target)], target
             continue
         for step in _steps(state, target, words, kind):

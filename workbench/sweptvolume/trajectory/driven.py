@@ -10,7 +10,9 @@ def poses(objects, name, start, end, count, duration):
     """objects: the object with the property, the part to watch. name: property or cell alias."""
     if len(objects) != 2:
         raise InputProblem(
-            translate("Messages", "choose the object whose property is driven, then the part to watch.")
+            translate(
+                "Messages", "choose the object whose property is driven, then the part to watch."
+            )
         )
     driver, part = objects
     if not name or not hasattr(driver, name):

@@ -29,7 +29,9 @@ class Keys:
     def insert_after(self, index, interpolation="Linear", placement=None):
         """A key half-way to the next one, where the part then is; behind the last: one step later."""
         if index + 1 >= len(self):
-            return self.append(placement or (self.placements[-1] if self.placements else App.Placement()))
+            return self.append(
+                placement or (self.placements[-1] if self.placements else App.Placement())
+            )
         time = 0.5 * (self.times[index] + self.times[index + 1])
         if placement is None:
             placement = at_time(self.poses(), interpolation, time)
@@ -69,9 +71,9 @@ class Keys:
         after = self.times[index + 1] if index + 1 < len(self) else None
         if (before is not None and time <= before) or (after is not None and time >= after):
             raise InputProblem(
-                translate("Messages", "the time of key {0} must lie between those of its neighbours.").format(
-                    index + 1
-                )
+                translate(
+                    "Messages", "the time of key {0} must lie between those of its neighbours."
+                ).format(index + 1)
             )
         self.times[index] = float(time)
 
@@ -107,4 +109,6 @@ def number_from(text, unit):
             return quantity.Value / one.Value
     except (ValueError, SyntaxError, ArithmeticError):
         pass
-    raise InputProblem(translate("Messages", '"{0}" is not a number or quantity in {1}.').format(text, unit))
+    raise InputProblem(
+        translate("Messages", '"{0}" is not a number or quantity in {1}.').format(text, unit)
+    )

@@ -11,7 +11,9 @@ def placements(objects, step):
     for obj in objects:
         if not hasattr(obj, "Placement"):
             raise InputProblem(
-                translate("Messages", '"{0}" has no placement and cannot be a pose.').format(obj.Label)
+                translate("Messages", '"{0}" has no placement and cannot be a pose.').format(
+                    obj.Label
+                )
             )
         found.append(global_placement(*root_path(obj)))
     if not found:

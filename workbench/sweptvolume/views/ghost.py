@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Transparent copies of a part in the 3D view that belong to no document: at each key and on the way."""
 import FreeCADGui as Gui
+import numpy as np
 
 from ..convert import matrix_of
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
+ENVELOPE_COLOUR = (0.35, 0.60, 0.90)
 
 
 class Ghosts:
@@ -24,15 +26,26 @@ class Ghosts:
         self.moving = coin.SoMatrixTransform()
         self._add(coin, KEY_COLOUR, 0.75, [self.copies])
         self._add(coin, MOVING_COLOUR, 0.35, [self.moving, shape])
+        self.envelope = coin.SoGroup()
+        self._add(coin, ENVELOPE_COLOUR, 0.6, [self.envelope])
         self.graph.addChild(self.root)
+
+    def show_envelope(self, vertices, triangles):
+        """The coarse envelope; empty arrays take it away."""
+        from pivy import coin
+
+        self.envelope.removeAllChildren()
+        if len(triangles):
+            self.envelope.addChild(self._shape(coin, vertices, triangles))
 
     def _shape(self, coin, vertices, triangles):
         group = coin.SoGroup()
         points, faces, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         hints.creaseAngle = 0.5
-        points.point.setValues(0, len(vertices), [tuple(map(float, v)) for v in vertices])
-        indices = [i for t in triangles for i in (int(t[0]), int(t[1]), int(t[2]), -1)]
+        points.point.setValues(0, len(vertices), np.asarray(vertices, dtype=float).tolist())
+        ends = np.full((len(triangles), 1), -1, dtype=np.int64)
+        indices = np.hstack([triangles, ends]).ravel().tolist()
         faces.coordIndex.setValues(0, len(indices), indices)
         for node in (hints, points, faces):
             group.addChild(node)

@@ -25,10 +25,14 @@ class MotionView(View):
     def add_properties(self, view):
         if "FrameSize" not in view.PropertiesList:
             text = mark("Properties", "Length of the axes drawn at each pose (mm); 0: automatic")
-            view.addProperty("App::PropertyFloat", "FrameSize", "Path", translate("Properties", text))
+            view.addProperty(
+                "App::PropertyFloat", "FrameSize", "Path", translate("Properties", text)
+            )
         if "PathWidth" not in view.PropertiesList:
             text = mark("Properties", "Width of the path line (pixels)")
-            view.addProperty("App::PropertyFloat", "PathWidth", "Path", translate("Properties", text))
+            view.addProperty(
+                "App::PropertyFloat", "PathWidth", "Path", translate("Properties", text)
+            )
             view.PathWidth = 3.0
 
     def attach(self, view):

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The coarse envelope that follows the path editor: computed beside the GUI, newest wish wins, drawn
+in the view only."""
+import numpy as np
+
+from .. import convert, core, runner, settings
+from ..runner import Task
+from ..trajectory.poses import INTERPOLATIONS, in_frame
+
+OPTIONS = {"components": "consistent", "backend": "auto"}
+
+
+def request_for(body, poses, frame, interpolation, resolution):
+    """Run for a body as it stands now (convert.Body), no document behind it."""
+    placements, base = in_frame(poses, frame, body.placement)
+    into_base = convert.matrix_of(base.inverse())
+    translations, rotations = convert.pose_arrays(placements)
+    return core.Request(
+        convert.transform(into_base, body.vertices),
+        body.triangles,
+        np.array(poses.times, dtype=float),
+        translations,
+        rotations,
+        INTERPOLATIONS[interpolation],
+        dict(OPTIONS, resolution=resolution),
+    )
+
+
+class _PreviewTask(Task):
+    writes = False
+
+    def __init__(self, document, request, show):
+        self.title = "Preview"
+        self.document = document
+        self.request = request
+        self.show = show
+
+    def work(self, control):
+        return core.compute(self.request, control)
+
+    def finish(self, value):
+        self.show(value.vertices, value.triangles)
+
+
+class Preview:
+    """Keeps at most one run under way; a new wish cancels it and takes its place."""
+
+    def __init__(self, document, show, report):
+        self.document, self.show, self.report = document, show, report
+        self.run, self.next, self.updates = None, None, 0
+
+    def want(self, body, poses, frame, interpolation):
+        self.next = (body, poses, frame, interpolation)
+        if self.run is None:
+            self._start()
+        else:
+            self.run.cancel()
+
+    def _start(self):
+        wish, self.next = self.next, None
+        if wish is None or len(wish[1]) == 0:
+            return
+        request = request_for(*wish, settings.preview_resolution())
+        self.run = runner.start(_PreviewTask(self.document, request, self.show))
+        self.run.ended.connect(self._ended)
+
+    def _ended(self, run):
+        self.run = None
+        if run.state == "ok":
+            self.updates += 1
+        if run.state != "cancelled":
+            self.report(run.message)
+        self._start()
+
+    def stop(self):
+        self.next = None
+        if self.run is not None:
+            self.run.ended.disconnect(self._ended)
+            self.run.cancel()
+            self.run = None
