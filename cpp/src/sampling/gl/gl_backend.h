@@ -14,6 +14,8 @@ struct GlSetup {
   DeviceWish wish;
   GlSettings settings;
   int verifiedElements = 512, verifiedEdges = 512;
+  double assumedProbe =
+      0;  ///< testing hook: GPU seconds / CPU seconds instead of a probe; 0: probe
 };
 
 /// Opens and self-tests a device. Throws Error(DeviceUnavailable) / Error(DeviceLost).

@@ -240,6 +240,12 @@ GlContext::~GlContext() {
   }
 }
 
+void reportGarbage(const std::string& device, const std::string& what) {
+  throw Error(Status::DeviceLost, "DeviceGarbage",
+              "the GPU returned a wrong result (" + what + ") on " + device +
+                  "; use --backend cpu or auto, or update its driver");
+}
+
 void GlContext::lost(const std::string& what) const {
   throw Error(Status::DeviceLost, "DeviceLost",
               "the GPU was lost (" + what + ") on " + device_ + "; use --backend cpu or auto");

@@ -29,6 +29,9 @@ struct Limits {
   int geometryInvocations = 0, viewports = 0;
 };
 
+/// Throws Error(DeviceLost, "DeviceGarbage"): the device answered, but wrongly.
+[[noreturn]] void reportGarbage(const std::string& device, const std::string& what);
+
 class GlContext {
  public:
   /// Throws Error(DeviceUnavailable) that names the step that failed for each device tried.

@@ -65,6 +65,20 @@ void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column
   edges.shrink_to_fit();
 }
 
+/// Do all edges of layer i end within the grid? What follows relies on it.
+bool staysInGrid(const LayerEdges& layer, std::int32_t i, const GridPlan& grid) {
+  const auto& n = grid.points;
+  if (i + 1 >= n[0] && !layer.edges[0].empty()) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int32_t most = axis == 2 ? n[2] - 2 : n[2] - 1;
+    for (const MarkedEdge& edge : layer.edges[axis]) {
+      if (edge.k > most) return false;
+    }
+  }
+  const auto& start = layer.columnStart[1];
+  return start[static_cast<std::size_t>(n[1]) - 1] == start[static_cast<std::size_t>(n[1])];
+}
+
 }  // namespace
 
 GlSampler::GlSampler(const SamplerInput& input, OpenDevice openDevice, const GlSettings& settings,
@@ -115,6 +129,11 @@ MarkedEdges GlSampler::mark(RunContext& run) {
     finishLayer(out.layers[n / 3], static_cast<int>(n % 3), columns[n], input_.grid.points[1]);
     std::vector<std::uint32_t>().swap(columns[n]);
   });
+  for (std::size_t i = 0; i < layers; ++i) {
+    if (!staysInGrid(out.layers[i], static_cast<std::int32_t>(i), input_.grid)) {
+      reportGarbage(deviceName_, "pass 1 marked an edge beyond the grid");
+    }
+  }
   return out;
 }
 
@@ -177,7 +196,7 @@ void GlSampler::resolveBrick(const Brick& brick, MarkedEdges& marked, const Sign
     for (std::size_t n = 0; n < best.size(); ++n) {
       const Best& b = best[n];
       if (b.lowElement >= source_.count() || b.highElement >= source_.count()) {
-        device_->context->lost("pass 2 found no surface on an edge that pass 1 marked");
+        reportGarbage(deviceName_, "pass 2 found no surface on an edge that pass 1 marked");
       }
       MarkedEdge& edge = *targets[begin + n].edge;
       edge.lowFraction = static_cast<float>(b.low) / kFractionUnits;

@@ -29,11 +29,6 @@ class Random {
   std::uint64_t state_;
 };
 
-[[noreturn]] void garbage(const std::string& device, const std::string& what) {
-  throw Error(Status::DeviceLost, "DeviceGarbage",
-              "the GPU returned a wrong result (" + what + ") on " + device +
-                  "; update its driver, or use --backend cpu");
-}
 std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
   std::ostringstream text;
   text << "lattice edge (" << i << ", " << j << ", " << k << ") along "
@@ -87,13 +82,15 @@ struct KnownField {
 
 }  // namespace
 
-void selfTest(const std::shared_ptr<GlDevice>& device, RunContext& run) {
+void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds,
+              RunContext& run) {
   const KnownField field;
   const BodyTopology topology = buildTopology(field.body);
   const SamplerInput input{field.body, topology, field.motion, field.grid, true, true};
   GlSettings settings;
   settings.budgetBytes = 2 * 12 * 23 * 3 * 2 * sizeof(std::uint32_t);  // half the layers a brick
   settings.chunkBytes = 4096;
+  settings.fenceTimeoutSeconds = fenceTimeoutSeconds;
   GlSampler sampler(
       input, [&] { return device; }, settings, run);
   MarkedEdges seen = sampler.mark(run);
@@ -110,7 +107,7 @@ void selfTest(const std::shared_ptr<GlDevice>& device, RunContext& run) {
         std::equal(expected.edges[axis].begin(), expected.edges[axis].end(),
                    got.edges[axis].begin(), got.edges[axis].end(),
                    [](const MarkedEdge& a, const MarkedEdge& b) { return a.k == b.k; });
-    if (!same) garbage(name, "self-test: marks differ from the known ones");
+    if (!same) reportGarbage(name, "self-test: marks differ from the known ones");
   });
   const SignRuns signs = findOutside(seen, field.grid, run);
   sampler.resolve(seen, signs, run);
@@ -119,16 +116,16 @@ void selfTest(const std::shared_ptr<GlDevice>& device, RunContext& run) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto& expected = known.layers[static_cast<std::size_t>(i)].edges[axis];
       const auto& got = seen.layers[static_cast<std::size_t>(i)].edges[axis];
-      forContributing(seen, signs, field.grid, i, axis,
-                      [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
-                        const MarkedEdge& truth =
-                            expected[static_cast<std::size_t>(&edge - got.data())];
-                        const bool same = std::abs(edge.lowFraction - truth.lowFraction) <= kStep &&
-                                          std::abs(edge.highFraction - truth.highFraction) <= kStep;
-                        if (!same) {
-                          garbage(name, "self-test: crossing on " + edgeName(axis, i, j, edge.k));
-                        }
-                      });
+      forContributing(
+          seen, signs, field.grid, i, axis,
+          [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
+            const MarkedEdge& truth = expected[static_cast<std::size_t>(&edge - got.data())];
+            const bool same = std::abs(edge.lowFraction - truth.lowFraction) <= kStep &&
+                              std::abs(edge.highFraction - truth.highFraction) <= kStep;
+            if (!same) {
+              reportGarbage(name, "self-test: crossing on " + edgeName(axis, i, j, edge.k));
+            }
+          });
     }
   }
   verifyWinners(input, seen, signs, name, 1 << 20);
@@ -144,7 +141,7 @@ void verifyMarks(const SamplerInput& input, const ElementSource& source, const M
     elementCrossings(input, element,
                      [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double) {
                        if (isMarked(marked, axis, i, j, k)) return;
-                       garbage(device, "no mark on " + edgeName(axis, i, j, k));
+                       reportGarbage(device, "no mark on " + edgeName(axis, i, j, k));
                      });
   }
 }
@@ -195,9 +192,9 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
       if (winding <= 0 || next == changes.end()) continue;
       for (std::int32_t k = change->first; k < next->first; ++k) {
         if (!reader.outside(k)) continue;
-        garbage(device, "the outside reaches the lattice point (" + std::to_string(line.first) +
-                            ", " + std::to_string(line.second) + ", " + std::to_string(k) +
-                            ") inside the body");
+        reportGarbage(device, "the outside reaches the lattice point (" +
+                                  std::to_string(line.first) + ", " + std::to_string(line.second) +
+                                  ", " + std::to_string(k) + ") inside the body");
       }
     }
   }
@@ -230,8 +227,8 @@ void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const S
                                          std::abs(f - fraction) <= kStep;
                               });
                           if (!found) {
-                            garbage(device, "the surface said to cross " +
-                                                edgeName(axis, i, j, edge.k) + " does not");
+                            reportGarbage(device, "the surface said to cross " +
+                                                      edgeName(axis, i, j, edge.k) + " does not");
                           }
                         }
                       });

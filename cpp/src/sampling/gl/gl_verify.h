@@ -14,7 +14,7 @@
 namespace swept::gl {
 
 /// Samples a small turning body on the device and compares every mark, fraction and element.
-void selfTest(const std::shared_ptr<GlDevice>& device, RunContext& run);
+void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds, RunContext& run);
 
 /// Every crossing of `samples` random elements must be marked.
 void verifyMarks(const SamplerInput& input, const ElementSource& source, const MarkedEdges& marked,

@@ -1,0 +1,38 @@
+// A body on a path with its grid, and comparison of two samplers' answers.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "sampling/backend.h"
+#include "sampling/gl/gl_sampler.h"
+#include "support/shapes.h"
+
+namespace swept::test {
+
+struct Scene {
+  TriMesh body;
+  BodyTopology topology;
+  Motion motion;
+  GridPlan grid;
+  bool cull = true, orientable = true;
+
+  Scene(TriMesh mesh, const Trajectory& trajectory, int resolution);
+  SamplerInput input() const { return {body, topology, motion, grid, cull, orientable}; }
+};
+
+/// A torus that turns and travels.
+Trajectory turningPath(int poses, Interpolation interpolation);
+
+struct Difference {
+  std::int64_t edges = 0;      ///< marked by one only
+  std::int64_t fractions = 0;  ///< contributing crossings that differ at all
+  std::int64_t elements = 0;   ///< contributing crossings won by different elements
+  double largestFraction = 0;  ///< cells
+  std::int64_t contributing = 0;
+};
+/// Compares marks everywhere, crossings where an end is outside.
+Difference compare(const Scene& scene, const MarkedEdges& a, const MarkedEdges& b,
+                   const SignRuns& signs);
+
+}  // namespace swept::test
