@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "sampling/backend.h"
+#include "pipeline/backend.h"
 #include "sampling/gl/gl_sampler.h"
 #include "support/shapes.h"
 
