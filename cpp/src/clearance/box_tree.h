@@ -1,10 +1,10 @@
-// Bounding-box hierarchy of a triangle mesh in the mesh's own frame, built once, kept for all
-// poses. In:    triangles, mm. Out: tree; nearest point, inside test. Cost:  O(n log n) to build,
-// about 250 bytes a triangle; O(log n) a query on well-shaped parts. Long thin triangles, plentiful
-// on tessellated solids, are cut in pieces first (at most twice as many in all): a box round a long
-// oblique sliver is nearly empty and would be opened for nothing. The boxes keep the axes of their
-// mesh: for a pair of meshes one rotation serves every pair of boxes, which makes a box test
-// several times cheaper than for boxes with axes of their own.
+// Bounding-box hierarchy of a triangle mesh in the mesh's own frame, built once for all poses.
+// In:    triangles, mm. Out: the hierarchy; nearest point, inside test.
+// Cost:  O(n log n) to build, about 250 bytes a triangle; O(log n) a query on well-shaped parts.
+// Long thin triangles, plentiful on tessellated solids, are cut in pieces first (at most half as
+// many more): a box round a long oblique sliver is nearly empty and would be opened for nothing.
+// The boxes keep the axes of their mesh: one rotation then serves every pair of boxes of two
+// meshes, which makes a box test several times cheaper than for boxes with axes of their own.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

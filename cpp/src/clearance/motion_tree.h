@@ -1,10 +1,9 @@
 // Hierarchy over a motion: single poses, or steps between poses, clustered by how the body lies.
-// In:    trajectory; box of the body in its own frame. Units: mm, rad; the parameter of a motion is
-//        member + s, s in [0, 1] within a step.
+// In:    trajectory; box of the body in its own frame. Units: mm, rad.
+//        The parameter of a motion is pose + s, s in [0, 1] within the step after it.
 // Out:   for every node a representative pose and a bound on how far any point of the body lies
-// from
-//        where the representative puts it, also along one direction only.
-// Cost:  O(n log n), about 120 bytes a pose.
+//        from where the representative puts it, also along one direction only.
+// Cost:  O(n log n), about 500 bytes a pose.
 // Why the corners of a box suffice: a displacement is affine in the point, so its length is convex
 // and largest at a corner of any box round the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later

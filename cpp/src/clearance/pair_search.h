@@ -1,11 +1,10 @@
 // Two meshes, one of them moving: distance at a pose, and proof that they stay apart for a while.
-// In:    two box trees, a pose or a motion node. Units: mm.
+// In:    two box hierarchies, a pose or a motion node. Units: mm.
 // Out:   nearest pair of triangles; or "no pair comes nearer than x anywhere in this node".
 // Cost:  proportional to the surface that lies nearer than the distance asked about.
 // How a proof works: two convex things, gap g along the unit vector n. If no point of the moving
-// one advances by more than a along n, they stay g - a apart (they are on two sides of a slab).
-// Boxes are tried first, then triangles; sliding along a wall costs nothing because n stands on the
-// wall.
+// one advances by more than a along n, they stay g - a apart (on two sides of a slab). Boxes are
+// tried first, then triangles. Sliding along a wall costs nothing: n stands on the wall.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,10 +1,9 @@
 // How deep two closed meshes overlap during a motion, and where.
 // In:    a pair of meshes, a hierarchy over the motion. Units: mm.
 // Out:   the surface point (of either mesh) that lies deepest inside the other at some moment.
-// Cost:  branch and bound over moments and surface pieces; one nearest-point and inside query each.
-// Why it is exact up to its tolerance: the depth of a point below a surface changes by no more than
-// the point or the surface moves, so depth at a box's centre + radius + displacement bounds them
-// all.
+// Cost:  branch and bound over moments and surface pieces; each one nearest-point and inside query.
+// Why it is exact up to its tolerance: the depth of a point changes by no more than the point or
+// the surface moves, so depth at a box's centre + radius + displacement bounds them all.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
