@@ -152,6 +152,8 @@ class MinimumSearch {
       take(d, u, span_);
       return d.distance;
     };
+    measure(low);  // a minimum at the very start or end of the motion is met exactly
+    measure(high);
     double a = high - kRatio * (high - low);
     double b = low + kRatio * (high - low);
     double atA = measure(a);

@@ -123,7 +123,7 @@ class ClearancePanel:
         buttons.addWidget(self.csv)
         buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
-        self.layout.addWidget(self.result)
+        self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())
         self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
@@ -187,6 +187,7 @@ class ClearancePanel:
         text = translate("Panels", "{0} neighbours: {1}")
         self.chosen.setText(text.format(len(names), ", ".join(names[:6]) + more))
         own = not self.source.currentData()
+        self.moving.setText(", ".join(label_of(*p) for p in self.plan().pairs) or "-")
         self.path.setEnabled(own)
         self.moving.setEnabled(own)
 

@@ -130,7 +130,7 @@ def _surface(points, triangles, colours, which, transparency):
 def _line(a, b):
     from pivy import coin
 
-    group = coin.SoSeparator()
+    group = coin.SoAnnotation()  # in front of everything: the line often lies inside a gap
     light, shade, style = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
     light.model = coin.SoLightModel.BASE_COLOR
     shade.rgb = LINE
@@ -152,7 +152,7 @@ def _zoom(points, found):
     if view is None or not hasattr(view, "getCameraNode"):
         return
     middle = [(p + q) / 2.0 for p, q in zip(found["point_on_body"], found["point_on_neighbour"])]
-    size = max(float((points.max(axis=0) - points.min(axis=0)).max()) * 0.8, 4 * found["distance"])
+    size = max(float((points.max(axis=0) - points.min(axis=0)).max()) * 1.8, 4 * found["distance"])
     camera = view.getCameraNode()
     forward = view.getViewDirection()
     camera.position.setValue(coin.SbVec3f(*[m - 2 * size * f for m, f in zip(middle, forward)]))
