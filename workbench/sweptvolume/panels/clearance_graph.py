@@ -106,4 +106,6 @@ class DistanceGraph(QtWidgets.QWidget):
                 self.curves[i][0], QtCore.Qt.ElideRight, int(box.width() / 2)
             )
             where = QtCore.QRectF(box.left(), box.top() + 2 + 13 * k, box.width() - 6, 14)
+            behind = painter.boundingRect(where, QtCore.Qt.AlignRight, text)
+            painter.fillRect(behind, QtGui.QColor(255, 255, 255, 200))
             painter.drawText(where, QtCore.Qt.AlignRight, text)
