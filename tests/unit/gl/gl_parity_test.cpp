@@ -32,8 +32,8 @@ std::shared_ptr<gl::GlDevice> anyDevice(std::string& why) {
   if (!device) GTEST_SKIP() << whyNoDevice
 
 /// Both samplers; `settings` cut the GPU's work up.
-void expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& scene,
-                const gl::GlSettings& settings = {}) {
+Difference expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& scene,
+                      const gl::GlSettings& settings = {}) {
   RunContext run;
   const SamplerInput input = scene.input();
   const MarkedEdges truth = sampleCpu(input, run);
@@ -52,6 +52,7 @@ void expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& scene,
                 static_cast<long long>(d.fractions), static_cast<long long>(d.contributing),
                 d.largestFraction);
   }
+  return d;
 }
 
 TEST(GlParity, EveryKindOfMotion) {
@@ -176,7 +177,14 @@ TEST(GlParity, SharedMeshes) {
       SCOPED_TRACE(name + " motion " + std::to_string(kind));
       Scene scene(body.mesh, path, resolution);
       scene.orientable = body.orientable;
-      expectSame(device, scene);
+      const Difference d = expectSame(device, scene);
+      std::printf(
+          "  %s, motion %d, %d: %lld crossings, %lld edges, %lld fractions, %lld elements "
+          "differ\n",
+          name.c_str(), kind, resolution, static_cast<long long>(d.contributing),
+          static_cast<long long>(d.edges), static_cast<long long>(d.fractions),
+          static_cast<long long>(d.elements));
+      std::fflush(stdout);
     }
   }
 }
