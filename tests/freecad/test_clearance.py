@@ -24,7 +24,9 @@ class Clearance(Case):
         self.doc.recompute()
 
     def made(self, **settings):
-        obj = clearance.make_clearance(self.doc, Generators=[(self.part, "")], Motion=self.path, **settings)
+        obj = clearance.make_clearance(
+            self.doc, Generators=[(self.part, "")], Motion=self.path, **settings
+        )
         self.doc.recompute()
         return obj
 
@@ -45,7 +47,9 @@ class Clearance(Case):
         self.assertEqual(rows["Far"]["verdict"], "clear")
         # Both solids are meshed to 0.05 mm: that, and the tolerance, is not promised.
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
-        self.assertTrue(obj.Summary.startswith("2 checked, 1 below required, smallest 3.4 mm at t = 1 s"))
+        self.assertTrue(
+            obj.Summary.startswith("2 checked, 1 below required, smallest 3.4 mm at t = 1 s")
+        )
 
     def test_hidden_parts_are_left_out_and_chosen_ones_taken(self):
         self.far.Visibility = False

@@ -21,8 +21,15 @@ def scenario():
     def place(x, y, degrees):
         return App.Placement(App.Vector(x, y, 0), App.Rotation(App.Vector(0, 0, 1), degrees))
 
-    path = motion.motion_from_poses(doc, [0, 1, 2], [place(0, 0, 0), place(60, 0, 0), place(90, 50, 90)])
-    for name, x, y, size in (("Post", 48, 22, 6), ("Wall", 100, -20, 12), ("Stop", 58, 52, 14), ("Far", -40, 60, 10)):
+    path = motion.motion_from_poses(
+        doc, [0, 1, 2], [place(0, 0, 0), place(60, 0, 0), place(90, 50, 90)]
+    )
+    for name, x, y, size in (
+        ("Post", 48, 22, 6),
+        ("Wall", 100, -20, 12),
+        ("Stop", 58, 52, 14),
+        ("Far", -40, 60, 10),
+    ):
         part = doc.addObject("Part::Box", name)
         part.Length = part.Width = size
         part.Height = 20

@@ -14,7 +14,6 @@ from ..convert import InputProblem
 from ..texts import mark, translate
 from ..trajectory.poses import INTERPOLATIONS
 from . import envelope as envelope_feature
-from . import motion as motion_feature
 from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
 from .envelope import FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
 
@@ -58,7 +57,12 @@ _INPUT = [
         mark("Properties", "Parts that move together, where no envelope is given"),
         None,
     ),
-    ("App::PropertyLinkGlobal", "Motion", mark("Properties", "Motion, where no envelope is given"), None),
+    (
+        "App::PropertyLinkGlobal",
+        "Motion",
+        mark("Properties", "Motion, where no envelope is given"),
+        None,
+    ),
     (
         "App::PropertyLinkSubListGlobal",
         "Neighbours",
@@ -81,18 +85,31 @@ _INPUT = [
     (
         "App::PropertyLength",
         "Deflection",
-        mark("Properties", "Chord error to which solids are meshed; it is subtracted from the distances"),
+        mark(
+            "Properties",
+            "Chord error to which solids are meshed; it is subtracted from the distances",
+        ),
         0.05,
     ),
 ]
 _RESULT = [
     ("App::PropertyString", "Status", mark("Properties", "State of the result"), READ_ONLY),
-    ("App::PropertyString", "Message", mark("Properties", "Why the last run failed; notes"), READ_ONLY),
+    (
+        "App::PropertyString",
+        "Message",
+        mark("Properties", "Why the last run failed; notes"),
+        READ_ONLY,
+    ),
     ("App::PropertyString", "Summary", mark("Properties", "Result in one line"), READ_ONLY),
     ("App::PropertyInteger", "Checked", mark("Properties", "Neighbours checked"), READ_ONLY),
     ("App::PropertyLength", "Smallest", mark("Properties", "Smallest distance"), READ_ONLY),
     ("App::PropertyString", "Report", mark("Properties", "Report of the run (JSON)"), HIDDEN),
-    ("App::PropertyFloatList", "MapDistances", mark("Properties", "Distance at each point"), HIDDEN),
+    (
+        "App::PropertyFloatList",
+        "MapDistances",
+        mark("Properties", "Distance at each point"),
+        HIDDEN,
+    ),
     ("App::PropertyString", "InputHash", mark("Properties", "Inputs of the stored result"), HIDDEN),
 ]
 

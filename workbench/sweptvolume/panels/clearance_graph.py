@@ -64,7 +64,9 @@ class DistanceGraph(QtWidgets.QWidget):
 
         self._axes(painter, box, start, end, most, at)
         for k, i in enumerate(order):
-            pen = QtGui.QPen(QtGui.QColor(COLOURS[k % len(COLOURS)]), 3.0 if i == self.chosen else 1.3)
+            pen = QtGui.QPen(
+                QtGui.QColor(COLOURS[k % len(COLOURS)]), 3.0 if i == self.chosen else 1.3
+            )
             painter.setPen(pen)
             painter.drawPolyline(QtGui.QPolygonF([at(t, d) for t, d in self.curves[i][1]]))
         if self.moment is not None:

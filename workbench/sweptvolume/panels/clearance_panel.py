@@ -62,7 +62,9 @@ class ClearancePanel:
         names = [o.Name for o in objects_of_kind(self.document, Envelope.KIND)]
         texts = [self.document.getObject(n).Label for n in names]
         own = translate("Panels", "(parts and motion below)")
-        now = envelope.Name if envelope is not None else ("" if self.pairs or not names else names[0])
+        now = (
+            envelope.Name if envelope is not None else ("" if self.pairs or not names else names[0])
+        )
         self.source = widgets.choice([""] + names, now, [own] + texts)
         self.source.setObjectName("SweptVolumeClearanceSource")
         rows.addRow(translate("Panels", "Envelope"), self.source)

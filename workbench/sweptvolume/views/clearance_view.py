@@ -56,7 +56,10 @@ class ClearanceView(View):
     def setupContextMenu(self, view, menu):
         text = translate("Commands", "Check clearance")
         self.add_menu(
-            menu, text, "SweptVolume_Clearance", lambda: run_command(view.Object, "SweptVolume_Clearance")
+            menu,
+            text,
+            "SweptVolume_Clearance",
+            lambda: run_command(view.Object, "SweptVolume_Clearance"),
         )
 
     def clear(self):
@@ -74,7 +77,9 @@ class ClearanceView(View):
         moving = clearance.envelope_feature.Plan(plan.pairs, plan.motion, {})
         into_base = moving._placements()[2]
         body = convert.body_from(plan.pairs, max(plan.values["Deflection"], 0.05) * 4)
-        pose = convert.placements_from([request_pose["translation"]], [request_pose["quaternion_xyzw"]])[0]
+        pose = convert.placements_from(
+            [request_pose["translation"]], [request_pose["quaternion_xyzw"]]
+        )[0]
         points = convert.transform(convert.matrix_of(pose) @ into_base, body.vertices)
         self.row.addChild(_surface(points, body.triangles, [GHOST], None, 0.45))
         a, b = found["point_on_body"], found["point_on_neighbour"]
