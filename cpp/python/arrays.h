@@ -2,7 +2,8 @@
 // In:   arrays of any layout and dtype that converts without loss; shapes are checked.
 // Out:  copies for the core (it runs without the interpreter's lock), read-only views for Python
 // that keep the memory of the result alive. Throws py::value_error, py::type_error for shapes and
-// types, Error(InvalidInput) for content. SPDX-License-Identifier: LGPL-2.1-or-later
+// types, Error(InvalidInput) for content.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <pybind11/numpy.h>

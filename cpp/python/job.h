@@ -1,6 +1,7 @@
 // Long calls: the core runs on a thread of its own without the interpreter's lock, while this
 // thread lets Python handle its signals, so that Ctrl-C cancels the run instead of waiting for its
-// end. SPDX-License-Identifier: LGPL-2.1-or-later
+// end.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <pybind11/pybind11.h>

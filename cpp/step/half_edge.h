@@ -2,7 +2,8 @@
 // In: any TriMesh. Out: HalfEdgeMesh; half-edge 3*t+k runs from corner k to corner k+1 of triangle
 // t. Units: mm. Cost: O(n log n). Throws Error(ExportFailed, ...) if the mesh is not a closed,
 // oriented 2-manifold (edges); vertices shared by several fans are split, so vertices are manifold
-// after it. SPDX-License-Identifier: LGPL-2.1-or-later
+// after it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>

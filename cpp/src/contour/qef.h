@@ -6,7 +6,8 @@
 // point (Kobbelt et al. 2001 and Ju et al. 2002 truncate eigenvalues instead; damping has no
 // threshold at which the vertex jumps, and a Cholesky step is some twenty times faster than an
 // eigen-solution). A minimiser outside the cell is replaced by the best point of the cell's faces,
-// edges and corners. SPDX-License-Identifier: LGPL-2.1-or-later
+// edges and corners.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>

@@ -2,7 +2,8 @@
 // precision and read on over text that is no number.
 // In:   stream at the start of the file. Out: vertices in double, in file order, where there are
 // any. Throws Error(InvalidInput, "BadFile") with line and column of what is wrong. Cost: one pass,
-// O(file size); text files are held in memory meanwhile. SPDX-License-Identifier: LGPL-2.1-or-later
+// O(file size); text files are held in memory meanwhile.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,8 @@
 // Along a lattice line in z the points between two marked edges are one run. Runs of neighbouring
 // lines are joined where a lattice edge between them is not marked. Outside = what is joined to the
 // corner of the grid. Memory: 4 bytes a line and 5 bytes a run; time linear in runs and marked
-// edges. SPDX-License-Identifier: LGPL-2.1-or-later
+// edges.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // An EGL and OpenGL that exists nowhere: it understands the calls of our two passes, does their
-// work on the CPU, and fails where a test wants it to. One at a time. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// work on the CPU, and fails where a test wants it to. One at a time.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <memory>

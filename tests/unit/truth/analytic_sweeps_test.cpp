@@ -1,7 +1,8 @@
 // Sweeps with a closed form, at several cell sizes and orientations.
 // Bars: distance to the truth at most 1 cell everywhere, at creases at most 0.25 cell, volume error
 // at most 0.05 x area x cell, and the checker passes. They are relative to cell and area, never to
-// the size of the whole. SPDX-License-Identifier: LGPL-2.1-or-later
+// the size of the whole.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
