@@ -22,6 +22,7 @@ struct GlSettings {
   double fenceTimeoutSeconds = 10;
   std::uint32_t firstBatch = 16384;  ///< elements in the first draw; adapts from there
   bool adaptBatch = true;
+  std::uint64_t epochElements = 0xfffffff0u;  ///< elements that 32-bit numbers tell apart
 };
 std::uint64_t budgetOf(const GlSettings& settings);
 

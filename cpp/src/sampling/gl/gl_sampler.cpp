@@ -164,7 +164,8 @@ void GlSampler::resolveBrick(const Brick& brick, MarkedEdges& marked, const Sign
   const auto& chunks = passes_->chunks();
   std::vector<std::uint64_t> epochs{0};
   for (const ElementChunk& chunk : chunks) {
-    if (chunk.first + chunk.count - epochs.back() > 0xfffffff0u) epochs.push_back(chunk.first);
+    const bool tooMany = chunk.first + chunk.count - epochs.back() > settings_.epochElements;
+    if (tooMany && chunk.first > epochs.back()) epochs.push_back(chunk.first);
   }
   epochs.push_back(source_.count());
   std::vector<std::uint32_t> codes;
