@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/simplify.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "check/self_intersections.h"
+#include "simplify/deviation.h"
+#include "simplify/edge_collapse.h"
+
+namespace swept {
+namespace {
+
+/// Of the tolerance: the tree's root mean square error; the rest is left to the edge collapse.
+constexpr double kTreeShare = 0.06;
+/// Of the tolerance: limit of the samples; between the samples the surface may lie farther.
+constexpr double kSampleShare = 0.95;
+constexpr int kRounds = 6;
+
+/// One attempt to simplify: which vertices of the original must be left closer than others.
+class Attempt {
+ public:
+  Attempt(const VertexTree& tree, const std::vector<Eigen::Vector3d>& points,
+          const Triangles& triangles, const std::vector<std::uint8_t>& creased,
+          const NearestTriangle& nearest, double tolerance)
+      : tree_(tree),
+        points_(points),
+        triangles_(triangles),
+        creased_(creased),
+        nearest_(nearest),
+        tolerance_(tolerance),
+        blocked_(tree.nodes().size(), 0) {
+    limit_.assign(points.size(), static_cast<float>(kSampleShare * tolerance));
+  }
+
+  void run(RunContext& run) {
+    const TreeCut cut = cutWithinLimits(run);
+    treeTriangles_ = cut.triangles.size();
+    mesh_.triangles = cut.triangles;
+    mesh_.vertices.resize(cut.nodeOf.size());
+    for (std::size_t v = 0; v < cut.nodeOf.size(); ++v) {
+      const TreeNode& node = tree_.nodes()[cut.nodeOf[v]];
+      mesh_.vertices[v] = {node.position, node.quadric, node.sample, points_[node.sample]};
+    }
+    takeSamples(cut);
+    collapseEdges(mesh_, samples_, nearest_, tolerance_, run);
+    measure(run);
+  }
+
+  bool within() const { return deviation_.largest() <= tolerance_; }
+  std::int64_t intersections() const { return static_cast<std::int64_t>(meeting_.pairs.size()); }
+  double deviation() const { return deviation_.largest(); }
+  std::size_t treeTriangles() const { return treeTriangles_; }
+  const CollapseMesh& mesh() const { return mesh_; }
+
+  /// Tightens the limits where the last run failed; `round` counts from 0.
+  void tighten(int round) {
+    std::vector<std::uint8_t> badVertex(mesh_.vertices.size(), 0);
+    for (const std::int32_t t : deviation_.triangles) mark(t, badVertex);
+    for (const auto& [s, t] : meeting_.pairs) {
+      mark(s, badVertex);
+      mark(t, badVertex);
+    }
+    const float factor = round < 2 ? 0.4f : 0.0f;
+    const auto tightenVertex = [&](std::int32_t v, bool split) {
+      limit_[v] *= factor;
+      for (std::int32_t n = tree_.nodes()[v].parent; split && n >= 0 && !blocked_[n];
+           n = tree_.nodes()[n].parent) {
+        blocked_[n] = 1;
+      }
+    };
+    for (std::size_t s = 0; s < samples_.triangle.size(); ++s) {
+      for (const std::int32_t v : mesh_.triangles[samples_.triangle[s]]) {
+        if (!badVertex[v]) continue;
+        tightenVertex(source_[s], round >= 1);
+        break;
+      }
+    }
+    for (const std::int32_t v : deviation_.vertices) tightenVertex(v, true);
+  }
+
+ private:
+  void mark(std::int32_t triangle, std::vector<std::uint8_t>& bad) const {
+    for (const std::int32_t v : mesh_.triangles[triangle]) bad[v] = 1;
+  }
+
+  /// The tree's error is a mean; nodes with a vertex beyond its limit are split.
+  TreeCut cutWithinLimits(RunContext& run) {
+    for (;;) {
+      TreeCut cut = cutTree(tree_, triangles_, kTreeShare * tolerance_, blocked_, run);
+      std::vector<std::uint8_t> bad(points_.size(), 0);
+      const std::vector<std::int32_t> start = cornersOf(cut);
+      parallelBlocks(points_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t s = begin; s < end; ++s) {
+          if (cut.node[s] == static_cast<std::int32_t>(s)) continue;
+          double best = 1e300;
+          for (std::int32_t c = start[cut.vertex[s]]; c < start[cut.vertex[s] + 1]; ++c) {
+            const auto& t = cut.triangles[corners_[c]];
+            best = std::min(best, squaredDistance(points_[s], position(cut, t[0]),
+                                                  position(cut, t[1]), position(cut, t[2])));
+          }
+          bad[s] = best > static_cast<double>(limit_[s]) * limit_[s];
+        }
+      });
+      bool any = false;
+      for (std::size_t s = 0; s < bad.size(); ++s) {
+        if (!bad[s]) continue;
+        blocked_[cut.node[s]] = 1;
+        any = true;
+      }
+      if (!any) return cut;
+    }
+  }
+  const Eigen::Vector3d& position(const TreeCut& cut, std::int32_t v) const {
+    return tree_.nodes()[cut.nodeOf[v]].position;
+  }
+  /// Triangles by vertex: fills corners_, returns where each vertex starts.
+  std::vector<std::int32_t> cornersOf(const TreeCut& cut) {
+    std::vector<std::int32_t> start(cut.nodeOf.size() + 1, 0);
+    for (const auto& t : cut.triangles) {
+      for (const std::int32_t v : t) ++start[v];
+    }
+    exclusiveScan(start);
+    corners_.resize(3 * cut.triangles.size());
+    std::vector<std::int32_t> at = start;
+    for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
+      for (const std::int32_t v : cut.triangles[t]) {
+        corners_[at[v]++] = static_cast<std::int32_t>(t);
+      }
+    }
+    return start;
+  }
+
+  /// One sample a node of the cut, with the tightest limit of its vertices; where the surface is
+  /// not flat, middles of triangles and edges as well.
+  void takeSamples(const TreeCut& cut) {
+    samples_ = Samples{};
+    source_.clear();
+    std::vector<float> limit(cut.nodeOf.size(), 1e30f);
+    for (std::size_t v = 0; v < limit_.size(); ++v) {
+      float& l = limit[cut.vertex[v]];
+      l = std::min(l, limit_[v]);
+    }
+    const auto add = [&](const Eigen::Vector3d& p, float l, std::int32_t vertex,
+                         std::int32_t source) {
+      samples_.points.push_back(p);
+      samples_.limit.push_back(l);
+      samples_.vertex.push_back(vertex);
+      source_.push_back(source);
+    };
+    for (std::size_t v = 0; v < cut.nodeOf.size(); ++v) {
+      const std::int32_t source = tree_.nodes()[cut.nodeOf[v]].sample;
+      add(points_[source], limit[v], static_cast<std::int32_t>(v), source);
+    }
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (!creased_[t]) continue;
+      const auto& c = triangles_[t];
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      float least = 1e30f;
+      for (const std::int32_t v : c) {
+        middle += points_[v] / 3;
+        least = std::min(least, limit_[v]);
+      }
+      add(middle, least, cut.vertex[c[0]], c[0]);
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t u = c[k], v = c[(k + 1) % 3];
+        if (u > v) continue;
+        add((points_[u] + points_[v]) / 2, std::min(limit_[u], limit_[v]), cut.vertex[u], u);
+      }
+    }
+  }
+
+  void measure(RunContext& run) {
+    run.checkpoint(Phase::Simplify, 3, 4);
+    TriMesh result;
+    result.triangles = mesh_.triangles;
+    for (const CollapseVertex& v : mesh_.vertices) result.vertices.push_back(v.position);
+    deviation_ =
+        measureDeviation({points_, triangles_, creased_, nearest_, result.vertices,
+                          result.triangles, tolerance_, std::min(samples_.largest, tolerance_)});
+    run.checkpoint(Phase::Simplify, 7, 8);
+    meeting_ = findSelfIntersections(result, {}, run);
+  }
+
+  const VertexTree& tree_;
+  const std::vector<Eigen::Vector3d>& points_;
+  const Triangles& triangles_;
+  const std::vector<std::uint8_t>& creased_;
+  const NearestTriangle& nearest_;
+  double tolerance_;
+  std::vector<float> limit_;  ///< per original vertex
+  std::vector<std::uint8_t> blocked_;
+  std::vector<std::int32_t> corners_;
+  Samples samples_;
+  std::vector<std::int32_t> source_;  ///< per sample: an original vertex
+  CollapseMesh mesh_;
+  Deviation deviation_;
+  SelfIntersections meeting_;
+  std::size_t treeTriangles_ = 0;
+};
+
+}  // namespace
+
+SimplifyTree::SimplifyTree(TriMesh mesh, std::vector<double> contactTime, const GridPlan& plan,
+                           RunContext& run)
+    : mesh_(std::move(mesh)), contactTime_(std::move(contactTime)), plan_(plan) {
+  points_.reserve(mesh_.vertices.size());
+  for (const auto& v : mesh_.vertices) points_.push_back((v - plan.origin) / plan.cell);
+  run.checkpoint(Phase::Simplify);
+  tree_.build(points_, mesh_.triangles, run);
+  creased_.resize(mesh_.triangles.size());
+  for (std::size_t t = 0; t < creased_.size(); ++t) {
+    for (const std::int32_t v : mesh_.triangles[t]) creased_[t] |= tree_.nodes()[v].rank > 1;
+  }
+  nearest_ = std::make_unique<NearestTriangle>(points_, mesh_.triangles);
+}
+
+Simplified SimplifyTree::cut(double tolerance, RunContext& run) const {
+  // A thousandth is kept back for the rounding of the way from cells to mm.
+  Attempt attempt(tree_, points_, mesh_.triangles, creased_, *nearest_,
+                  0.999 * tolerance / plan_.cell);
+  Simplified out;
+  for (int round = 0; round < kRounds; ++round) {
+    attempt.run(run);
+    out.rounds = round + 1;
+    if (attempt.within() && attempt.intersections() == 0) break;
+    if (round + 1 < kRounds) attempt.tighten(round);
+  }
+  out.treeTriangles = attempt.treeTriangles();
+  if (!attempt.within()) {
+    out.mesh = mesh_;
+    out.contactTime = contactTime_;
+    return out;
+  }
+  out.deviation = attempt.deviation() * plan_.cell;
+  out.mesh.triangles = attempt.mesh().triangles;
+  for (const CollapseVertex& v : attempt.mesh().vertices) {
+    const bool moved = v.position != points_[v.sample];
+    out.mesh.vertices.push_back(moved ? plan_.origin + plan_.cell * v.position
+                                      : mesh_.vertices[v.sample]);
+    out.contactTime.push_back(contactTime_[v.sample]);
+  }
+  return out;
+}
+
+}  // namespace swept
