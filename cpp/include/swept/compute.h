@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
+
 #include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
 namespace swept {
+
+class SimplifyTree;
 
 /// Envelope mesh and what is known about it. `mesh` is empty unless report.status is Ok.
 struct Result {
@@ -15,11 +19,19 @@ struct Result {
   std::vector<double> contactTime;  ///< per vertex: s, when the surface point is touched
   std::vector<std::array<std::int32_t, 2>>
       featureEdges;  ///< vertex pairs along creases and corners
+  /// The surface before simplification, ready to be cut at another tolerance; only if
+  /// Options::tolerance was above 0.
+  std::shared_ptr<const SimplifyTree> kept;
 };
 
 /// Never throws except std::bad_alloc from copying its own message; failures are in report.status.
 Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
                RunContext& run);
+
+/// Simplifies the kept surface of a result to another tolerance (mm; 0: not at all) without
+/// sampling again: mesh, contactTime, featureEdges, report.check and report.simplificationDeviation
+/// change. Throws Error; the result is then as before.
+void recut(Result& result, double tolerance, RunContext& run);
 
 /// What a run would take, computed in milliseconds from boxes only.
 struct Estimate {

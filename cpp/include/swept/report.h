@@ -64,7 +64,8 @@ struct Report {
   std::int64_t crossings = 0;     ///< contributing crossings
   double largestStepTravel = 0;   ///< mm
   double chordError = 0;          ///< mm: bound on how far the refined motion leaves the true one
-  double conservativeBound = 0;   ///< mm: 0 unless conservative
+  double simplificationDeviation = 0;  ///< mm, measured both ways; 0: not simplified
+  double conservativeBound = 0;        ///< mm: 0 unless conservative
   std::string backend = "cpu";
   std::string device;
   int threads = 0;

@@ -60,6 +60,7 @@ void writeReportFields(const Report& report, JsonWriter& json) {
   json.field("crossings", report.crossings);
   json.field("largest_step_travel", report.largestStepTravel);
   json.field("chord_error", report.chordError);
+  json.field("simplification_deviation", report.simplificationDeviation);
   json.field("conservative_bound", report.conservativeBound);
   json.field("backend", report.backend);
   json.field("device", report.device);

@@ -23,6 +23,8 @@
 #include "sampling/hermite.h"
 #include "sampling/refine_motion.h"
 #include "sampling/sampler.h"
+#include "simplify/feature_edges.h"
+#include "simplify/simplify.h"
 
 namespace swept {
 namespace {
@@ -91,6 +93,33 @@ void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Fills the result from its kept surface, simplified within `tolerance` (0: as it is).
+void cutKept(Result& result, double tolerance, RunContext& run) {
+  const SimplifyTree& kept = *result.kept;
+  Report& report = result.report;
+  if (tolerance > 0) {
+    Simplified cut = kept.cut(
+        tolerance, [&](const TriMesh& m) { return findSelfIntersections(m, {}, run).pairs; }, run);
+    result.mesh = std::move(cut.mesh);
+    result.contactTime = std::move(cut.contactTime);
+    result.featureEdges = std::move(cut.featureEdges);
+    report.simplificationDeviation = cut.deviation;
+  } else {
+    result.mesh = kept.mesh();
+    result.contactTime = kept.contactTime();
+    result.featureEdges = kept.featureEdges();
+    report.simplificationDeviation = 0;
+  }
+  report.check = checkMesh(result.mesh, run);
+  if (!report.check.passes()) {
+    throw Error(Status::InternalError, "CheckFailed",
+                "the simplified envelope did not pass its own check (open edges " +
+                    std::to_string(report.check.openEdges) + ", non-manifold edges " +
+                    std::to_string(report.check.nonManifoldEdges) + ", non-manifold vertices " +
+                    std::to_string(report.check.nonManifoldVertices) + ")");
+  }
+}
+
 class Run {
  public:
   Run(const Options& options, RunContext& context, Result& result)
@@ -120,6 +149,10 @@ class Run {
     checkAndMend(surface, hermite);
     result_.mesh = std::move(surface.mesh);
     result_.contactTime = std::move(surface.contactTime);
+    hermite = HermiteGrid{};
+    simplify();
+    if (options_.tolerance <= 0) result_.featureEdges = findFeatureEdges(result_.mesh);
+    stage("features");
   }
 
  private:
@@ -191,6 +224,24 @@ class Run {
                                 text.str() + "; these sheets get a thickness of 0.002 cell"});
   }
 
+  void simplify() {
+    if (options_.tolerance <= 0) return;
+    if (!report_.check.passes()) {
+      report_.warnings.push_back(
+          {"NotSimplified",
+           1,
+           {},
+           "the surface is not a closed manifold and stays as it is; use the "
+           "consistent components to simplify it"});
+      result_.featureEdges = findFeatureEdges(result_.mesh);
+      return;
+    }
+    result_.kept = std::make_shared<const SimplifyTree>(
+        std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid, run_);
+    cutKept(result_, options_.tolerance, run_);
+    stage("simplify");
+  }
+
   void checkAndMend(Surface& surface, const HermiteGrid& hermite) {
     SelfIntersections pairs;
     report_.check = checkMesh(surface.mesh, pairs, run_);
@@ -244,6 +295,7 @@ void fail(Result& result, Status status, const std::string& code, const std::str
   result.mesh = TriMesh{};
   result.contactTime.clear();
   result.featureEdges.clear();
+  result.kept.reset();
   result.report.status = status;
   result.report.code = code;
   result.report.message = message;
@@ -284,6 +336,26 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
   result.report.seconds.push_back({"total", total.seconds()});
   result.report.peakMemoryBytes = peakMemoryBytes();
   return result;
+}
+
+void recut(Result& result, double tolerance, RunContext& run) {
+  if (!(tolerance >= 0)) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "tolerance is " + std::to_string(tolerance) + " mm, must be 0 or more");
+  }
+  if (!result.kept) {
+    throw Error(Status::InvalidInput, "NothingKept",
+                "the envelope was made without a simplification tolerance; compute it again");
+  }
+  Result next;
+  next.kept = result.kept;
+  next.report = result.report;
+  const int threads = run.threads > 0
+                          ? run.threads
+                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  tbb::task_arena arena(threads);
+  arena.execute([&] { cutKept(next, tolerance, run); });
+  result = std::move(next);
 }
 
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "check/self_intersections.h"
 #include "simplify/deviation.h"
 #include "simplify/edge_collapse.h"
+#include "simplify/feature_edges.h"
 
 namespace swept {
 namespace {
@@ -34,7 +34,7 @@ class Attempt {
     limit_.assign(points.size(), static_cast<float>(kSampleShare * tolerance));
   }
 
-  void run(RunContext& run) {
+  void run(const PairFinder& findPairs, RunContext& run) {
     const TreeCut cut = cutWithinLimits(run);
     treeTriangles_ = cut.triangles.size();
     mesh_.triangles = cut.triangles;
@@ -45,11 +45,11 @@ class Attempt {
     }
     takeSamples(cut);
     collapseEdges(mesh_, samples_, nearest_, tolerance_, run);
-    measure(run);
+    measure(findPairs, run);
   }
 
   bool within() const { return deviation_.largest() <= tolerance_; }
-  std::int64_t intersections() const { return static_cast<std::int64_t>(meeting_.pairs.size()); }
+  std::int64_t intersections() const { return static_cast<std::int64_t>(meeting_.size()); }
   double deviation() const { return deviation_.largest(); }
   std::size_t treeTriangles() const { return treeTriangles_; }
   const CollapseMesh& mesh() const { return mesh_; }
@@ -58,7 +58,7 @@ class Attempt {
   void tighten(int round) {
     std::vector<std::uint8_t> badVertex(mesh_.vertices.size(), 0);
     for (const std::int32_t t : deviation_.triangles) mark(t, badVertex);
-    for (const auto& [s, t] : meeting_.pairs) {
+    for (const auto& [s, t] : meeting_) {
       mark(s, badVertex);
       mark(t, badVertex);
     }
@@ -171,7 +171,7 @@ class Attempt {
     }
   }
 
-  void measure(RunContext& run) {
+  void measure(const PairFinder& findPairs, RunContext& run) {
     run.checkpoint(Phase::Simplify, 3, 4);
     TriMesh result;
     result.triangles = mesh_.triangles;
@@ -180,7 +180,7 @@ class Attempt {
         measureDeviation({points_, triangles_, creased_, nearest_, result.vertices,
                           result.triangles, tolerance_, std::min(samples_.largest, tolerance_)});
     run.checkpoint(Phase::Simplify, 7, 8);
-    meeting_ = findSelfIntersections(result, {}, run);
+    meeting_ = findPairs(result);
   }
 
   const VertexTree& tree_;
@@ -196,7 +196,7 @@ class Attempt {
   std::vector<std::int32_t> source_;  ///< per sample: an original vertex
   CollapseMesh mesh_;
   Deviation deviation_;
-  SelfIntersections meeting_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> meeting_;
   std::size_t treeTriangles_ = 0;
 };
 
@@ -216,13 +216,13 @@ SimplifyTree::SimplifyTree(TriMesh mesh, std::vector<double> contactTime, const 
   nearest_ = std::make_unique<NearestTriangle>(points_, mesh_.triangles);
 }
 
-Simplified SimplifyTree::cut(double tolerance, RunContext& run) const {
+Simplified SimplifyTree::cut(double tolerance, const PairFinder& findPairs, RunContext& run) const {
   // A thousandth is kept back for the rounding of the way from cells to mm.
   Attempt attempt(tree_, points_, mesh_.triangles, creased_, *nearest_,
                   0.999 * tolerance / plan_.cell);
   Simplified out;
   for (int round = 0; round < kRounds; ++round) {
-    attempt.run(run);
+    attempt.run(findPairs, run);
     out.rounds = round + 1;
     if (attempt.within() && attempt.intersections() == 0) break;
     if (round + 1 < kRounds) attempt.tighten(round);
@@ -231,6 +231,7 @@ Simplified SimplifyTree::cut(double tolerance, RunContext& run) const {
   if (!attempt.within()) {
     out.mesh = mesh_;
     out.contactTime = contactTime_;
+    out.featureEdges = featureEdges();
     return out;
   }
   out.deviation = attempt.deviation() * plan_.cell;
@@ -241,7 +242,12 @@ Simplified SimplifyTree::cut(double tolerance, RunContext& run) const {
                                       : mesh_.vertices[v.sample]);
     out.contactTime.push_back(contactTime_[v.sample]);
   }
+  out.featureEdges = findFeatureEdges(out.mesh);
   return out;
+}
+
+std::vector<std::array<std::int32_t, 2>> SimplifyTree::featureEdges() const {
+  return findFeatureEdges(mesh_);
 }
 
 }  // namespace swept

@@ -10,7 +10,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "data/grid_plan.h"
@@ -21,9 +25,14 @@
 
 namespace swept {
 
+/// Pairs of triangles of a mesh that meet where they should not.
+using PairFinder =
+    std::function<std::vector<std::pair<std::int32_t, std::int32_t>>(const TriMesh&)>;
+
 struct Simplified {
   TriMesh mesh;
   std::vector<double> contactTime;
+  std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases
   double deviation = 0;           ///< mm, the larger of both directions, measured
   std::size_t treeTriangles = 0;  ///< triangles after the cut, before the edge collapse
   int rounds = 0;
@@ -35,10 +44,12 @@ class SimplifyTree {
                RunContext& run);
 
   /// tolerance: mm, above 0.
-  Simplified cut(double tolerance, RunContext& run) const;
+  Simplified cut(double tolerance, const PairFinder& findPairs, RunContext& run) const;
 
   const TriMesh& mesh() const { return mesh_; }
   const std::vector<double>& contactTime() const { return contactTime_; }
+  /// Of the surface as it is without simplification.
+  std::vector<std::array<std::int32_t, 2>> featureEdges() const;
 
  private:
   TriMesh mesh_;
