@@ -13,10 +13,8 @@ constexpr double kLeastCosine = 0.3;  ///< between a triangle before and after
 
 class Cutter {
  public:
-  Cutter(const VertexTree& tree, const Triangles& triangles, std::vector<std::uint8_t> blocked)
-      : tree_(tree), triangles_(triangles), blocked_(std::move(blocked)) {
-    blocked_.resize(tree.nodes().size(), 0);
-  }
+  Cutter(const VertexTree& tree, const Triangles& triangles, std::vector<std::uint8_t>& blocked)
+      : tree_(tree), triangles_(triangles), blocked_(blocked) {}
 
   void select(double tolerance) {
     const auto& nodes = tree_.nodes();
@@ -129,15 +127,15 @@ class Cutter {
 
   const VertexTree& tree_;
   const Triangles& triangles_;
-  std::vector<std::uint8_t> blocked_;
+  std::vector<std::uint8_t>& blocked_;
   TreeCut cut_;
 };
 
 }  // namespace
 
 TreeCut cutTree(const VertexTree& tree, const Triangles& triangles, double tolerance,
-                std::vector<std::uint8_t> blocked, RunContext& run) {
-  Cutter cutter(tree, triangles, std::move(blocked));
+                std::vector<std::uint8_t>& blocked, RunContext& run) {
+  Cutter cutter(tree, triangles, blocked);
   for (;;) {
     run.checkpoint(Phase::Simplify, 1, 4);
     cutter.select(tolerance);

@@ -13,7 +13,10 @@ namespace swept {
 namespace {
 
 constexpr double kRankCut = 0.03;  ///< of the largest eigenvalue: a crease of some 20 degrees
-constexpr int kLevels = 14;        ///< 13 bits a coordinate
+/// Nodes of up to 16 cells a side: larger ones seldom pass, and the edge collapse goes on from
+/// there with better shapes.
+constexpr int kLevels = 4;
+constexpr int kNever = kLevels + 1;
 
 std::uint64_t cellCode(const Eigen::Vector3d& p, const Eigen::Vector3d& low) {
   const Eigen::Vector3d c = p - low;
@@ -127,13 +130,13 @@ void VertexTree::build(const std::vector<Eigen::Vector3d>& vertices, const Trian
   std::vector<std::uint64_t> codes(leaves_);
   for (std::size_t v = 0; v < leaves_; ++v) codes[v] = cellCode(vertices[v], low);
 
-  std::array<std::vector<std::array<std::int32_t, 2>>, kLevels + 1> edges;
-  std::array<std::vector<std::int32_t>, kLevels + 1> inner;  // a vertex of each triangle
+  std::array<std::vector<std::array<std::int32_t, 2>>, kNever + 1> edges;
+  std::array<std::vector<std::int32_t>, kNever + 1> inner;  // a vertex of each triangle
   for (const auto& t : triangles) {
     int levels[3];
     for (int c = 0; c < 3; ++c) {
       const std::int32_t u = t[c], v = t[(c + 1) % 3];
-      levels[c] = std::min(commonLevel(codes[u], codes[v]), kLevels);
+      levels[c] = std::min(commonLevel(codes[u], codes[v]), kNever);
       // A closed, oriented surface runs along each edge once in each direction.
       if (u < v) edges[levels[c]].push_back({u, v});
     }

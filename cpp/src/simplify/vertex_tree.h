@@ -61,10 +61,10 @@ struct TreeCut {
   Triangles triangles;               ///< of vertices of the cut
 };
 
-/// Cuts where the error falls below `tolerance` (cells) and no node is blocked; nodes that would
-/// make an edge of more than two triangles or turn a triangle over are blocked and split, so the
-/// result is a closed manifold if the surface is.
+/// blocked: one a node, changed. Cuts where the error falls below `tolerance` (cells) and no node
+/// is blocked; nodes that would make an edge of more than two triangles or turn a triangle over are
+/// blocked and split, so the result is a closed manifold if the surface is.
 TreeCut cutTree(const VertexTree& tree, const Triangles& triangles, double tolerance,
-                std::vector<std::uint8_t> blocked, RunContext& run);
+                std::vector<std::uint8_t>& blocked, RunContext& run);
 
 }  // namespace swept
