@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "contour/methods/methods.h"
+
 namespace swept {
 namespace {
 
@@ -180,6 +182,9 @@ void ComponentFinder::find(const Cell& cell, const Crossing* crossings, Componen
     for (int slot = 0; slot < kSlots; ++slot) out.of[slot] = cell.has(slot) ? 0 : -1;
     return;
   }
+  if (method_ == ComponentMethod::DualMarchingCubes) return findDualMarchingCubes(cell, out);
+  if (method_ == ComponentMethod::Equivalence) return findEquivalence(cell, out);
+  if (method_ == ComponentMethod::Greedy) return findGreedy(cell, crossings, out);
   bool ambiguous = false;
   for (int face = 0; face < kFaces; ++face) ambiguous |= faceCrossings(cell.mask, face) > 2;
   if (ambiguous) {

@@ -49,9 +49,10 @@ double forward(const DeviationInput& in, std::vector<std::int32_t>& bad) {
       const auto &a = in.originalPoints[tri[0]], &b = in.originalPoints[tri[1]],
                  &c = in.originalPoints[tri[2]];
       double farthest = 0;
-      for (const Eigen::Vector3d& p :
-           {Eigen::Vector3d((a + b + c) / 3), Eigen::Vector3d((a + b) / 2),
-            Eigen::Vector3d((b + c) / 2), Eigen::Vector3d((c + a) / 2)}) {
+      constexpr std::array<std::array<double, 2>, 7> kInner = {
+          {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
+      for (const auto& [u, w] : kInner) {
+        const Eigen::Vector3d p = a + u * (b - a) + w * (c - a);
         if (!in.creased[t]) break;
         farthest = std::max(farthest, nearest.query(p, 1e300, floor));
       }

@@ -16,6 +16,10 @@ namespace {
 constexpr double kTreeShare = 0.06;
 /// Of the tolerance: limit of the samples; between the samples the surface may lie farther.
 constexpr double kSampleShare = 0.95;
+/// Of the tolerance: what is measured may reach this; the rest is for points between the measured
+/// ones.
+constexpr double kMeasuredShare = 0.85;
+constexpr double kCreaseCut = 0.002;  ///< of the largest eigenvalue: a turn of some 5 degrees
 constexpr int kRounds = 6;
 
 /// One attempt to simplify: which vertices of the original must be left closer than others.
@@ -210,16 +214,23 @@ SimplifyTree::SimplifyTree(TriMesh mesh, std::vector<double> contactTime, const 
   run.checkpoint(Phase::Simplify);
   tree_.build(points_, mesh_.triangles, run);
   creased_.resize(mesh_.triangles.size());
+  std::vector<std::uint8_t> bent(points_.size());
+  parallelBlocks(bent.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      int rank = 0;
+      tree_.nodes()[v].quadric.minimise(points_[v], kCreaseCut, rank);
+      bent[v] = rank > 1;
+    }
+  });
   for (std::size_t t = 0; t < creased_.size(); ++t) {
-    for (const std::int32_t v : mesh_.triangles[t]) creased_[t] |= tree_.nodes()[v].rank > 1;
+    for (const std::int32_t v : mesh_.triangles[t]) creased_[t] |= bent[v];
   }
   nearest_ = std::make_unique<NearestTriangle>(points_, mesh_.triangles);
 }
 
 Simplified SimplifyTree::cut(double tolerance, const PairFinder& findPairs, RunContext& run) const {
-  // A thousandth is kept back for the rounding of the way from cells to mm.
   Attempt attempt(tree_, points_, mesh_.triangles, creased_, *nearest_,
-                  0.999 * tolerance / plan_.cell);
+                  kMeasuredShare * tolerance / plan_.cell);
   Simplified out;
   for (int round = 0; round < kRounds; ++round) {
     attempt.run(findPairs, run);
