@@ -1,0 +1,1120 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+ <context>
+  <name>SweptVolumePreferences</name>
+  <message>
+   <source>General</source>
+   <translation>Allgemein</translation>
+  </message>
+  <message>
+   <source>New envelopes</source>
+   <translation>Neue Hüllen</translation>
+  </message>
+  <message>
+   <source>Cells along the longest side</source>
+   <translation>Zellen entlang der längsten Seite</translation>
+  </message>
+  <message>
+   <source>Of a new envelope</source>
+   <translation>Für eine neue Hülle</translation>
+  </message>
+  <message>
+   <source>Simplification</source>
+   <translation>Vereinfachung</translation>
+  </message>
+  <message>
+   <source>Largest deviation by simplification of a new envelope; 0: none</source>
+   <translation>Größte Abweichung durch Vereinfachung einer neuen Hülle; 0: keine</translation>
+  </message>
+  <message>
+   <source>Backend</source>
+   <translation>Rechenwerk</translation>
+  </message>
+  <message>
+   <source>Where the sampling of a new envelope runs</source>
+   <translation>Wo die Abtastung einer neuen Hülle läuft</translation>
+  </message>
+  <message>
+   <source>Auto</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>CPU</source>
+   <translation>CPU</translation>
+  </message>
+  <message>
+   <source>GPU</source>
+   <translation>GPU</translation>
+  </message>
+  <message>
+   <source>Runs</source>
+   <translation>Läufe</translation>
+  </message>
+  <message>
+   <source>Threads</source>
+   <translation>Threads</translation>
+  </message>
+  <message>
+   <source>One core fewer than there are keeps the window quick while a large envelope runs</source>
+   <translation>Ein Kern weniger als vorhanden hält das Fenster flink, während eine große Hülle gerechnet wird</translation>
+  </message>
+  <message>
+   <source>all cores</source>
+   <translation>alle Kerne</translation>
+  </message>
+  <message>
+   <source>Memory limit</source>
+   <translation>Speichergrenze</translation>
+  </message>
+  <message>
+   <source>A run that needs more is refused before it starts</source>
+   <translation>Ein Lauf, der mehr braucht, wird vor dem Start abgelehnt</translation>
+  </message>
+  <message>
+   <source> MiB</source>
+   <translation> MiB</translation>
+  </message>
+  <message>
+   <source>three quarters of what is free</source>
+   <translation>drei Viertel des freien Speichers</translation>
+  </message>
+  <message>
+   <source>Path editor</source>
+   <translation>Bahneditor</translation>
+  </message>
+  <message>
+   <source>Cells of the preview</source>
+   <translation>Zellen der Vorschau</translation>
+  </message>
+  <message>
+   <source>Of the coarse envelope that follows the path editor</source>
+   <translation>Für die grobe Hülle, die dem Bahneditor folgt</translation>
+  </message>
+  <message>
+   <source>Show a coarse envelope while a path is edited</source>
+   <translation>Beim Bearbeiten einer Bahn eine grobe Hülle zeigen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SweptVolume_Commands</name>
+  <message>
+   <source>Check clearance</source>
+   <translation>Abstand prüfen</translation>
+  </message>
+  <message>
+   <source>Smallest distance of the moving parts to every neighbour over the whole motion. Select an envelope, or parts and a motion, or an earlier check</source>
+   <translation>Kleinster Abstand der bewegten Teile zu jedem Nachbarn über die ganze Bewegung. Eine Hülle, Teile und eine Bewegung oder eine frühere Prüfung auswählen</translation>
+  </message>
+  <message>
+   <source>Create envelope...</source>
+   <translation>Hülle erzeugen …</translation>
+  </message>
+  <message>
+   <source>Computes the space that the selected parts need along a motion. Select solids or meshes, also inside groups and links, and a motion</source>
+   <translation>Berechnet den Raum, den die ausgewählten Teile auf einer Bewegung brauchen. Festkörper oder Netze auswählen, auch in Gruppen und Verknüpfungen, und eine Bewegung</translation>
+  </message>
+  <message>
+   <source>Open the demo</source>
+   <translation>Beispiel öffnen</translation>
+  </message>
+  <message>
+   <source>Opens the example: a starter motor is fitted past its neighbours</source>
+   <translation>Öffnet das Beispiel: Ein Anlasser wird an seinen Nachbarn vorbei eingebaut</translation>
+  </message>
+  <message>
+   <source>Edit envelope...</source>
+   <translation>Hülle bearbeiten …</translation>
+  </message>
+  <message>
+   <source>Changes parts, motion or accuracy of the selected envelope</source>
+   <translation>Ändert Teile, Bewegung oder Genauigkeit der ausgewählten Hülle</translation>
+  </message>
+  <message>
+   <source>Edit motion...</source>
+   <translation>Bewegung bearbeiten …</translation>
+  </message>
+  <message>
+   <source>Edits the keys of the selected motion in a table, plays it with a ghost of the part</source>
+   <translation>Bearbeitet die Schlüssel der ausgewählten Bewegung in einer Tabelle und spielt sie mit einem Geisterbild des Teils ab</translation>
+  </message>
+  <message>
+   <source>Export envelope...</source>
+   <translation>Hülle exportieren …</translation>
+  </message>
+  <message>
+   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way</source>
+   <translation>Schreibt die ausgewählte Hülle als STEP, BREP, STL, PLY, OBJ oder OFF und prüft sie dabei</translation>
+  </message>
+  <message>
+   <source>Make solid</source>
+   <translation>Festkörper erzeugen</translation>
+  </message>
+  <message>
+   <source>Makes a solid of the selected envelope for booleans, measuring and STEP; of a selected solid: makes it again</source>
+   <translation>Erzeugt aus der ausgewählten Hülle einen Festkörper für boolesche Operationen, Messen und STEP; ein ausgewählter Festkörper wird neu erzeugt</translation>
+  </message>
+  <message>
+   <source>Motion from file...</source>
+   <translation>Bewegung aus Datei …</translation>
+  </message>
+  <message>
+   <source>Reads a motion from a CSV file: time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw) or 16 matrix numbers a row</source>
+   <translation>Liest eine Bewegung aus einer CSV-Datei: Zeit, Ort und Quaternion (t,tx,ty,tz,qx,qy,qz,qw) oder 16 Matrixzahlen je Zeile</translation>
+  </message>
+  <message>
+   <source>Motion from selected placements</source>
+   <translation>Bewegung aus ausgewählten Platzierungen</translation>
+  </message>
+  <message>
+   <source>Makes a motion from the placements of the selected objects, in the order of selection. It stays linked: moving an object moves its pose</source>
+   <translation>Erzeugt eine Bewegung aus den Platzierungen der ausgewählten Objekte in der Reihenfolge der Auswahl. Sie bleibt verknüpft: Wird ein Objekt bewegt, bewegt sich seine Lage</translation>
+  </message>
+  <message>
+   <source>Motion from path object...</source>
+   <translation>Bewegung aus Bahnobjekt …</translation>
+  </message>
+  <message>
+   <source>Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM path. It stays linked to it</source>
+   <translation>Erzeugt eine Bewegung aus Linienzug, Skizze, Roboterbahn, Verknüpfungs- oder Draft-Anordnung oder CAM-Bahn und bleibt damit verknüpft</translation>
+  </message>
+  <message>
+   <source>New motion...</source>
+   <translation>Neue Bewegung …</translation>
+  </message>
+  <message>
+   <source>Opens the path editor: move the selected part step by step and capture its placements</source>
+   <translation>Öffnet den Bahneditor: das ausgewählte Teil Schritt für Schritt bewegen und seine Platzierungen übernehmen</translation>
+  </message>
+  <message>
+   <source>Recompute envelope</source>
+   <translation>Hülle neu berechnen</translation>
+  </message>
+  <message>
+   <source>Computes the selected envelope again from its present parts and motion; without a selection the first one that is stale</source>
+   <translation>Berechnet die ausgewählte Hülle neu aus ihren jetzigen Teilen und ihrer Bewegung; ohne Auswahl die erste veraltete</translation>
+  </message>
+  <message>
+   <source>Reload motion</source>
+   <translation>Bewegung neu laden</translation>
+  </message>
+  <message>
+   <source>Reads the file or the source of the selected motion again</source>
+   <translation>Liest Datei oder Quelle der ausgewählten Bewegung neu</translation>
+  </message>
+  <message>
+   <source>Edit envelope</source>
+   <translation>Hülle bearbeiten</translation>
+  </message>
+  <message>
+   <source>Export envelope</source>
+   <translation>Hülle exportieren</translation>
+  </message>
+  <message>
+   <source>Edit motion</source>
+   <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
+   <source>Create envelope</source>
+   <translation>Hülle erzeugen</translation>
+  </message>
+  <message>
+   <source>Make solid again</source>
+   <translation>Festkörper neu erzeugen</translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <translation>Exportieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>SweptVolume_Messages</name>
+  <message>
+   <source>Select an envelope first.</source>
+   <translation>Zuerst eine Hülle auswählen.</translation>
+  </message>
+  <message>
+   <source>Select a motion first.</source>
+   <translation>Zuerst eine Bewegung auswählen.</translation>
+  </message>
+  <message>
+   <source>Select at least two objects whose placements are the poses, in the order of the motion: copies or links of the part, or local coordinate systems.</source>
+   <translation>Mindestens zwei Objekte auswählen, deren Platzierungen die Lagen sind, in der Reihenfolge der Bewegung: Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
+  </message>
+  <message>
+   <source>Select one wire, sketch, robot trajectory, link or Draft array, or CAM path.</source>
+   <translation>Einen Linienzug, eine Skizze, Roboterbahn, Verknüpfungs- oder Draft-Anordnung oder CAM-Bahn auswählen.</translation>
+  </message>
+  <message>
+   <source>No envelope is stale. Select one to compute it again.</source>
+   <translation>Keine Hülle ist veraltet. Eine auswählen, um sie neu zu berechnen.</translation>
+  </message>
+  <message>
+   <source>no moving part is given: choose a solid or a mesh that moves.</source>
+   <translation>Es ist kein bewegtes Teil angegeben: einen Festkörper oder ein Netz wählen, das sich bewegt.</translation>
+  </message>
+  <message>
+   <source>the shape gave no triangles.</source>
+   <translation>Die Form ergab keine Dreiecke.</translation>
+  </message>
+  <message>
+   <source>the moving part is empty.</source>
+   <translation>Das bewegte Teil ist leer.</translation>
+  </message>
+  <message>
+   <source>the shape has no solid (faces: {0}). Sweep a solid or a closed mesh; Part &gt; Convert to solid or Part &gt; Shape builder close a shape.</source>
+   <translation>Die Form hat keinen Festkörper (Flächen: {0}). Einen Festkörper oder ein geschlossenes Netz verwenden; Part &gt; In Festkörper umwandeln oder der Formgenerator schließen eine Form.</translation>
+  </message>
+  <message>
+   <source>"{0}" no longer leads to an object; choose the part again.</source>
+   <translation>„{0}“ führt zu keinem Objekt mehr; das Teil neu wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" holds neither a solid nor a mesh.</source>
+   <translation>„{0}“ enthält weder Festkörper noch Netz.</translation>
+  </message>
+  <message>
+   <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
+Build it once, in the folder {1}:
+    cmake --preset release &amp;&amp; cmake --build build
+README.md lists the packages this needs. A core that lies elsewhere is named by the environment variable SWEPT_CORE.
+Tried:
+  {2}</source>
+   <translation>Der übersetzte Kern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
+Einmal bauen, im Ordner {1}:
+    cmake --preset release &amp;&amp; cmake --build build
+README.md nennt die nötigen Pakete. Liegt der Kern woanders, nennt ihn die Umgebungsvariable SWEPT_CORE.
+Versucht:
+  {2}</translation>
+  </message>
+  <message>
+   <source>Neighbours</source>
+   <translation>Nachbarn</translation>
+  </message>
+  <message>
+   <source>Installation path</source>
+   <translation>Einbaubahn</translation>
+  </message>
+  <message>
+   <source>Demo</source>
+   <translation>Beispiel</translation>
+  </message>
+  <message>
+   <source>the file type "{0}" is unknown; use one of {1}.</source>
+   <translation>Der Dateityp „{0}“ ist unbekannt; möglich sind {1}.</translation>
+  </message>
+  <message>
+   <source>the folder "{0}" does not exist.</source>
+   <translation>Der Ordner „{0}“ existiert nicht.</translation>
+  </message>
+  <message>
+   <source>"{0}" is a folder.</source>
+   <translation>„{0}“ ist ein Ordner.</translation>
+  </message>
+  <message>
+   <source>"{0}" is write-protected.</source>
+   <translation>„{0}“ ist schreibgeschützt.</translation>
+  </message>
+  <message>
+   <source>Clear</source>
+   <translation>Frei</translation>
+  </message>
+  <message>
+   <source>Too near</source>
+   <translation>Zu nah</translation>
+  </message>
+  <message>
+   <source>Contact</source>
+   <translation>Berührung</translation>
+  </message>
+  <message>
+   <source>Clash</source>
+   <translation>Kollision</translation>
+  </message>
+  <message>
+   <source>Check clearance</source>
+   <translation>Abstand prüfen</translation>
+  </message>
+  <message>
+   <source>Clearance</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <source>{0} table</source>
+   <translation>{0} Tabelle</translation>
+  </message>
+  <message>
+   <source>no neighbour is given: choose parts or show some others.</source>
+   <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
+  </message>
+  <message>
+   <source>Left out: {0}</source>
+   <translation>Ausgelassen: {0}</translation>
+  </message>
+  <message>
+   <source>Not computed</source>
+   <translation>Nicht berechnet</translation>
+  </message>
+  <message>
+   <source>Up to date</source>
+   <translation>Aktuell</translation>
+  </message>
+  <message>
+   <source>Stale</source>
+   <translation>Veraltet</translation>
+  </message>
+  <message>
+   <source>Cancelled</source>
+   <translation>Abgebrochen</translation>
+  </message>
+  <message>
+   <source>Failed</source>
+   <translation>Fehlgeschlagen</translation>
+  </message>
+  <message>
+   <source>Compute envelope</source>
+   <translation>Hülle berechnen</translation>
+  </message>
+  <message>
+   <source>Envelope</source>
+   <translation>Hülle</translation>
+  </message>
+  <message>
+   <source>no motion is given: make one with New motion and choose it.</source>
+   <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
+  </message>
+  <message>
+   <source>Motion</source>
+   <translation>Bewegung</translation>
+  </message>
+  <message>
+   <source>no poses yet</source>
+   <translation>noch keine Lagen</translation>
+  </message>
+  <message>
+   <source>Make solid</source>
+   <translation>Festkörper erzeugen</translation>
+  </message>
+  <message>
+   <source>compute the envelope first: there is no mesh to make a solid of.</source>
+   <translation>Zuerst die Hülle berechnen: Es gibt noch kein Netz für einen Festkörper.</translation>
+  </message>
+  <message>
+   <source>{0} solid</source>
+   <translation>{0} Festkörper</translation>
+  </message>
+  <message>
+   <source>Cancelled. Nothing was changed.</source>
+   <translation>Abgebrochen. Nichts wurde geändert.</translation>
+  </message>
+  <message>
+   <source>Clearance table</source>
+   <translation>Abstandstabelle</translation>
+  </message>
+  <message>
+   <source>Motion from file</source>
+   <translation>Bewegung aus Datei</translation>
+  </message>
+  <message>
+   <source>Edit motion</source>
+   <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
+   <source>no part: close the panel, select the moving part and open it again.</source>
+   <translation>Kein Teil: das Fenster schließen, das bewegte Teil auswählen und neu öffnen.</translation>
+  </message>
+  <message>
+   <source>only Absolute poses can be captured.</source>
+   <translation>Nur absolute Lagen können übernommen werden.</translation>
+  </message>
+  <message>
+   <source>choose a key in the table first.</source>
+   <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
+  </message>
+  <message>
+   <source>Motion from path object</source>
+   <translation>Bewegung aus Bahnobjekt</translation>
+  </message>
+  <message>
+   <source>Export envelope</source>
+   <translation>Hülle exportieren</translation>
+  </message>
+  <message>
+   <source>{0}: {1} triangles, {2:.3g} mm^3, {3:.2f} s
+</source>
+   <translation>{0}: {1} Dreiecke, {2:.3g} mm^3, {3:.2f} s
+</translation>
+  </message>
+  <message>
+   <source>Written: {0} ({1:.1f} kB)
+</source>
+   <translation>Geschrieben: {0} ({1:.1f} kB)
+</translation>
+  </message>
+  <message>
+   <source>Cancelled: the document or an object is gone.</source>
+   <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
+  </message>
+  <message>
+   <source>choose one link array or Draft array.</source>
+   <translation>Eine Verknüpfungs- oder Draft-Anordnung wählen.</translation>
+  </message>
+  <message>
+   <source>choose one CAM (Path) object.</source>
+   <translation>Ein CAM-Objekt (Path) wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" has no moves (G0 to G3).</source>
+   <translation>„{0}“ hat keine Bewegungen (G0 bis G3).</translation>
+  </message>
+  <message>
+   <source>the motion file "{0}" does not exist; choose another.</source>
+   <translation>Die Bewegungsdatei „{0}“ existiert nicht; eine andere wählen.</translation>
+  </message>
+  <message>
+   <source>choose one wire, edge or sketch as the path.</source>
+   <translation>Einen Linienzug, eine Kante oder Skizze als Bahn wählen.</translation>
+  </message>
+  <message>
+   <source>a path needs at least two poses.</source>
+   <translation>Eine Bahn braucht mindestens zwei Lagen.</translation>
+  </message>
+  <message>
+   <source>"{0}" has {1} separate pieces; a path must be one.</source>
+   <translation>„{0}“ hat {1} getrennte Stücke; eine Bahn muss eines sein.</translation>
+  </message>
+  <message>
+   <source>choose the object whose property is driven, then the part to watch.</source>
+   <translation>Das Objekt wählen, dessen Eigenschaft durchlaufen wird, dann das beobachtete Teil.</translation>
+  </message>
+  <message>
+   <source>"{0}" has no property "{1}".</source>
+   <translation>„{0}“ hat keine Eigenschaft „{1}“.</translation>
+  </message>
+  <message>
+   <source>"{0}" = {1:g}: the document does not recompute.</source>
+   <translation>„{0}“ = {1:g}: Das Dokument lässt sich nicht neu berechnen.</translation>
+  </message>
+  <message>
+   <source>"{0}" is not a number or quantity in {1}.</source>
+   <translation>„{0}“ ist keine Zahl oder Größe in {1}.</translation>
+  </message>
+  <message>
+   <source>the time of key {0} must lie between those of its neighbours.</source>
+   <translation>Die Zeit von Schlüssel {0} muss zwischen denen seiner Nachbarn liegen.</translation>
+  </message>
+  <message>
+   <source>choose at least one object with a placement.</source>
+   <translation>Mindestens ein Objekt mit einer Platzierung wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" has no placement and cannot be a pose.</source>
+   <translation>„{0}“ hat keine Platzierung und kann keine Lage sein.</translation>
+  </message>
+  <message>
+   <source>the motion has no poses: add at least one.</source>
+   <translation>Die Bewegung hat keine Lagen: mindestens eine hinzufügen.</translation>
+  </message>
+  <message>
+   <source>the frame "{0}" is unknown; allowed: {1}.</source>
+   <translation>Der Bezug „{0}“ ist unbekannt; möglich sind {1}.</translation>
+  </message>
+  <message>
+   <source>the motion has {0} times and {1} placements.</source>
+   <translation>Die Bewegung hat {0} Zeiten und {1} Platzierungen.</translation>
+  </message>
+  <message>
+   <source>pose {0}: its time {1:g} s is not after the {2:g} s of the pose before; times must grow.</source>
+   <translation>Lage {0}: Ihre Zeit {1:g} s liegt nicht nach den {2:g} s der Lage davor; Zeiten müssen wachsen.</translation>
+  </message>
+  <message>
+   <source>choose one Robot trajectory.</source>
+   <translation>Eine Roboterbahn wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" has {1} waypoints; a motion needs at least two.</source>
+   <translation>„{0}“ hat {1} Wegpunkte; eine Bewegung braucht mindestens zwei.</translation>
+  </message>
+  <message>
+   <source>this motion keeps its own poses and has no source to read again.</source>
+   <translation>Diese Bewegung hat eigene Lagen und keine Quelle, die neu gelesen werden könnte.</translation>
+  </message>
+ </context>
+ <context>
+  <name>SweptVolume_Panels</name>
+  <message>
+   <source>No curve yet: check first.</source>
+   <translation>Noch keine Kurve: zuerst prüfen.</translation>
+  </message>
+  <message>
+   <source>distance (mm) over time (s)</source>
+   <translation>Abstand (mm) über der Zeit (s)</translation>
+  </message>
+  <message>
+   <source>Clearance</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <source>(parts and motion below)</source>
+   <translation>(Teile und Bewegung unten)</translation>
+  </message>
+  <message>
+   <source>{0} neighbours: {1}</source>
+   <translation>{0} Nachbarn: {1}</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <source>Envelope</source>
+   <translation>Hülle</translation>
+  </message>
+  <message>
+   <source>Moving parts</source>
+   <translation>Bewegte Teile</translation>
+  </message>
+  <message>
+   <source>Motion</source>
+   <translation>Bewegung</translation>
+  </message>
+  <message>
+   <source>All other visible parts</source>
+   <translation>Alle anderen sichtbaren Teile</translation>
+  </message>
+  <message>
+   <source>Take selected as neighbours</source>
+   <translation>Ausgewählte als Nachbarn nehmen</translation>
+  </message>
+  <message>
+   <source>Required distance</source>
+   <translation>Geforderter Abstand</translation>
+  </message>
+  <message>
+   <source>Tolerance</source>
+   <translation>Toleranz</translation>
+  </message>
+  <message>
+   <source>Mesh deflection</source>
+   <translation>Netzabweichung</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <translation>Ergebnis</translation>
+  </message>
+  <message>
+   <source>CSV...</source>
+   <translation>CSV …</translation>
+  </message>
+  <message>
+   <source>Spreadsheet</source>
+   <translation>Tabelle</translation>
+  </message>
+  <message>
+   <source>Colour the envelope by distance</source>
+   <translation>Hülle nach Abstand einfärben</translation>
+  </message>
+  <message>
+   <source>The envelope has changed since the check: check again.</source>
+   <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
+  </message>
+  <message>
+   <source>{0} (stale: check again)</source>
+   <translation>{0} (veraltet: neu prüfen)</translation>
+  </message>
+  <message>
+   <source>Swept envelope</source>
+   <translation>Bewegungshülle</translation>
+  </message>
+  <message>
+   <source>Cells along the longest side of the sweep</source>
+   <translation>Zellen entlang der längsten Seite des überstrichenen Raums</translation>
+  </message>
+  <message>
+   <source>{0} x {1} x {2} cells of {3}; about {4:.0f} MB and {5:.1f} s</source>
+   <translation>{0} x {1} x {2} Zellen von {3}; etwa {4:.0f} MB und {5:.1f} s</translation>
+  </message>
+  <message>
+   <source>Add selected</source>
+   <translation>Auswahl hinzufügen</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Entfernen</translation>
+  </message>
+  <message>
+   <source>Adds the solids and meshes selected in the tree</source>
+   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
+  </message>
+  <message>
+   <source>Accuracy</source>
+   <translation>Genauigkeit</translation>
+  </message>
+  <message>
+   <source>Largest deviation by simplification; 0: none</source>
+   <translation>Größte Abweichung durch Vereinfachung; 0: keine</translation>
+  </message>
+  <message>
+   <source>Safety distance around the swept volume</source>
+   <translation>Sicherheitsabstand um den überstrichenen Raum</translation>
+  </message>
+  <message>
+   <source>Given by</source>
+   <translation>Vorgabe</translation>
+  </message>
+  <message>
+   <source>Cells</source>
+   <translation>Zellen</translation>
+  </message>
+  <message>
+   <source>Cell size</source>
+   <translation>Zellgröße</translation>
+  </message>
+  <message>
+   <source>Simplification</source>
+   <translation>Vereinfachung</translation>
+  </message>
+  <message>
+   <source>Offset</source>
+   <translation>Zugabe</translation>
+  </message>
+  <message>
+   <source>Contain the sweep provably</source>
+   <translation>Überstrichenen Raum nachweislich enthalten</translation>
+  </message>
+  <message>
+   <source>Keep enclosed cavities</source>
+   <translation>Eingeschlossene Hohlräume behalten</translation>
+  </message>
+  <message>
+   <source>Method</source>
+   <translation>Verfahren</translation>
+  </message>
+  <message>
+   <source>Components</source>
+   <translation>Flächenstücke</translation>
+  </message>
+  <message>
+   <source>Backend</source>
+   <translation>Rechenwerk</translation>
+  </message>
+  <message>
+   <source>{0}: {1} triangles, {2}, {3:.2f} s</source>
+   <translation>{0}: {1} Dreiecke, {2}, {3:.2f} s</translation>
+  </message>
+  <message>
+   <source>Number of cells</source>
+   <translation>Zellenzahl</translation>
+  </message>
+  <message>
+   <source>Export envelope</source>
+   <translation>Hülle exportieren</translation>
+  </message>
+  <message>
+   <source>Export table</source>
+   <translation>Tabelle exportieren</translation>
+  </message>
+  <message>
+   <source>{0} poses, {1:g} to {2:g} s, moving {3:.4g} x {4:.4g} x {5:.4g} mm</source>
+   <translation>{0} Lagen, {1:g} bis {2:g} s, Weg {3:.4g} x {4:.4g} x {5:.4g} mm</translation>
+  </message>
+  <message>
+   <source>Motions</source>
+   <translation>Bewegungen</translation>
+  </message>
+  <message>
+   <source>All files</source>
+   <translation>Alle Dateien</translation>
+  </message>
+  <message>
+   <source>Motion from file</source>
+   <translation>Bewegung aus Datei</translation>
+  </message>
+  <message>
+   <source>File</source>
+   <translation>Datei</translation>
+  </message>
+  <message>
+   <source>Unit of length</source>
+   <translation>Längeneinheit</translation>
+  </message>
+  <message>
+   <source>Between poses</source>
+   <translation>Zwischen Lagen</translation>
+  </message>
+  <message>
+   <source>A pose is</source>
+   <translation>Eine Lage ist</translation>
+  </message>
+  <message>
+   <source>Path</source>
+   <translation>Bahn</translation>
+  </message>
+  <message>
+   <source>Key placements</source>
+   <translation>Schlüsselplatzierungen</translation>
+  </message>
+  <message>
+   <source>none selected</source>
+   <translation>keines ausgewählt</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>Show a coarse envelope</source>
+   <translation>Grobe Hülle zeigen</translation>
+  </message>
+  <message>
+   <source>Play</source>
+   <translation>Abspielen</translation>
+  </message>
+  <message>
+   <source>Capture</source>
+   <translation>Übernehmen</translation>
+  </message>
+  <message>
+   <source>Adds the placement that the part has now</source>
+   <translation>Fügt die jetzige Platzierung des Teils hinzu</translation>
+  </message>
+  <message>
+   <source>Update</source>
+   <translation>Aktualisieren</translation>
+  </message>
+  <message>
+   <source>Takes the part's placement of now for this key</source>
+   <translation>Nimmt für diesen Schlüssel die jetzige Platzierung des Teils</translation>
+  </message>
+  <message>
+   <source>Insert</source>
+   <translation>Einfügen</translation>
+  </message>
+  <message>
+   <source>A new key half-way to the next one</source>
+   <translation>Ein neuer Schlüssel auf halbem Weg zum nächsten</translation>
+  </message>
+  <message>
+   <source>Duplicate</source>
+   <translation>Verdoppeln</translation>
+  </message>
+  <message>
+   <source>The same placement again</source>
+   <translation>Dieselbe Platzierung noch einmal</translation>
+  </message>
+  <message>
+   <source>Delete</source>
+   <translation>Löschen</translation>
+  </message>
+  <message>
+   <source>Removes the key</source>
+   <translation>Entfernt den Schlüssel</translation>
+  </message>
+  <message>
+   <source>Reverse</source>
+   <translation>Umkehren</translation>
+  </message>
+  <message>
+   <source>The way back</source>
+   <translation>Der Rückweg</translation>
+  </message>
+  <message>
+   <source>Up</source>
+   <translation>Nach oben</translation>
+  </message>
+  <message>
+   <source>Earlier</source>
+   <translation>Früher</translation>
+  </message>
+  <message>
+   <source>Down</source>
+   <translation>Nach unten</translation>
+  </message>
+  <message>
+   <source>Later</source>
+   <translation>Später</translation>
+  </message>
+  <message>
+   <source>Even times</source>
+   <translation>Gleiche Zeiten</translation>
+  </message>
+  <message>
+   <source>One second from key to key</source>
+   <translation>Eine Sekunde von Schlüssel zu Schlüssel</translation>
+  </message>
+  <message>
+   <source>Pause</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Motion from path object</source>
+   <translation>Bewegung aus Bahnobjekt</translation>
+  </message>
+  <message>
+   <source>Poses</source>
+   <translation>Lagen</translation>
+  </message>
+  <message>
+   <source>Orientation</source>
+   <translation>Ausrichtung</translation>
+  </message>
+  <message>
+   <source>Duration</source>
+   <translation>Dauer</translation>
+  </message>
+  <message>
+   <source>Time a pose</source>
+   <translation>Zeit je Lage</translation>
+  </message>
+  <message>
+   <source>Progress</source>
+   <translation>Fortschritt</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+ </context>
+ <context>
+  <name>SweptVolume_Properties</name>
+  <message>
+   <source>Envelope whose parts and motion are checked, and which is coloured</source>
+   <translation>Hülle, deren Teile und Bewegung geprüft werden und die eingefärbt wird</translation>
+  </message>
+  <message>
+   <source>Parts that move together, where no envelope is given</source>
+   <translation>Gemeinsam bewegte Teile, wenn keine Hülle angegeben ist</translation>
+  </message>
+  <message>
+   <source>Motion, where no envelope is given</source>
+   <translation>Bewegung, wenn keine Hülle angegeben ist</translation>
+  </message>
+  <message>
+   <source>Parts that stand still, seen through groups and links</source>
+   <translation>Stillstehende Teile, durch Gruppen und Verknüpfungen gesehen</translation>
+  </message>
+  <message>
+   <source>Check all other visible parts instead of Neighbours</source>
+   <translation>Statt der Nachbarn alle anderen sichtbaren Teile prüfen</translation>
+  </message>
+  <message>
+   <source>Distance asked for</source>
+   <translation>Geforderter Abstand</translation>
+  </message>
+  <message>
+   <source>How far the smallest distance may be off between two poses</source>
+   <translation>Wie weit der kleinste Abstand zwischen zwei Lagen abweichen darf</translation>
+  </message>
+  <message>
+   <source>Chord error to which solids are meshed; it is subtracted from the distances</source>
+   <translation>Sehnenfehler, mit dem Festkörper vernetzt werden; er wird von den Abständen abgezogen</translation>
+  </message>
+  <message>
+   <source>State of the result</source>
+   <translation>Zustand des Ergebnisses</translation>
+  </message>
+  <message>
+   <source>Why the last run failed; notes</source>
+   <translation>Warum der letzte Lauf fehlschlug; Hinweise</translation>
+  </message>
+  <message>
+   <source>Result in one line</source>
+   <translation>Ergebnis in einer Zeile</translation>
+  </message>
+  <message>
+   <source>Neighbours checked</source>
+   <translation>Geprüfte Nachbarn</translation>
+  </message>
+  <message>
+   <source>Smallest distance</source>
+   <translation>Kleinster Abstand</translation>
+  </message>
+  <message>
+   <source>Report of the run (JSON)</source>
+   <translation>Bericht des Laufs (JSON)</translation>
+  </message>
+  <message>
+   <source>Distance at each point</source>
+   <translation>Abstand an jedem Punkt</translation>
+  </message>
+  <message>
+   <source>Inputs of the stored result</source>
+   <translation>Eingaben des gespeicherten Ergebnisses</translation>
+  </message>
+  <message>
+   <source>Solids and meshes that move together, seen through groups and links</source>
+   <translation>Gemeinsam bewegte Festkörper und Netze, durch Gruppen und Verknüpfungen gesehen</translation>
+  </message>
+  <message>
+   <source>Motion of the parts</source>
+   <translation>Bewegung der Teile</translation>
+  </message>
+  <message>
+   <source>Cells along the longest side of the sweep; used while CellSize is 0</source>
+   <translation>Zellen entlang der längsten Seite; gilt, solange CellSize 0 ist</translation>
+  </message>
+  <message>
+   <source>Edge of a cell of the sampling grid; 0: from Resolution</source>
+   <translation>Kante einer Zelle des Abtastgitters; 0: aus Resolution</translation>
+  </message>
+  <message>
+   <source>How far the triangles of a solid may leave it, in cells</source>
+   <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen, in Zellen</translation>
+  </message>
+  <message>
+   <source>Simplification: largest deviation allowed; 0: none</source>
+   <translation>Vereinfachung: größte erlaubte Abweichung; 0: keine</translation>
+  </message>
+  <message>
+   <source>Safety distance by which the envelope is grown</source>
+   <translation>Sicherheitsabstand, um den die Hülle wächst</translation>
+  </message>
+  <message>
+   <source>The envelope provably contains the swept volume</source>
+   <translation>Die Hülle enthält nachweislich den überstrichenen Raum</translation>
+  </message>
+  <message>
+   <source>Keep sealed hollow spaces as inner shells</source>
+   <translation>Abgeschlossene Hohlräume als innere Schalen behalten</translation>
+  </message>
+  <message>
+   <source>How surface pieces inside one cell are told apart</source>
+   <translation>Wie Flächenstücke in einer Zelle unterschieden werden</translation>
+  </message>
+  <message>
+   <source>Where the sampling runs</source>
+   <translation>Wo die Abtastung läuft</translation>
+  </message>
+  <message>
+   <source>Why the last run failed; warnings</source>
+   <translation>Warum der letzte Lauf fehlschlug; Warnungen</translation>
+  </message>
+  <message>
+   <source>Volume of the envelope</source>
+   <translation>Volumen der Hülle</translation>
+  </message>
+  <message>
+   <source>Area of the envelope</source>
+   <translation>Fläche der Hülle</translation>
+  </message>
+  <message>
+   <source>Triangles of the envelope</source>
+   <translation>Dreiecke der Hülle</translation>
+  </message>
+  <message>
+   <source>Closed surfaces of the envelope</source>
+   <translation>Geschlossene Flächen der Hülle</translation>
+  </message>
+  <message>
+   <source>Pairs of triangles that cross each other; -1: not counted</source>
+   <translation>Paare sich schneidender Dreiecke; -1: nicht gezählt</translation>
+  </message>
+  <message>
+   <source>Edge of a cell in this result</source>
+   <translation>Kante einer Zelle in diesem Ergebnis</translation>
+  </message>
+  <message>
+   <source>Duration of the run (s)</source>
+   <translation>Dauer des Laufs (s)</translation>
+  </message>
+  <message>
+   <source>Time of each pose (s), growing</source>
+   <translation>Zeit jeder Lage (s), wachsend</translation>
+  </message>
+  <message>
+   <source>Pose of the moving part at each time</source>
+   <translation>Lage des bewegten Teils zu jeder Zeit</translation>
+  </message>
+  <message>
+   <source>What the part does between two poses. Linear: straight line and even turn. Screw: one screw movement. None: it only stands at the poses</source>
+   <translation>Was das Teil zwischen zwei Lagen tut. Linear: gerade und gleichmäßig gedreht. Screw: eine Schraubung. None: Es steht nur in den Lagen</translation>
+  </message>
+  <message>
+   <source>Where the poses come from</source>
+   <translation>Woher die Lagen kommen</translation>
+  </message>
+  <message>
+   <source>File of the poses; Reload motion reads it again</source>
+   <translation>Datei der Lagen; Bewegung neu laden liest sie wieder</translation>
+  </message>
+  <message>
+   <source>Unit of the lengths in the file</source>
+   <translation>Einheit der Längen in der Datei</translation>
+  </message>
+  <message>
+   <source>Objects whose placements or shape give the poses</source>
+   <translation>Objekte, deren Platzierungen oder Form die Lagen geben</translation>
+  </message>
+  <message>
+   <source>Settings of the source</source>
+   <translation>Einstellungen der Quelle</translation>
+  </message>
+  <message>
+   <source>Number of poses</source>
+   <translation>Anzahl der Lagen</translation>
+  </message>
+  <message>
+   <source>Last time minus first time (s)</source>
+   <translation>Letzte minus erste Zeit (s)</translation>
+  </message>
+  <message>
+   <source>Whether the motion can be used</source>
+   <translation>Ob die Bewegung brauchbar ist</translation>
+  </message>
+  <message>
+   <source>Envelope (or any closed mesh) of which this is the solid</source>
+   <translation>Hülle (oder ein geschlossenes Netz), deren Festkörper dies ist</translation>
+  </message>
+  <message>
+   <source>Flat regions become single faces</source>
+   <translation>Ebene Bereiche werden einzelne Flächen</translation>
+  </message>
+  <message>
+   <source>More faces than this are refused: set Tolerance of the envelope</source>
+   <translation>Mehr Flächen werden abgelehnt: Tolerance der Hülle setzen</translation>
+  </message>
+  <message>
+   <source>Why the last run failed</source>
+   <translation>Warum der letzte Lauf fehlschlug</translation>
+  </message>
+  <message>
+   <source>Faces of the solid</source>
+   <translation>Flächen des Festkörpers</translation>
+  </message>
+  <message>
+   <source>Volume of the solid</source>
+   <translation>Volumen des Festkörpers</translation>
+  </message>
+  <message>
+   <source>What a pose means.
+Absolute: the placement the part has at that time, instead of the one it has now (default; captured placements and recorded motions are of this kind).
+Relative: a displacement on top of where the part stands now; the identity leaves it there.
+RelativeToFirst: as Relative, measured from the first pose: the motion starts where the part stands now.
+Several parts move rigidly together; Absolute places the first of them.</source>
+   <translation>Was eine Lage bedeutet.
+Absolute: die Platzierung des Teils zu dieser Zeit anstelle der jetzigen (Vorgabe; so sind übernommene Platzierungen und aufgezeichnete Bewegungen).
+Relative: eine Verschiebung gegenüber dem jetzigen Stand; die Einheit lässt es dort.
+RelativeToFirst: wie Relative, gemessen von der ersten Lage: Die Bewegung beginnt, wo das Teil jetzt steht.
+Mehrere Teile bewegen sich starr zusammen; Absolute setzt das erste davon.</translation>
+  </message>
+  <message>
+   <source>Length of the axes drawn at each pose (mm); 0: automatic</source>
+   <translation>Länge der Achsen an jeder Lage (mm); 0: automatisch</translation>
+  </message>
+  <message>
+   <source>Width of the path line (pixels)</source>
+   <translation>Breite der Bahnlinie (Pixel)</translation>
+  </message>
+ </context>
+ <context>
+  <name>SweptVolume_Workbench</name>
+  <message>
+   <source>Swept Volume</source>
+   <translation>Überstrichener Raum</translation>
+  </message>
+  <message>
+   <source>The space that moving parts need: motions, swept envelopes, solids, STEP</source>
+   <translation>Der Raum, den bewegte Teile brauchen: Bewegungen, Hüllen, Festkörper, STEP</translation>
+  </message>
+ </context>
+</TS>

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every text of the workbench stands in the .ts files, translated, with the same placeholders."""
+import os
+import re
+import sys
+import unittest
+
+import sweptvolume
+
+FOLDER = sweptvolume.resource("translations")
+sys.path.insert(0, FOLDER)
+import update  # noqa: E402
+
+
+class Translation(unittest.TestCase):
+    def test_texts_are_collected_and_translated(self):
+        found = update.texts()
+        for language in update.LANGUAGES:
+            path = os.path.join(FOLDER, "SweptVolume_{}.ts".format(language))
+            known = update.known(path)
+            missing = [(c, t) for c in found for t in found[c] if not known.get((c, t))]
+            self.assertEqual(missing, [], "run resources/translations/update.py")
+
+    def test_placeholders_survive(self):
+        for language in update.LANGUAGES:
+            path = os.path.join(FOLDER, "SweptVolume_{}.ts".format(language))
+            for (_, text), translation in update.known(path).items():
+                fields = sorted(re.findall(r"{[^}]*}", text))
+                self.assertEqual(fields, sorted(re.findall(r"{[^}]*}", translation)), text)
+
+    def test_packed_files_are_there(self):
+        for language in update.LANGUAGES:
+            path = os.path.join(FOLDER, "SweptVolume_{}.qm".format(language))
+            self.assertGreater(os.path.getsize(path), 1000)
