@@ -8,7 +8,7 @@ import sys
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "tests", "freecad", "gui"))
-from driver import (
+from driver import (  # noqa: E402
     App,
     Gui,
     QtWidgets,
@@ -40,7 +40,6 @@ def picture(name):
 def scenario():
     import tempfile
 
-    from sweptvolume import demo
     from sweptvolume.panels import file_panel
 
     Gui.activateWorkbench("SweptVolumeWorkbench")
