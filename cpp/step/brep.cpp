@@ -21,6 +21,7 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <ShapeFix_Edge.hxx>
+#include <Standard_Failure.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -66,7 +67,14 @@ class BrepBuilder {
     result.faces.reserve(model_.faces.size());
     for (const ModelFace& face : model_.faces) {
       if ((result.faces.size() & 1023U) == 0) run_.checkpoint(Phase::Export);
-      const TopoDS_Face made = makeFace(face);
+      TopoDS_Face made;
+      try {
+        made = makeFace(face);
+      } catch (const Standard_Failure&) {
+        made = TopoDS_Face();
+        builder_.MakeFace(made);
+        result.failed.push_back(static_cast<std::int32_t>(result.faces.size()));
+      }
       builder_.Add(shells[face.shell], made);
       result.faces.push_back(made);
     }
@@ -126,19 +134,18 @@ class BrepBuilder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const ModelEdge& edge = model_.edges[e];
       const Eigen::Vector3d a = model_.vertices[edge.start].point;
-      const double length = (edge.curve.at(edge.curve.last / 2) - a).norm();
-      if (!(length > kKernelTolerance)) {
-        throw Error(Status::ExportFailed, "ShortEdge",
-                    "an edge at (" + std::to_string(a.x()) + ", " + std::to_string(a.y()) + ", " +
-                        std::to_string(a.z()) +
-                        ") mm is shorter than 1e-7 mm; simplify the mesh or " +
-                        "scale the model up");
+      // An edge that has no length or no curve stays null; its faces are reported as failed.
+      if (!((edge.curve.at(edge.curve.last / 2) - a).norm() > kKernelTolerance)) continue;
+      try {
+        TopoDS_Edge made;
+        builder_.MakeEdge(made, curveOf(edge.curve), stated(edge.tolerance));
+        builder_.Add(made, vertices_[edge.start].Oriented(TopAbs_FORWARD));
+        builder_.Add(made, vertices_[edge.end].Oriented(TopAbs_REVERSED));
+        builder_.Range(made, 0, edge.curve.last);
+        edges_[e] = made;
+      } catch (const Standard_Failure&) {
+        continue;
       }
-      TopoDS_Edge& made = edges_[e];
-      builder_.MakeEdge(made, curveOf(edge.curve), stated(edge.tolerance));
-      builder_.Add(made, vertices_[edge.start].Oriented(TopAbs_FORWARD));
-      builder_.Add(made, vertices_[edge.end].Oriented(TopAbs_REVERSED));
-      builder_.Range(made, 0, edge.curve.last);
     }
   }
 
@@ -150,6 +157,7 @@ class BrepBuilder {
       TopoDS_Wire wire;
       builder_.MakeWire(wire);
       for (const ModelUse& use : loop) {
+        if (edges_[use.edge].IsNull()) throw Standard_Failure("edge without a curve");
         builder_.Add(wire,
                      edges_[use.edge].Oriented(use.forward ? TopAbs_FORWARD : TopAbs_REVERSED));
         if (!face.surface.isPlanar()) addParameterCurve(use.edge, face.surface, made);

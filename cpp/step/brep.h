@@ -16,6 +16,8 @@ namespace swept::step {
 struct Brep {
   TopoDS_Shape shape;               ///< one solid, or a compound of solids
   std::vector<TopoDS_Shape> faces;  ///< in the order of Model::faces
+  std::vector<std::int32_t>
+      failed;  ///< faces for which the kernel could not even make what they need
 };
 
 Brep buildBrep(const Model& model, RunContext& run);

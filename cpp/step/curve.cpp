@@ -201,6 +201,42 @@ Curve curveThrough(std::vector<Vector3d> points, bool closed, double eps,
   return splineThrough(inOrder(points), closed, surfaces);
 }
 
+Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolerance) {
+  // Keep what a polyline within the tolerance needs, then let a spline round its corners.
+  std::vector<char> kept(points.size(), 0);
+  kept.front() = kept.back() = 1;
+  std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};
+  if (closed) {
+    const std::size_t third = points.size() / 3;
+    spans = {{0, third}, {third, 2 * third}, {2 * third, points.size() - 1}};
+    kept[third] = kept[2 * third] = 1;
+  }
+  while (!spans.empty()) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    const Curve line = lineThrough(points[from], points[to]);
+    double worst = tolerance;
+    std::size_t split = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const Vector3d d = points[i] - line.start;
+      const double off = (d - std::clamp(d.dot(line.axis), 0.0, line.last) * line.axis).norm();
+      if (off <= worst) continue;
+      worst = off;
+      split = i;
+    }
+    if (split == from) continue;
+    kept[split] = 1;
+    spans.push_back({from, split});
+    spans.push_back({split, to});
+  }
+  std::vector<Vector3d> left;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept[i]) left.push_back(points[i]);
+  }
+  if (left.size() == 2) return lineThrough(left[0], left[1]);
+  return splineThrough(left, closed, {});
+}
+
 Vector3d meetingPoint(const Vector3d& from, const std::vector<const Surface*>& surfaces) {
   Vector3d point = from;
   std::vector<std::pair<int, int>> touching;

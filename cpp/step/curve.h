@@ -32,6 +32,9 @@ Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
                    const std::vector<const Surface*>& surfaces);
 
+/// Line or spline along a jagged polyline, smoothed within the tolerance; the ends stay.
+Curve curveAlong(const std::vector<Eigen::Vector3d>& points, bool closed, double tolerance);
+
 /// The point near `from` on all surfaces, as far as they determine it; where two of them touch, the
 /// point where their normals agree.
 Eigen::Vector3d meetingPoint(const Eigen::Vector3d& from,

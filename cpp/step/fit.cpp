@@ -250,7 +250,7 @@ void refineSurface(const Samples& samples, Surface& surface) {
     }
     return;
   }
-  const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / 600);
+  const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / 240);
   const std::vector<int> parameters = freeParameters(surface.kind);
   const auto count = static_cast<int>(parameters.size());
   const double step = 1e-6 * frame.size;
@@ -263,7 +263,7 @@ void refineSurface(const Samples& samples, Surface& surface) {
     return sum;
   };
   double best = cost(surface), damping = 1e-6;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < 8; ++round) {
     // A point on the axis near the samples, or tilts would throw far parts about.
     if (surface.kind == SurfaceKind::Cylinder || surface.kind == SurfaceKind::Cone) {
       const double along = (frame.mean - surface.point).dot(surface.axis);

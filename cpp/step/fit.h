@@ -21,7 +21,7 @@ struct Samples {
 /// First guess; nothing where the samples do not determine the surface.
 std::optional<Surface> guessSurface(SurfaceKind kind, const Samples& samples);
 
-/// Least squares on the distances of the points (at most about 600 of them are used).
+/// Least squares on the distances of the points (at most about 240 of them are used).
 void refineSurface(const Samples& samples, Surface& surface);
 
 /// Largest and median absolute distance of the points.

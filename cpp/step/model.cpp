@@ -263,17 +263,35 @@ class Builder {
         beside[mesh_.origin(half)] = 1;
     }
     const double eps = std::max(1e-6, 0.02 * tolerance_);
+    auto coincide = [&](std::int32_t a, std::int32_t b) {
+      return a != b && (place_[a] - place_[b]).norm() <= eps;
+    };
     for (Chain& chain : chains_) {
       const std::int32_t a = vertexAt(chain, 0), b = vertexAt(chain, chain.halfEdges.size());
-      if (a == b || (place_[a] - place_[b]).norm() > eps) continue;
-      if (chain.surfaces.size() < 2 || beside[a] || beside[b] || chain.halfEdges.size() > 12) {
-        // Facets need their corners apart: these stay where the mesh has them.
-        place_[a] = mesh_.points[a];
-        place_[b] = mesh_.points[b];
-        continue;
-      }
+      if (!coincide(a, b) || chain.surfaces.size() < 2 || beside[a] || beside[b]) continue;
+      if (chain.halfEdges.size() > 12) continue;
       chain.dropped = true;
       same_[root(a)] = root(b);
+    }
+    for (std::size_t v = 0; v < beside.size(); ++v) {
+      if (!beside[v]) continue;
+      model_.facetShift = std::max(model_.facetShift, (place_[v] - mesh_.points[v]).norm());
+    }
+    // What is left needs its corners apart: these stay where the mesh has them.
+    for (int round = 0; round < 3; ++round) {
+      for (const Chain& chain : chains_) {
+        if (chain.dropped) continue;
+        std::int32_t last = vertexAt(chain, 0);
+        for (std::size_t i = 1; i <= chain.halfEdges.size(); ++i) {
+          const std::int32_t v = vertexAt(chain, i);
+          if (!kept_[v]) continue;
+          if (coincide(root(last), root(v))) {
+            place_[root(last)] = mesh_.points[last];
+            place_[root(v)] = mesh_.points[v];
+          }
+          last = v;
+        }
+      }
     }
   }
 
@@ -287,22 +305,56 @@ class Builder {
     return vertexId_[v];
   }
 
+  // The curve in which the surfaces of the chain meet; where they meet too flatly for that, a curve
+  // along the mesh.
   Curve curveOf(const Chain& chain) {
     const std::size_t count = chain.halfEdges.size();
-    std::vector<Vector3d> points{place_[root(vertexAt(chain, 0))]};
+    const Vector3d first = place_[root(vertexAt(chain, 0))],
+                   last = place_[root(vertexAt(chain, count))];
+    std::vector<Vector3d> along{first}, points{first};
     const int between = count < 8 ? 4 : 1;
+    double reach = 0, moved = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const Vector3d& a = i == 0 ? points[0] : mesh_.points[vertexAt(chain, i)];
-      const Vector3d& b = i + 1 == count ? place_[root(vertexAt(chain, count))]
-                                         : mesh_.points[vertexAt(chain, i + 1)];
+      const Vector3d a = i == 0 ? first : mesh_.points[vertexAt(chain, i)];
+      const Vector3d b = i + 1 == count ? last : mesh_.points[vertexAt(chain, i + 1)];
+      reach = std::max(reach, (b - a).norm());
       for (int k = 1; k <= between; ++k) {
         if (i + 1 == count && k == between) break;
         const double w = static_cast<double>(k) / between;
-        points.push_back(meetingPoint((1 - w) * a + w * b, chain.surfaces));
+        along.push_back((1 - w) * a + w * b);
+        points.push_back(meetingPoint(along.back(), chain.surfaces));
+        moved = std::max(moved, (points.back() - along.back()).norm());
       }
     }
-    points.push_back(place_[root(vertexAt(chain, count))]);
-    return curveThrough(points, chain.closed, std::max(1e-6, 0.05 * tolerance_), chain.surfaces);
+    along.push_back(last);
+    points.push_back(last);
+    const double eps = std::max(1e-6, 0.05 * tolerance_);
+    if (moved <= 3 * tolerance_ + 2 * reach) {
+      Curve curve = curveThrough(points, chain.closed, eps, chain.surfaces);
+      if (isNear(curve, along, chain, 3 * tolerance_ + 2 * reach)) return curve;
+    }
+    return curveAlong(along, chain.closed, tolerance_);
+  }
+
+  // Within the tolerance of its surfaces, and nowhere far from the mesh.
+  bool isNear(const Curve& curve, const std::vector<Vector3d>& along, const Chain& chain,
+              double limit) const {
+    constexpr int kSteps = 32;
+    double length = 0, meshLength = 0;
+    Vector3d before = curve.at(0);
+    for (int i = 0; i <= kSteps; ++i) {
+      const Vector3d p = curve.at(curve.last * i / kSteps);
+      length += (p - before).norm();
+      before = p;
+      for (const Surface* surface : chain.surfaces) {
+        if (std::abs(surface->distance(p)) > tolerance_) return false;
+      }
+      double nearest = 1e300;
+      for (const Vector3d& q : along) nearest = std::min(nearest, (p - q).norm());
+      if (nearest > limit) return false;
+    }
+    for (std::size_t i = 1; i < along.size(); ++i) meshLength += (along[i] - along[i - 1]).norm();
+    return length <= 1.2 * meshLength + limit;
   }
 
   void makeEdges() {

@@ -42,6 +42,7 @@ struct Model {
   std::vector<ModelVertex> vertices;
   std::vector<ModelEdge> edges;
   std::vector<ModelFace> faces;          ///< grouped by shell
+  double facetShift = 0;                 ///< mm: how far a corner of a facet was moved at most
   std::vector<std::int32_t> shellOwner;  ///< as HalfEdgeMesh
 };
 

@@ -21,6 +21,7 @@ constexpr double kCreaseCosine = 0.88;  // seeds do not cross edges sharper than
 constexpr double kSurfaceCosine =
     0.90;                            // a triangle may lean this much (26 degrees) from its surface
 constexpr double kLeastShare = 0.1;  // of the tolerance, that is always allowed
+constexpr double kExactShare = 0.1;  // of the tolerance: how closely half of the vertices must lie
 constexpr int kRimRings = 3;
 constexpr double kWorthMore = 1.25;   // a more complicated surface must cover this much more
 constexpr double kWorthMuchMore = 4;  // and this much more if it fits less exactly
@@ -28,6 +29,11 @@ constexpr double kWorthMuchMore = 4;  // and this much more if it fits less exac
 constexpr std::array<SurfaceKind, 5> kKinds{SurfaceKind::Plane, SurfaceKind::Cylinder,
                                             SurfaceKind::Sphere, SurfaceKind::Cone,
                                             SurfaceKind::Torus};
+
+constexpr char bitOf(SurfaceKind kind) { return static_cast<char>(1 << static_cast<int>(kind)); }
+constexpr char kAllTried = static_cast<char>(
+    bitOf(SurfaceKind::Plane) | bitOf(SurfaceKind::Cylinder) | bitOf(SurfaceKind::Cone) |
+    bitOf(SurfaceKind::Sphere) | bitOf(SurfaceKind::Torus));
 
 struct Candidate {
   Surface surface;
@@ -63,7 +69,7 @@ class Recogniser {
 
   void recognise() {
     const auto count = static_cast<std::int32_t>(mesh_.triangles.size());
-    std::vector<char> tried(count, 0);
+    tried_.assign(count, 0);
     // Seeds in a fixed scattered order: neighbours in the list are neighbours on the mesh.
     std::int32_t stride = static_cast<std::int32_t>(0.618 * count) | 1;
     while (std::gcd(stride, count) != 1) stride += 2;
@@ -71,13 +77,13 @@ class Recogniser {
     for (std::int32_t i = 0; i < count; ++i, at = (at + stride) % count) {
       const auto seed = static_cast<std::int32_t>(at);
       if ((i & 255) == 0) run_.checkpoint(Phase::Export, i, 12ULL * count);
-      if (tried[seed] || partition_.patchOf[seed] >= 0 || thin_[seed]) continue;
+      if (tried_[seed] == kAllTried || partition_.patchOf[seed] >= 0 || thin_[seed]) continue;
       const std::vector<std::int32_t> around = seedRegion(seed, kSeedTriangles);
       std::optional<Candidate> best = bestSurface(seed, around);
       if (best) {
         accept(*best);
       } else {
-        for (const std::int32_t t : around) tried[t] = 1;
+        for (const std::int32_t t : around) tried_[t] = kAllTried;
       }
     }
     absorbLeftovers();
@@ -107,7 +113,7 @@ class Recogniser {
   Samples samplesOf(const std::vector<std::int32_t>& region) {
     ++pointMark_;
     Samples samples;
-    const std::size_t stride = std::max<std::size_t>(1, region.size() / 1500);
+    const std::size_t stride = std::max<std::size_t>(1, region.size() / 400);
     for (std::size_t i = 0; i < region.size(); i += stride) {
       const std::int32_t t = region[i];
       for (const std::int32_t v : mesh_.triangles[t]) {
@@ -149,7 +155,10 @@ class Recogniser {
         region.push_back(other);
       }
       if (region.size() >= refitAt) {
-        refineSurface(samplesOf(region), surface);
+        const Samples samples = samplesOf(region);
+        refineSurface(samples, surface);
+        // Not this surface after all: no use in following it further.
+        if (residuals(samples, surface).median > 2 * kExactShare * tolerance_) return region;
         refitAt = 2 * region.size();
       }
     }
@@ -166,22 +175,29 @@ class Recogniser {
     std::optional<Surface> surface = guessSurface(kind, first);
     if (!surface) return std::nullopt;
     refineSurface(first, *surface);
-    if (residuals(first, *surface).largest > tolerance_) return std::nullopt;
+    const Residuals start = residuals(first, *surface);
+    if (start.largest > tolerance_ || start.median > 2 * kExactShare * tolerance_)
+      return std::nullopt;
     Candidate candidate;
     candidate.surface = *surface;
     candidate.region = grow(seed, candidate.surface, tolerance_, 2 * first.points.size());
     // Tighten to what the surface really reaches, so that it does not run on into its neighbours.
     std::size_t before = 0;
-    for (int round = 0; round < 10; ++round) {
+    for (int round = 0; round < 8; ++round) {
       if (candidate.region.size() < 4) return std::nullopt;
       if (round > 2 && candidate.region.size() < before + before / 20) break;
       before = candidate.region.size();
       const Samples samples = samplesOf(candidate.region);
       refineSurface(samples, candidate.surface);
       candidate.median = residuals(samples, candidate.surface).median;
+      if (candidate.median > 2 * kExactShare * tolerance_) break;
       const double tight = std::clamp(8 * candidate.median, kLeastShare * tolerance_, tolerance_);
       candidate.region = grow(seed, candidate.surface, tight, candidate.region.size() * 5 / 4);
     }
+    // The same surface need not be tried again from anywhere in here.
+    for (const std::int32_t t : candidate.region)
+      tried_[t] = static_cast<char>(tried_[t] | bitOf(kind));
+    if (!isWorthIt(candidate)) return std::nullopt;
     addRim(candidate);
     candidate.area = areaOf(candidate.region);
     return candidate;
@@ -205,8 +221,13 @@ class Recogniser {
   }
 
   bool isWorthIt(const Candidate& candidate) const {
-    if (candidate.surface.kind == SurfaceKind::Plane) return candidate.region.size() >= 4;
+    if (candidate.surface.kind == SurfaceKind::Plane) {
+      return candidate.region.size() >= 4 && candidate.median <= kExactShare * tolerance_;
+    }
     if (candidate.region.size() < kLeastTriangles) return false;
+    // Many a free form comes within the tolerance of something; only what fits far better is
+    // recognised.
+    if (candidate.median > kExactShare * tolerance_) return false;
     // Enough turn of the normals to tell the surface from a plane.
     const Vector3d first = normal_[candidate.region.front()];
     double least = 1;
@@ -227,8 +248,9 @@ class Recogniser {
     std::optional<Candidate> best;
     auto tryAll = [&](const Samples& samples) {
       for (const SurfaceKind kind : kKinds) {
+        if ((tried_[seed] & bitOf(kind)) != 0) continue;
         std::optional<Candidate> candidate = tryKind(kind, seed, samples);
-        if (!candidate || !isWorthIt(*candidate)) continue;
+        if (!candidate) continue;
         if (!best || isBetter(*candidate, *best, tolerance_)) best = std::move(candidate);
       }
     };
@@ -415,6 +437,7 @@ class Recogniser {
   double tolerance_;
   Partition& partition_;
   RunContext& run_;
+  std::vector<char> tried_;  // kinds that failed here, as bits
   std::vector<Vector3d> normal_;
   std::vector<double> area_;
   std::vector<char> thin_;

@@ -4,14 +4,17 @@
 
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <ios>
+#include <map>
 #include <new>
 
 #include "brep.h"
+#include "decimate.h"
 #include "half_edge.h"
 #include "kernel.h"
 #include "model.h"
@@ -85,30 +88,97 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Builds the shape; faces that the kernel refuses are taken apart into facets and tried again.
-Brep buildValidBrep(const HalfEdgeMesh& mesh, Partition& partition, const StepOptions& options,
-                    RunContext& run) {
-  constexpr int kRounds = 4;
+struct Built {
+  Brep brep;
+  std::map<std::string, std::int64_t> facesByKind;
+  double deviation = 0;  // mm, of the mesh's vertices from their faces
+};
+
+Built describe(Brep brep, const Model& model, const Decimated& small) {
+  Built built{std::move(brep), {}, small.deviation + model.facetShift};
+  for (const ModelFace& face : model.faces) {
+    ++built.facesByKind[surfaceKindName(face.surface.kind)];
+    built.deviation = std::max(built.deviation, small.partition.patches[face.patch].deviation);
+  }
+  return built;
+}
+
+Partition partitionOf(const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
+  Partition partition;
+  partition.patchOf.assign(mesh.triangles.size(), -1);
+  if (options.tolerance > 0 && options.recognise) {
+    recogniseSurfaces(mesh, options.tolerance, partition, run);
+  }
+  return partition;
+}
+
+// Patches that the kernel refused become open ground again.
+void forgetPatches(const std::vector<std::int32_t>& patches, Partition& partition) {
+  for (const std::int32_t p : patches) {
+    for (const std::int32_t t : partition.patches[p].triangles) partition.patchOf[t] = -1;
+    partition.patches[p].triangles.clear();
+  }
+}
+
+// The recognised patches in the fan of a half-edge's first vertex.
+void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
+                    std::vector<std::int32_t>& patches) {
+  std::int32_t h = first;
+  do {
+    const std::int32_t patch = small.partition.patchOf[h / 3];
+    if (patch < known) patches.push_back(patch);
+    h = small.mesh.opposite[HalfEdgeMesh::previous(h)];
+  } while (h != first);
+}
+
+// Builds the shape. Faces that the kernel refuses lose their surface and are built of facets.
+Built buildValidBrep(const HalfEdgeMesh& whole, const StepOptions& options, Format format,
+                     RunContext& run) {
+  constexpr int kRounds = 5;
   const double tolerance = std::max(options.planarTolerance, options.tolerance);
+  Partition recognised = partitionOf(whole, options, run);
   for (int round = 0;; ++round) {
-    const Model model = buildModel(mesh, partition, tolerance, run);
-    Brep brep = buildBrep(model, run);
-    const std::vector<std::int32_t> bad = findBadFaces(brep.faces, run, 0.1, 0.3);
-    if (bad.empty()) return brep;
-    std::int64_t dissolved = 0;
-    for (const std::int32_t face : bad) {
-      const std::int32_t patch = model.faces[face].patch;
-      if (partition.patches[patch].triangles.size() < 2) continue;
-      dissolvePatch(mesh, patch, partition);
-      ++dissolved;
+    Decimated small{whole, recognised, 0};
+    if (options.tolerance > 0) small = decimate(whole, recognised, options.tolerance, run);
+    const auto known = static_cast<std::int32_t>(recognised.patches.size());
+    if (options.mergeCoplanar)
+      growPlanes(small.mesh, options.planarTolerance, small.partition, run);
+    addFacets(small.mesh, small.partition);
+    refuseTooMany(static_cast<std::int64_t>(small.partition.patches.size()), options.maxFaces,
+                  format);
+    std::vector<std::int32_t> refused;
+    for (int inner = 0; inner < 3; ++inner) {
+      const Model model = buildModel(small.mesh, small.partition, tolerance, run);
+      Brep brep = buildBrep(model, run);
+      std::vector<std::int32_t> bad = brep.failed;
+      if (bad.empty()) bad = findBadFaces(brep.faces, run, 0.1, 0.3);
+      if (bad.empty()) return describe(std::move(brep), model, small);
+      refused.clear();
+      bool again = false;
+      for (const std::int32_t face : bad) {
+        const std::int32_t patch = model.faces[face].patch;
+        if (patch < known) {
+          refused.push_back(patch);
+        } else if (small.partition.patches[patch].triangles.size() > 1) {
+          dissolvePatch(small.mesh, patch, small.partition);
+          again = true;
+        } else {
+          // A facet fails because of what its neighbours made of its corners.
+          const std::int32_t t = small.partition.patches[patch].triangles[0];
+          for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
+        }
+      }
+      if (!refused.empty() || !again) break;
     }
-    if (dissolved == 0 || round == kRounds) {
+    std::sort(refused.begin(), refused.end());
+    refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+    if (refused.empty() || round == kRounds) {
       throw Error(
           Status::ExportFailed, "InvalidFaces",
-          std::to_string(bad.size()) + " of " + std::to_string(brep.faces.size()) +
-              " faces are not accepted by the kernel; the mesh may have needle triangles or " +
-              "intersect itself: simplify or repair it, or export a mesh file");
+          "some faces are not accepted by the kernel; the mesh may have needle triangles or "
+          "intersect itself: simplify or repair it, or export a mesh file");
     }
+    forgetPatches(refused, recognised);
   }
 }
 
@@ -139,6 +209,12 @@ void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOption
   }
 }
 
+bool isWorthFacets(const Error& error) {
+  return error.status() == Status::ExportFailed &&
+         (error.code() == "InvalidFaces" || error.code() == "RereadDiffers" ||
+          error.code() == "RereadFailed" || error.code() == "KernelFailure");
+}
+
 StepReport writeChecked(const TriMesh& input, const std::string& path, const StepOptions& options,
                         RunContext& run) {
   const Format format = formatOf(path);
@@ -147,31 +223,26 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, const Ste
   Stopwatch watch;
   StepReport report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
-  Partition partition;
-  partition.patchOf.assign(mesh.triangles.size(), -1);
-  if (options.tolerance > 0) recogniseSurfaces(mesh, options.tolerance, partition, run);
-  if (options.mergeCoplanar) growPlanes(mesh, options.planarTolerance, partition, run);
-  addFacets(mesh, partition);
-  refuseTooMany(static_cast<std::int64_t>(partition.patches.size()), options.maxFaces, format);
-
   KernelSession kernel;
   try {
     OCC_CATCH_SIGNALS
-    const Brep brep = buildValidBrep(mesh, partition, options, run);
+    const Built built = buildValidBrep(mesh, options, format, run);
     report.secondsBuild = watch.lap();
     TopoDS_Shape back;
     if (format == Format::Step) {
       const auto name = std::filesystem::path(file.target()).filename().string();
-      writeStepFile(brep.shape, file.temporary(), name, options, kernel, run);
+      writeStepFile(built.brep.shape, file.temporary(), name, options, kernel, run);
       report.secondsWrite = watch.lap();
       back = readStepFile(file.temporary(), kernel, run);
     } else {
-      writeBrepFile(brep.shape, file.temporary(), run);
+      writeBrepFile(built.brep.shape, file.temporary(), run);
       report.secondsWrite = watch.lap();
       back = readBrepFile(file.temporary(), run);
     }
     const ShapeCheck check = checkShape(back, run, 0.8, 1.0);
     compare(check, mesh, options);
+    report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
+    report.deviation = built.deviation;
     report.faces = check.faces;
     report.edges = check.edges;
     report.solids = check.solids;
@@ -188,9 +259,9 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, const Ste
                     (kernel.messages().empty() ? std::string() : " (" + kernel.messages() + ")"));
   } catch (const std::bad_alloc&) {
     throw Error(Status::OutOfMemory, "OutOfMemory",
-                "the memory did not suffice for a solid of " +
-                    std::to_string(partition.patches.size()) +
-                    " faces; simplify the envelope or export a mesh file");
+                "the memory did not suffice for the solid of a mesh of " +
+                    std::to_string(mesh.triangles.size()) +
+                    " triangles; simplify the envelope or export a mesh file");
   } catch (const std::ios_base::failure& failure) {
     throw Error(Status::ExportFailed, "WriteFailed",
                 std::string("writing failed: ") + failure.what());
@@ -204,7 +275,17 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, const Ste
 
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run) {
-  return writeChecked(mesh, path, options, run);
+  try {
+    return writeChecked(mesh, path, options, run);
+  } catch (const Error& error) {
+    if (options.tolerance <= 0 || !options.recognise || !isWorthFacets(error)) throw;
+    // Never a failed export for the sake of nicer surfaces: once more with simplified facets only.
+    StepOptions plain = options;
+    plain.recognise = false;
+    StepReport report = writeChecked(mesh, path, plain, run);
+    report.note = std::string("no surfaces were recognised, because with them ") + error.what();
+    return report;
+  }
 }
 
 }  // namespace swept

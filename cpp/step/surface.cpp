@@ -47,9 +47,10 @@ double Surface::distance(const Eigen::Vector3d& p) const {
       value =
           ((d - along * axis).norm() - radius - along * std::tan(halfAngle)) * std::cos(halfAngle);
       break;
-    case SurfaceKind::Torus:
-      value = std::hypot((d - along * axis).norm() - radius, along) - minor;
-      break;
+    case SurfaceKind::Torus: {
+      const double out = (d - along * axis).norm() - radius;
+      value = std::sqrt(out * out + along * along) - minor;
+    } break;
   }
   return reversed ? -value : value;
 }

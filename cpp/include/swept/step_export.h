@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -12,8 +14,9 @@ namespace swept {
 struct StepOptions {
   bool mergeCoplanar = true;      ///< flat regions become single planar faces with holes
   double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off its region's plane
-  double tolerance = 0;  ///< mm, > 0: planes, cylinders, cones, spheres and tori are recognised
-                         ///< where the mesh lies within this of them; the rest keeps its facets
+  double tolerance = 0;   ///< mm; > 0: the solid may leave the mesh by this. Then surfaces are
+                          ///< recognised and what is left is simplified before it becomes facets
+  bool recognise = true;  ///< with a tolerance: planes, cylinders, cones, spheres and tori
   std::int64_t maxFaces = 120000;  ///< above: Error(ExportFailed, "TooManyFaces") with numbers
   std::string productName = "Swept envelope";
   std::string schema = "AP214IS";  ///< AP214IS | AP242DIS | AP203
@@ -25,8 +28,12 @@ struct StepReport {
   std::int64_t faces = 0;
   std::int64_t edges = 0;
   std::int64_t solids = 0;
-  bool valid = false;     ///< BRepCheck on what was read back
-  double volume = 0;      ///< mm^3 of what was read back
+  std::vector<std::pair<std::string, std::int64_t>>
+      facesByKind;       ///< "plane", "cylinder", ..., "facet"
+  double deviation = 0;  ///< mm: largest distance of a mesh vertex from the face that stands for it
+  std::string note;      ///< what was given up to get a valid solid; empty: nothing
+  bool valid = false;    ///< BRepCheck on what was read back
+  double volume = 0;     ///< mm^3 of what was read back
   double meshVolume = 0;  ///< mm^3
   std::uint64_t fileBytes = 0;
   double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;

@@ -77,6 +77,48 @@ inline TriMesh torusMesh(double major, double minor, int around, int across) {
   return mesh;
 }
 
+/// Body of revolution about z. The profile (radius, z) runs so that the material lies on its left
+/// seen with r to the right and z up; open profiles start and end on the axis, closed ones stay off
+/// it.
+inline TriMesh revolved(const std::vector<Eigen::Vector2d>& profile, bool closed, int around) {
+  TriMesh mesh;
+  std::vector<std::vector<std::int32_t>> rows;
+  for (const auto& p : profile) {
+    std::vector<std::int32_t> row;
+    const int count = p.x() > 0 ? around : 1;
+    for (int i = 0; i < count; ++i) {
+      const double u = 2 * M_PI * i / around;
+      row.push_back(static_cast<std::int32_t>(mesh.vertices.size()));
+      mesh.vertices.emplace_back(p.x() * std::cos(u), p.x() * std::sin(u), p.y());
+    }
+    rows.push_back(row);
+  }
+  const std::size_t steps = closed ? rows.size() : rows.size() - 1;
+  for (std::size_t k = 0; k < steps; ++k) {
+    const auto& a = rows[k];
+    const auto& b = rows[(k + 1) % rows.size()];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(around); ++i) {
+      const std::size_t j = (i + 1) % static_cast<std::size_t>(around);
+      if (b.size() == 1) {
+        mesh.triangles.push_back({a[i], a[j], b[0]});
+      } else if (a.size() == 1) {
+        mesh.triangles.push_back({a[0], b[j], b[i]});
+      } else {
+        mesh.triangles.push_back({a[i], a[j], b[j]});
+        mesh.triangles.push_back({a[i], b[j], b[i]});
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Points from a to b, both included unless skipFirst.
+inline void line(std::vector<Eigen::Vector2d>& profile, const Eigen::Vector2d& a,
+                 const Eigen::Vector2d& b, int steps, bool skipFirst = true) {
+  for (int i = skipFirst ? 1 : 0; i <= steps; ++i)
+    profile.push_back(a + (b - a) * (double(i) / steps));
+}
+
 inline void append(TriMesh& mesh, const TriMesh& other) {
   const auto base = static_cast<std::int32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
