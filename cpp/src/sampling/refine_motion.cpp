@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::size_t kMaxPlacements = 4'000'000;
 constexpr double kSmallAngle = 1e-9;
+// Triangles times placements that may be spent on flattening side patches.
+constexpr double kMostFaceCopies = 4e6;
 
 struct Sphere {
   Eigen::Vector3d centre;
@@ -79,6 +81,25 @@ class StepPath {
   Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ(), axisPoint_ = Eigen::Vector3d::Zero();
 };
 
+double longestEdge(const TriMesh& body) {
+  double longest = 0;
+  for (const auto& t : body.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d edge = body.vertices[t[k]] - body.vertices[t[(k + 1) % 3]];
+      longest = std::max(longest, edge.squaredNorm());
+    }
+  }
+  return std::sqrt(longest);
+}
+
+/// Pieces of each step that keep side patches flat. The patch of an edge of length L over a turn by
+/// a is warped: its two triangles leave the ruled surface by up to L a / 4, which bounds on the
+/// chords of points do not see. Many small triangles are flat enough by themselves and too many to
+/// be copied often, so the pieces are limited by what they cost.
+double flatPieces(double longest, double angle, double chord, double mostPieces) {
+  return std::min(longest * angle / (4 * chord), mostPieces);
+}
+
 Placement asPlacement(const Pose& pose) {
   return {pose.rotation.normalized().toRotationMatrix(), pose.translation, pose.timeSeconds};
 }
@@ -104,12 +125,16 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
     return motion;
   }
   motion.placements.push_back(asPlacement(poses.front()));
+  const double longest = longestEdge(body);
+  const double mostPieces = kMostFaceCopies / static_cast<double>(body.triangles.size()) /
+                            static_cast<double>(poses.size() - 1);
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     run.checkpoint(Phase::Motion, i, poses.size());
     const StepPath path(poses[i], poses[i + 1], trajectory.interpolation);
     const double radius = path.radius(sphere);
     // radius * angle^2 / (8 n^2) <= chord; the exact sagitta is a little smaller
-    const double wanted = std::sqrt(radius * path.angle() * path.angle() / (8 * chord));
+    const double wanted = std::max(std::sqrt(radius * path.angle() * path.angle() / (8 * chord)),
+                                   flatPieces(longest, path.angle(), chord, mostPieces));
     if (!(wanted < static_cast<double>(kMaxPlacements - motion.placements.size()))) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
                   "the motion between poses " + std::to_string(i) + " and " +
@@ -120,7 +145,8 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
     }
     const int pieces = std::max(1, static_cast<int>(std::ceil(wanted)));
     motion.chordError =
-        std::max(motion.chordError, radius * (1 - std::cos(path.angle() / (2 * pieces))));
+        std::max(motion.chordError, radius * (1 - std::cos(path.angle() / (2 * pieces))) +
+                                        longest * path.angle() / (4 * pieces));
     for (int piece = 0; piece < pieces; ++piece) {
       motion.midpoints.push_back(path.at((piece + 0.5) / pieces));
       motion.placements.push_back(piece + 1 == pieces ? asPlacement(poses[i + 1])
