@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/backend.h"
 
+#include <utility>
+
+#include "sampling/dense/dense_sampler.h"
+
 #ifdef SWEPT_WITH_GL
 #include "sampling/gl/gl_backend.h"
 #endif
@@ -10,7 +14,12 @@ namespace {
 
 SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns, RunContext& run) {
   SampledSurface out;
-  out.marked = sampleCpu(input, run);
+  if (auto dense = dense::sampleDense(input, {}, run)) {
+    out.marked = std::move(dense->marked);
+    out.notes = std::move(dense->notes);
+  } else {
+    out.marked = sampleCpu(input, run);
+  }
   out.signs = findSigns(out.marked);
   return out;
 }

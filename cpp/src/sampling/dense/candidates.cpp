@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/dense/candidates.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace swept::dense {
+namespace {
+
+constexpr std::size_t kBlock = 256;    // vertices a task
+constexpr double kSameNormal = 0.9998; // cosine: normals closer than this are asked once
+constexpr std::size_t kMostNormals = 8;
+constexpr int kArcDepth = 3;
+
+using Set = std::vector<std::uint32_t>;
+
+void insert(Set& set, std::uint32_t placement) {
+  const auto at = std::lower_bound(set.begin(), set.end(), placement);
+  if (at == set.end() || *at != placement) set.insert(at, placement);
+}
+
+/// What is asked at a vertex, and the best answers.
+struct Question {
+  Point6 gradient;
+  float best;
+};
+
+class CandidateSearch {
+ public:
+  CandidateSearch(const SamplerInput& input, const PlacementSpace& space,
+                  const CandidateSettings& settings, RunContext& run)
+      : input_(input),
+        space_(space),
+        settings_(settings),
+        run_(run),
+        vertices_(input.body.vertices.size()),
+        normals_(vertices_, Eigen::Vector3d::Zero()),
+        winners_(vertices_),
+        questions_(vertices_) {
+    collectNeighbours();
+  }
+
+  FacePlacements find() {
+    parallelBlocks(vertices_, kBlock, [&](std::size_t begin, std::size_t end) {
+      run_.checkpoint(Phase::Sampling);
+      for (std::size_t v = begin; v < end; ++v) askAt(v);
+    });
+    askAlongEdges();
+    for (int ring = 0; ring < settings_.rings; ++ring) {
+      if (!spread(ring < settings_.freeRings)) break;
+    }
+    return byFace();
+  }
+
+ private:
+  void collectNeighbours() {
+    const auto& triangles = input_.body.triangles;
+    faceStart_.assign(vertices_ + 1, 0);
+    for (const auto& t : triangles) {
+      for (const std::int32_t v : t) ++faceStart_[v];
+    }
+    exclusiveScan(faceStart_);
+    faces_.resize(faceStart_.back());
+    std::vector<std::uint32_t> next(faceStart_);
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      const auto& t = triangles[f];
+      const Eigen::Vector3d& a = input_.body.vertices[t[0]];
+      const Eigen::Vector3d twice =
+          (input_.body.vertices[t[1]] - a).cross(input_.body.vertices[t[2]] - a);
+      for (const std::int32_t v : t) {
+        faces_[next[v]++] = static_cast<std::uint32_t>(f);
+        normals_[v] += twice;
+      }
+    }
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      const double length = normals_[v].norm();
+      normals_[v] = length > 0 ? Eigen::Vector3d(normals_[v] / length) : Eigen::Vector3d::UnitZ();
+    }
+  }
+
+  std::uint32_t ask(const Point6& g, std::uint32_t guess, float* advance = nullptr) const {
+    const PlacementSpace::Best best = space_.support(g, guess);
+    if (advance != nullptr) *advance = best.advance;
+    return best.placement;
+  }
+
+  /// Winners on the arc between two asked (point, normal) pairs.
+  void askBetween(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::uint32_t winner,
+                  const Eigen::Vector3d& y, const Eigen::Vector3d& m, std::uint32_t other,
+                  int depth, Set& out) const {
+    if (winner == other || depth == 0) return;
+    Eigen::Vector3d between = n + m;
+    const double length = between.norm();
+    if (length < 0.2) return;  // the two look away from each other: no arc
+    between /= length;
+    const Eigen::Vector3d z = (x + y) / 2;
+    const std::uint32_t middle = ask(space_.gradient(z, between), winner);
+    insert(out, middle);
+    askBetween(x, n, winner, z, between, middle, depth - 1, out);
+    askBetween(z, between, middle, y, m, other, depth - 1, out);
+  }
+
+  void askAt(std::size_t v) {
+    const Eigen::Vector3d& x = input_.body.vertices[v];
+    std::array<Eigen::Vector3d, kMostNormals> asked;
+    std::array<std::uint32_t, kMostNormals> answer{};
+    std::size_t count = 0;
+    const auto put = [&](const Eigen::Vector3d& n) {
+      for (std::size_t i = 0; i < count; ++i) {
+        if (asked[i].dot(n) > kSameNormal) return;
+      }
+      Question question{space_.gradient(x, n), 0};
+      answer[count] = ask(question.gradient, count > 0 ? answer[0] : 0, &question.best);
+      asked[count] = n;
+      insert(winners_[v], answer[count]);
+      questions_[v].push_back(question);
+      ++count;
+    };
+    put(normals_[v]);
+    for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1] && count < kMostNormals; ++i) {
+      put(input_.topology.normals[faces_[i]].cast<double>());
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = i + 1; j < count; ++j) {
+        if (i > 0 && asked[i].dot(asked[j]) > 0.9) continue;  // between creases only
+        askBetween(x, asked[i], answer[i], x, asked[j], answer[j], kArcDepth, winners_[v]);
+      }
+    }
+    questions_[v].shrink_to_fit();
+  }
+
+  /// Where the winners at the two ends of an edge differ, the ones between belong to both ends.
+  void askAlongEdges() {
+    const auto& edges = input_.topology.edges;
+    std::vector<Set> found(edges.size());
+    parallelBlocks(edges.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      run_.checkpoint(Phase::Sampling);
+      for (std::size_t e = begin; e < end; ++e) {
+        const std::int32_t a = edges[e].a, b = edges[e].b;
+        const std::uint32_t atA = ask(questions_[a][0].gradient, winners_[a][0]);
+        const std::uint32_t atB = ask(questions_[b][0].gradient, winners_[b][0]);
+        askBetween(input_.body.vertices[a], normals_[a], atA, input_.body.vertices[b], normals_[b],
+                   atB, kArcDepth, found[e]);
+      }
+    });
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      for (const std::uint32_t placement : found[e]) {
+        insert(winners_[edges[e].a], placement);
+        insert(winners_[edges[e].b], placement);
+      }
+    }
+  }
+
+  bool isNear(std::size_t v, std::uint32_t placement) const {
+    const Point6& point = space_.point(placement);
+    const auto slack = static_cast<float>(settings_.slack);
+    for (const Question& q : questions_[v]) {
+      if (dot(q.gradient, point) >= q.best - slack) return true;
+    }
+    return false;
+  }
+
+  /// One ring further; false if nothing moved.
+  bool spread(bool freely) {
+    if (fresh_.empty()) fresh_ = winners_;
+    std::vector<Set> next(vertices_);
+    std::vector<std::uint8_t> moved((vertices_ + kBlock - 1) / kBlock, 0);
+    parallelBlocks(vertices_, kBlock, [&](std::size_t begin, std::size_t end) {
+      run_.checkpoint(Phase::Sampling);
+      Set offered;
+      for (std::size_t v = begin; v < end; ++v) {
+        offered.clear();
+        for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1]; ++i) {
+          for (const std::int32_t u : input_.body.triangles[faces_[i]]) {
+            if (static_cast<std::size_t>(u) == v) continue;
+            offered.insert(offered.end(), fresh_[u].begin(), fresh_[u].end());
+          }
+        }
+        std::sort(offered.begin(), offered.end());
+        offered.erase(std::unique(offered.begin(), offered.end()), offered.end());
+        for (const std::uint32_t placement : offered) {
+          if (winners_[v].size() + next[v].size() >= settings_.most) break;
+          if (std::binary_search(winners_[v].begin(), winners_[v].end(), placement)) continue;
+          if (freely || isNear(v, placement)) next[v].push_back(placement);
+        }
+        if (!next[v].empty()) moved[begin / kBlock] = 1;
+      }
+    });
+    parallelBlocks(vertices_, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const auto middle = static_cast<std::ptrdiff_t>(winners_[v].size());
+        winners_[v].insert(winners_[v].end(), next[v].begin(), next[v].end());
+        std::inplace_merge(winners_[v].begin(), winners_[v].begin() + middle, winners_[v].end());
+      }
+    });
+    fresh_ = std::move(next);
+    return std::find(moved.begin(), moved.end(), 1) != moved.end();
+  }
+
+  FacePlacements byFace() const {
+    const auto& triangles = input_.body.triangles;
+    FacePlacements out;
+    out.start.assign(triangles.size() + 1, 0);
+    const auto unite = [&](std::size_t f, Set& both) {
+      both.clear();
+      for (const std::int32_t v : triangles[f]) {
+        both.insert(both.end(), winners_[v].begin(), winners_[v].end());
+      }
+      std::sort(both.begin(), both.end());
+      both.erase(std::unique(both.begin(), both.end()), both.end());
+    };
+    parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      Set both;
+      for (std::size_t f = begin; f < end; ++f) {
+        unite(f, both);
+        out.start[f] = both.size();
+      }
+    });
+    exclusiveScan(out.start);
+    out.placement.resize(out.start.back());
+    parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      Set both;
+      for (std::size_t f = begin; f < end; ++f) {
+        unite(f, both);
+        std::copy(both.begin(), both.end(),
+                  out.placement.begin() + static_cast<std::ptrdiff_t>(out.start[f]));
+      }
+    });
+    return out;
+  }
+
+  const SamplerInput& input_;
+  const PlacementSpace& space_;
+  const CandidateSettings& settings_;
+  RunContext& run_;
+  std::size_t vertices_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<std::uint32_t> faceStart_, faces_;
+  std::vector<Set> winners_, fresh_;
+  std::vector<std::vector<Question>> questions_;
+};
+
+}  // namespace
+
+FacePlacements findCandidates(const SamplerInput& input, const PlacementSpace& space,
+                              const CandidateSettings& settings, RunContext& run) {
+  return CandidateSearch(input, space, settings, run).find();
+}
+
+}  // namespace swept::dense

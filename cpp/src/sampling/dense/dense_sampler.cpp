@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/dense/dense_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "base/parallel.h"
+#include "sampling/dense/candidates.h"
+#include "sampling/dense/leak_repair.h"
+#include "sampling/dense/pair_sampler.h"
+
+namespace swept::dense {
+namespace {
+
+double bodyRadius(const TriMesh& body) {
+  Eigen::AlignedBox3d box;
+  for (const auto& v : body.vertices) box.extend(v);
+  return box.diagonal().norm() / 2;
+}
+
+/// The placement nearest to the mean, and those farthest along fixed directions in all six
+/// coordinates.
+std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t placements,
+                                       int count) {
+  std::vector<std::uint32_t> chosen;
+  std::uint32_t nearest = 0;
+  for (std::uint32_t k = 0; k < placements; ++k) {
+    if (dot(space.point(k), space.point(k)) < dot(space.point(nearest), space.point(nearest))) {
+      nearest = k;
+    }
+  }
+  chosen.push_back(nearest);
+  for (int axis = 0; axis < 6 && static_cast<int>(chosen.size()) < count; ++axis) {
+    for (const float way : {-1.0f, 1.0f}) {
+      Point6 g{};
+      g[static_cast<std::size_t>(axis)] = way;
+      chosen.push_back(space.support(g, nearest).placement);
+    }
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+class DenseRun {
+ public:
+  DenseRun(const SamplerInput& input, const PlacementSpace& space, const DenseSettings& settings,
+           RunContext& run)
+      : input_(input), space_(space), settings_(settings), run_(run), sampler_(input, run) {
+    linkFaces();
+  }
+
+  DenseSurface sample() {
+    const std::size_t faces = input_.body.triangles.size();
+    const double cell = input_.grid.cell;
+    CandidateSettings wanted;
+    wanted.slack = settings_.slackCells * cell + space_.remainder();
+    wanted.freeRings = settings_.freeRings;
+    wanted.rings = settings_.rings;
+    wanted.most = settings_.mostAtVertex;
+    const FacePlacements candidates = findCandidates(input_, space_, wanted, run_);
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      sampler_.add(f, candidates.placement.data() + candidates.start[f],
+                   candidates.placement.data() + candidates.start[f + 1]);
+    }
+    for (const std::uint32_t k :
+         wholeCopies(space_, input_.motion.placements.size(), settings_.wholeCopies)) {
+      sampler_.addWhole(k);
+    }
+    sampler_.flush();
+    const double margin = settings_.marginCells * cell + 0.25 * space_.remainder();
+    LeakSearch leaks;
+    int round = 0;
+    for (;; ++round) {
+      const SignRuns signs = findOutside(sampler_.marked(), input_.grid, run_);
+      leaks = findLeaks(input_, space_, sampler_.marked(), signs, margin, run_);
+      if (leaks.missing.empty() || round == settings_.rounds) break;
+      close(leaks);
+    }
+    DenseSurface out;
+    out.notes.push_back(describe(leaks, round, margin));
+    out.marked = sampler_.take();
+    return out;
+  }
+
+ private:
+  void linkFaces() {
+    const auto& triangles = input_.body.triangles;
+    faceStart_.assign(input_.body.vertices.size() + 1, 0);
+    for (const auto& t : triangles) {
+      for (const std::int32_t v : t) ++faceStart_[v];
+    }
+    exclusiveScan(faceStart_);
+    faces_.resize(faceStart_.back());
+    std::vector<std::uint32_t> next(faceStart_);
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      for (const std::int32_t v : triangles[f]) faces_[next[v]++] = static_cast<std::uint32_t>(f);
+    }
+  }
+
+  /// Samples the missing pairs with the faces around them.
+  void close(const LeakSearch& leaks) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const auto& [face, placement] : leaks.missing) {
+      for (const std::int32_t v : input_.body.triangles[face]) {
+        for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1]; ++i) {
+          pairs.emplace_back(faces_[i], placement);
+        }
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const auto& pair : pairs) sampler_.add(pair.first, &pair.second, &pair.second + 1);
+    sampler_.flush();
+  }
+
+  Finding describe(const LeakSearch& leaks, int rounds, double margin) const {
+    const double all = static_cast<double>(input_.body.triangles.size()) *
+                       static_cast<double>(input_.motion.placements.size());
+    std::ostringstream text;
+    text.precision(3);
+    text << "dense motion: " << sampler_.pairs() << " of " << all
+         << " copies of faces were sampled (" << 100 * static_cast<double>(sampler_.pairs()) / all
+         << " %), " << rounds << " rounds of repair; of " << leaks.asked
+         << " surface points asked against all placements, " << leaks.covered
+         << " are still covered by more than " << margin << " mm";
+    if (leaks.covered > 0) text << ", by at most " << leaks.deepest << " mm";
+    text << "; linear form good to " << space_.remainder()
+         << " mm. The result can only be too small by this, never hold too much; switch culling off "
+            "for all copies";
+    return {"DensePruned", leaks.covered, {}, text.str()};
+  }
+
+  const SamplerInput& input_;
+  const PlacementSpace& space_;
+  const DenseSettings& settings_;
+  RunContext& run_;
+  PairSampler sampler_;
+  std::vector<std::uint32_t> faceStart_, faces_;
+};
+
+}  // namespace
+
+std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
+                                        RunContext& run) {
+  const double pairs = static_cast<double>(input.body.triangles.size()) *
+                       static_cast<double>(input.motion.placements.size());
+  if (input.motion.continuous || !input.cull || !input.orientable || pairs < settings.leastPairs) {
+    return std::nullopt;
+  }
+  const PlacementSpace space(input.body, input.motion.placements);
+  if (space.turn() > settings.mostTurn ||
+      space.reach() > settings.mostReach * bodyRadius(input.body) ||
+      space.remainder() > settings.mostRemainder * input.grid.cell) {
+    return std::nullopt;
+  }
+  return DenseRun(input, space, settings, run).sample();
+}
+
+}  // namespace swept::dense

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/dense/leak_repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/parallel.h"
+#include "base/ray_columns.h"
+#include "sampling/contributing_edges.h"
+#include "sampling/dense/segment_grid.h"
+
+namespace swept::dense {
+namespace {
+
+constexpr std::size_t kMostFollowed = 6'000'000;
+constexpr std::size_t kMostTried = 8;  // placements tested exactly at one point
+
+using Lattice = std::array<std::int32_t, 3>;
+
+class LeakFinder {
+ public:
+  LeakFinder(const SamplerInput& input, const PlacementSpace& space, const MarkedEdges& marked,
+             const SignRuns& signs, double margin, RunContext& run)
+      : input_(input),
+        space_(space),
+        marked_(marked),
+        signs_(signs),
+        margin_(margin),
+        run_(run),
+        rays_(input.body),
+        segments_(input.body, input.grid.cell) {}
+
+  LeakSearch find() {
+    seed();
+    while (!front_.empty() && out_.complete) follow();
+    auto& missing = out_.missing;
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    out_.followed = static_cast<std::int64_t>(cover_.size());
+    return std::move(out_);
+  }
+
+ private:
+  struct Covered {
+    std::uint64_t point;
+    std::uint32_t placement;
+    float depth;
+    bool operator<(const Covered& o) const {
+      return point != o.point ? point < o.point : placement < o.placement;
+    }
+  };
+  struct Scratch {
+    std::vector<RayColumns::Crossing> ray;
+    std::vector<PlacementSpace::Best> found;
+    std::vector<std::uint32_t> hit;
+  };
+
+  static std::uint64_t pack(const Lattice& g) {
+    return static_cast<std::uint64_t>(g[0]) << 26 | static_cast<std::uint64_t>(g[1]) << 13 |
+           static_cast<std::uint64_t>(g[2]);
+  }
+  static Lattice unpack(std::uint64_t key) {
+    return {static_cast<std::int32_t>(key >> 26), static_cast<std::int32_t>(key >> 13 & 0x1fff),
+            static_cast<std::int32_t>(key & 0x1fff)};
+  }
+  Eigen::Vector3d inBody(const Lattice& g, std::uint32_t placement) const {
+    const Placement& p = input_.motion.placements[placement];
+    const Eigen::Vector3d world =
+        input_.grid.origin + input_.grid.cell * Eigen::Vector3d(g[0], g[1], g[2]);
+    return p.rotation.transpose() * (world - p.translation);
+  }
+  bool isInside(const Eigen::Vector3d& x, Scratch& s) const {
+    if ((x.array() < rays_.low().array()).any() || (x.array() > rays_.high().array()).any()) {
+      return false;
+    }
+    rays_.crossings(x.y(), x.z(), s.ray);
+    int depth = 0;
+    for (const auto& crossing : s.ray) {
+      if (crossing.x > x.x()) depth -= crossing.direction;
+    }
+    return depth > 0;
+  }
+
+  /// Lattice point g lies near `face` at `placement`, outside of that copy: is it covered by
+  /// another?
+  bool findCover(const Lattice& g, std::uint32_t face, std::uint32_t placement, Scratch& s,
+                 Covered& out) const {
+    const Eigen::Vector3d x = inBody(g, placement);
+    const Eigen::Vector3d n = input_.topology.normals[face].cast<double>();
+    const double height = n.dot(x - input_.body.vertices[input_.body.triangles[face][0]]);
+    const Point6 gradient = space_.gradient(x, n);
+    const float needed = dot(gradient, space_.point(placement)) +
+                         static_cast<float>(std::max(height, 0.0) + margin_);
+    const PlacementSpace::Best best = space_.support(gradient, placement);
+    if (best.advance <= needed) return false;
+    const auto accept = [&](const PlacementSpace::Best& c) {
+      if (!isInside(inBody(g, c.placement), s)) return false;
+      out = {pack(g), c.placement, c.advance - needed + static_cast<float>(margin_)};
+      return true;
+    };
+    if (accept(best)) return true;
+    space_.above(gradient, needed, kMostTried, s.found);
+    for (const auto& c : s.found) {
+      if (c.placement != best.placement && accept(c)) return true;
+    }
+    return false;
+  }
+
+  void seed() {
+    const auto layers = static_cast<std::size_t>(input_.grid.points[0]);
+    std::vector<std::vector<Covered>> found(layers);
+    std::vector<std::int64_t> asked(layers, 0);
+    parallelFor(layers, [&](std::size_t layer) {
+      run_.checkpoint(Phase::Signs, layer, layers);
+      Scratch scratch;
+      const auto i = static_cast<std::int32_t>(layer);
+      for (int axis = 0; axis < 3; ++axis) {
+        forContributing(marked_, signs_, input_.grid, i, axis,
+                        [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t sides) {
+                          Lattice g{i, j, edge.k};
+                          Covered cover{};
+                          const auto test = [&](std::uint32_t element) {
+                            const SweptElement& e = marked_.elements[element];
+                            ++asked[layer];
+                            if (findCover(g, e.index(), e.placement, scratch, cover)) {
+                              found[layer].push_back(cover);
+                            }
+                          };
+                          if (sides & HermiteEdge::kLow) test(edge.lowElement);
+                          ++g[axis];
+                          if (sides & HermiteEdge::kHigh) test(edge.highElement);
+                        });
+      }
+    });
+    std::vector<Covered> all;
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      out_.asked += asked[layer];
+      all.insert(all.end(), found[layer].begin(), found[layer].end());
+    }
+    out_.covered = static_cast<std::int64_t>(all.size());
+    for (const Covered& c : all) out_.deepest = std::max(out_.deepest, double(c.depth));
+    accept(all);
+  }
+
+  void accept(std::vector<Covered>& found) {
+    std::sort(found.begin(), found.end());
+    front_.clear();
+    for (const Covered& c : found) {
+      if (cover_.emplace(c.point, c.placement).second) front_.push_back(c);
+    }
+    if (cover_.size() > kMostFollowed) out_.complete = false;
+  }
+
+  bool isMarked(const Lattice& low, int axis) const {
+    const LayerEdges& layer = marked_.layers[static_cast<std::size_t>(low[0])];
+    const auto& start = layer.columnStart[axis];
+    const auto begin = layer.edges[axis].begin() + start[low[1]];
+    const auto end = layer.edges[axis].begin() + start[low[1] + 1];
+    const auto at = std::lower_bound(begin, end, low[2], [](const MarkedEdge& e, std::int32_t k) {
+      return static_cast<std::int32_t>(e.k) < k;
+    });
+    return at != end && static_cast<std::int32_t>(at->k) == low[2];
+  }
+
+  /// From one covered point to its six neighbours.
+  void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
+            std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
+    const Lattice g = unpack(from.point);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int way = -1; way <= 1; way += 2) {
+        Lattice to = g;
+        to[axis] += way;
+        if (to[axis] < 0 || to[axis] >= input_.grid.points[axis]) continue;
+        if (isMarked(way < 0 ? to : g, axis) || cover_.contains(pack(to))) continue;
+        const Eigen::Vector3d y = inBody(to, from.placement);
+        if (isInside(y, s)) {
+          covered.push_back({pack(to), from.placement, 0});
+          continue;
+        }
+        segments_.hits(inBody(g, from.placement), y, s.hit);
+        Covered other{};
+        bool elsewhere = false;
+        for (const std::uint32_t f : s.hit) {
+          if ((elsewhere = findCover(to, f, from.placement, s, other))) break;
+        }
+        if (elsewhere) {
+          covered.push_back(other);
+        } else {
+          for (const std::uint32_t f : s.hit) missing.emplace_back(f, from.placement);
+        }
+      }
+    }
+  }
+
+  void follow() {
+    constexpr std::size_t kPoints = 512;
+    const std::size_t blocks = (front_.size() + kPoints - 1) / kPoints;
+    std::vector<std::vector<Covered>> covered(blocks);
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> missing(blocks);
+    parallelBlocks(front_.size(), kPoints, [&](std::size_t begin, std::size_t end) {
+      run_.checkpoint(Phase::Signs);
+      Scratch scratch;
+      const std::size_t b = begin / kPoints;
+      for (std::size_t i = begin; i < end; ++i) step(front_[i], scratch, covered[b], missing[b]);
+    });
+    std::vector<Covered> all;
+    for (std::size_t b = 0; b < blocks; ++b) {
+      all.insert(all.end(), covered[b].begin(), covered[b].end());
+      out_.missing.insert(out_.missing.end(), missing[b].begin(), missing[b].end());
+    }
+    accept(all);
+  }
+
+  const SamplerInput& input_;
+  const PlacementSpace& space_;
+  const MarkedEdges& marked_;
+  const SignRuns& signs_;
+  double margin_;
+  RunContext& run_;
+  RayColumns rays_;
+  SegmentGrid segments_;
+  std::unordered_map<std::uint64_t, std::uint32_t> cover_;
+  std::vector<Covered> front_;
+  LeakSearch out_;
+};
+
+}  // namespace
+
+LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
+                     const MarkedEdges& marked, const SignRuns& signs, double margin,
+                     RunContext& run) {
+  return LeakFinder(input, space, marked, signs, margin, run).find();
+}
+
+}  // namespace swept::dense

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/dense/pair_sampler.h"
+
+#include <Eigen/Geometry>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "sampling/cpu/rasterise.h"
+#include "sampling/snap.h"
+
+namespace swept::dense {
+namespace {
+
+constexpr double kBatchCrossings = 24e6;  // 12 bytes each, twice while they are sorted
+constexpr double kTaskCrossings = 150e3;
+
+class ElementSampler {
+ public:
+  explicit ElementSampler(RecordChunk& out) : out_(out) {}
+  void sample(std::uint32_t face, std::uint32_t placement, const SnappedPoint& a,
+              const SnappedPoint& b, const SnappedPoint& c) {
+    const auto element = static_cast<std::uint32_t>(out_.elements.size());
+    const std::size_t before = out_.records.size();
+    const auto push = [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
+      out_.records.push_back(CrossingRecord::make(axis, i, j, k, f, element));
+    };
+    using I = std::int32_t;
+    rasteriseTriangle<0>(a, b, c, [&](I j, I k, I i, double f) { push(0, i, j, k, f); });
+    rasteriseTriangle<1>(a, b, c, [&](I i, I k, I j, double f) { push(1, i, j, k, f); });
+    rasteriseTriangle<2>(a, b, c, [&](I i, I j, I k, double f) { push(2, i, j, k, f); });
+    if (out_.records.size() != before) out_.elements.push_back({face, placement});
+  }
+
+ private:
+  RecordChunk& out_;
+};
+
+}  // namespace
+
+PairSampler::PairSampler(const SamplerInput& input, RunContext& run)
+    : input_(input), run_(run), identity_(input.motion.placements.size()) {
+  placements_.reserve(input.motion.placements.size());
+  for (const Placement& p : input.motion.placements) placements_.push_back(input.grid.toGrid(p));
+  std::iota(identity_.begin(), identity_.end(), 0u);
+  marked_.layers.resize(static_cast<std::size_t>(input.grid.points[0]));
+}
+
+void PairSampler::add(std::uint32_t face, const std::uint32_t* begin, const std::uint32_t* end) {
+  if (begin != end) items_.push_back({face, begin, end});
+}
+
+void PairSampler::addWhole(std::uint32_t placement) {
+  const std::uint32_t* at = identity_.data() + placement;
+  for (std::uint32_t f = 0; f < input_.body.triangles.size(); ++f) items_.push_back({f, at, at + 1});
+}
+
+/// Expected: half the sum of the areas of the three projections, in cells, at most 1.74 the area.
+double PairSampler::crossingsOf(std::uint32_t face) const {
+  const auto& t = input_.body.triangles[face];
+  const Eigen::Vector3d& a = input_.body.vertices[t[0]];
+  const double area =
+      (input_.body.vertices[t[1]] - a).cross(input_.body.vertices[t[2]] - a).norm() / 2;
+  return 1.74 * area / (input_.grid.cell * input_.grid.cell) + 0.5;
+}
+
+void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {
+  const auto& t = input_.body.triangles[item.face];
+  const auto &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
+             &c = input_.body.vertices[t[2]];
+  ElementSampler sampler(chunk);
+  for (const std::uint32_t* k = item.begin; k != item.end; ++k) {
+    const Placement& p = placements_[*k];
+    sampler.sample(item.face, *k, snap(p, a), snap(p, b), snap(p, c));
+  }
+}
+
+/// The edges marked so far become records again: two an edge.
+void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
+  const std::size_t layers = marked_.layers.size();
+  constexpr std::size_t kLayers = 16;
+  const std::size_t first = chunks.size();
+  chunks.resize(first + (layers + kLayers - 1) / kLayers);
+  parallelBlocks(layers, kLayers, [&](std::size_t begin, std::size_t end) {
+    RecordChunk& chunk = chunks[first + begin / kLayers];
+    std::uint32_t lastElement = ~0u;
+    const auto elementOf = [&](std::uint32_t element) {
+      if (element != lastElement) {
+        chunk.elements.push_back(marked_.elements[element]);
+        lastElement = element;
+      }
+      return static_cast<std::uint32_t>(chunk.elements.size() - 1);
+    };
+    // Back to the same fixed-point fraction: in the middle of its step, so that rounding is safe.
+    constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
+    const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
+    for (std::size_t i = begin; i < end; ++i) {
+      LayerEdges& layer = marked_.layers[i];
+      for (int axis = 0; axis < 3 && !layer.columnStart[axis].empty(); ++axis) {
+        const auto& start = layer.columnStart[axis];
+        for (std::size_t j = 0; j + 1 < start.size(); ++j) {
+          for (std::uint32_t e = start[j]; e < start[j + 1]; ++e) {
+            const MarkedEdge& edge = layer.edges[axis][e];
+            const auto x = static_cast<std::int32_t>(i), y = static_cast<std::int32_t>(j);
+            chunk.records.push_back(CrossingRecord::make(axis, x, y, edge.k,
+                                                         fractionOf(edge.lowFraction),
+                                                         elementOf(edge.lowElement)));
+            if (edge.highElement == edge.lowElement && edge.highFraction == edge.lowFraction) {
+              continue;
+            }
+            chunk.records.push_back(CrossingRecord::make(axis, x, y, edge.k,
+                                                         fractionOf(edge.highFraction),
+                                                         elementOf(edge.highElement)));
+          }
+        }
+      }
+      layer = LayerEdges{};
+    }
+  });
+}
+
+void PairSampler::flush() {
+  const std::size_t total = items_.size();
+  std::size_t next = 0;
+  while (next < total) {
+    std::vector<std::pair<std::size_t, std::size_t>> tasks;
+    double inBatch = 0;
+    while (next < total && inBatch < kBatchCrossings) {
+      const std::size_t begin = next;
+      double inTask = 0;
+      while (next < total && inTask < kTaskCrossings) {
+        const auto count = static_cast<double>(items_[next].end - items_[next].begin);
+        inTask += crossingsOf(items_[next].face) * count;
+        pairs_ += items_[next].end - items_[next].begin;
+        ++next;
+      }
+      tasks.emplace_back(begin, next);
+      inBatch += inTask;
+    }
+    std::vector<RecordChunk> chunks(tasks.size());
+    parallelFor(tasks.size(), [&](std::size_t t) {
+      run_.checkpoint(Phase::Sampling, next, total + 1);
+      for (std::size_t i = tasks[t].first; i < tasks[t].second; ++i) {
+        sampleItem(items_[i], chunks[t]);
+      }
+    });
+    carryOver(chunks);
+    marked_ = sortRecords(chunks, input_.grid, run_);
+  }
+  items_.clear();
+}
+
+}  // namespace swept::dense

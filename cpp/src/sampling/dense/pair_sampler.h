@@ -1,0 +1,49 @@
+// Samples chosen (face, placement) pairs, batch by batch, into one set of marked edges.
+// Memory: what a batch crosses (bounded) and the marked edges so far; never all raw crossings.
+// Deterministic: the result depends on the pairs only.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sampling/crossing_records.h"
+#include "sampling/sampler.h"
+
+namespace swept::dense {
+
+class PairSampler {
+ public:
+  PairSampler(const SamplerInput& input, RunContext& run);
+
+  /// The placements [begin, end) of one face. The pointed-to list must outlive the next flush().
+  void add(std::uint32_t face, const std::uint32_t* begin, const std::uint32_t* end);
+  /// All faces at one placement.
+  void addWhole(std::uint32_t placement);
+  /// Samples what was added.
+  void flush();
+
+  const MarkedEdges& marked() const { return marked_; }
+  MarkedEdges take() { return std::move(marked_); }
+  std::int64_t pairs() const { return pairs_; }
+
+ private:
+  struct Item {
+    std::uint32_t face;
+    const std::uint32_t* begin;
+    const std::uint32_t* end;
+  };
+  double crossingsOf(std::uint32_t face) const;
+  void sampleItem(const Item& item, RecordChunk& chunk) const;
+  void carryOver(std::vector<RecordChunk>& chunks);
+
+  const SamplerInput& input_;
+  RunContext& run_;
+  std::vector<Placement> placements_;  // in cells
+  std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: lists of one placement
+  std::vector<Item> items_;
+  MarkedEdges marked_;
+  std::int64_t pairs_ = 0;
+};
+
+}  // namespace swept::dense
