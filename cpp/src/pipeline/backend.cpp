@@ -14,12 +14,7 @@ namespace {
 
 SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns, RunContext& run) {
   SampledSurface out;
-  if (auto dense = dense::sampleDense(input, {}, run)) {
-    out.marked = std::move(dense->marked);
-    out.notes = std::move(dense->notes);
-  } else {
-    out.marked = sampleCpu(input, run);
-  }
+  out.marked = sampleCpu(input, run);
   out.signs = findSigns(out.marked);
   return out;
 }
@@ -28,6 +23,16 @@ SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns
 
 SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
                              const FindSigns& findSigns, RunContext& run) {
+  // A small choice of copies on the CPU beats all of them on any device.
+  if (wanted != Backend::Gpu) {
+    if (auto dense = dense::sampleDense(input, {}, run)) {
+      SampledSurface out;
+      out.marked = std::move(dense->marked);
+      out.signs = findSigns(out.marked);
+      out.notes = std::move(dense->notes);
+      return out;
+    }
+  }
 #ifdef SWEPT_WITH_GL
   if (wanted == Backend::Gpu) {
     return gl::sampleOnGpu(input, gl::currentSetup(), false, findSigns, run);

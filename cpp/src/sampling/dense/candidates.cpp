@@ -10,8 +10,8 @@
 namespace swept::dense {
 namespace {
 
-constexpr std::size_t kBlock = 256;    // vertices a task
-constexpr double kSameNormal = 0.9998; // cosine: normals closer than this are asked once
+constexpr std::size_t kBlock = 256;     // vertices a task
+constexpr double kSameNormal = 0.9998;  // cosine: normals closer than this are asked once
 constexpr std::size_t kMostNormals = 8;
 constexpr int kArcDepth = 3;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include "base/parallel.h"
@@ -52,7 +51,8 @@ class DenseRun {
     linkFaces();
   }
 
-  DenseSurface sample() {
+  /// Nothing if too much stayed open.
+  std::optional<DenseSurface> sample(bool mayGiveUp) {
     const std::size_t faces = input_.body.triangles.size();
     const double cell = input_.grid.cell;
     CandidateSettings wanted;
@@ -78,6 +78,10 @@ class DenseRun {
       leaks = findLeaks(input_, space_, sampler_.marked(), signs, margin, run_);
       if (leaks.missing.empty() || round == settings_.rounds) break;
       close(leaks);
+    }
+    const auto most = settings_.mostLeft * static_cast<double>(leaks.asked);
+    if (mayGiveUp && (!leaks.complete || static_cast<double>(leaks.covered) > most)) {
+      return std::nullopt;
     }
     DenseSurface out;
     out.notes.push_back(describe(leaks, round, margin));
@@ -127,9 +131,10 @@ class DenseRun {
          << " surface points asked against all placements, " << leaks.covered
          << " are still covered by more than " << margin << " mm";
     if (leaks.covered > 0) text << ", by at most " << leaks.deepest << " mm";
-    text << "; linear form good to " << space_.remainder()
-         << " mm. The result can only be too small by this, never hold too much; switch culling off "
-            "for all copies";
+    text
+        << "; linear form good to " << space_.remainder()
+        << " mm. The result can only be too small by this, never hold too much; switch culling off "
+           "for all copies";
     return {"DensePruned", leaks.covered, {}, text.str()};
   }
 
@@ -156,7 +161,7 @@ std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSe
       space.remainder() > settings.mostRemainder * input.grid.cell) {
     return std::nullopt;
   }
-  return DenseRun(input, space, settings, run).sample();
+  return DenseRun(input, space, settings, run).sample(pairs <= settings.bruteForcePairs);
 }
 
 }  // namespace swept::dense

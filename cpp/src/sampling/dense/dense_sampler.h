@@ -17,16 +17,18 @@
 namespace swept::dense {
 
 struct DenseSettings {
-  double leastPairs = 5e7;      ///< faces x placements from which the sampler is used
-  double mostTurn = 0.15;       ///< rad, from the mean placement
-  double mostReach = 0.25;      ///< of the body's radius, from the mean placement
-  double mostRemainder = 2;     ///< cells, of the linearisation
-  double slackCells = 0.3;      ///< see CandidateSettings; the remainder comes on top
-  double marginCells = 0.05;    ///< a placement that reaches less far beyond counts as met
+  double leastPairs = 5e7;    ///< faces x placements from which the sampler is used
+  double mostTurn = 0.15;     ///< rad, from the mean placement
+  double mostReach = 0.25;    ///< of the body's radius, from the mean placement
+  double mostRemainder = 2;   ///< cells, of the linearisation
+  double slackCells = 0.3;    ///< see CandidateSettings; the remainder comes on top
+  double marginCells = 0.05;  ///< a placement that reaches less far beyond counts as met
   int freeRings = 1, rings = 8;
   std::size_t mostAtVertex = 96;
   int wholeCopies = 12;
-  int rounds = 6;               ///< of repair
+  double mostLeft = 1e-3;        ///< share of the surface points still open: above, brute force ...
+  double bruteForcePairs = 2e9;  ///< ... where it has at most this many pairs to do
+  int rounds = 6;                ///< of repair
 };
 
 struct DenseSurface {
@@ -35,7 +37,7 @@ struct DenseSurface {
 };
 
 /// Nothing if the motion or the body does not suit: not a union of copies, few of them, large
-/// motions, an open body, culling off.
+/// motions, an open body, culling off; or if too much stayed open and brute force is affordable.
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
 

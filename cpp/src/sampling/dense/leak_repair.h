@@ -4,9 +4,8 @@
 // inside is inside. Lattice points next to the surface are asked against all placements: the one
 // that pushes the surface there farthest (support query) is tested exactly, body against point.
 // Covered points that were called outside are followed through unmarked edges to where the
-// covering body ends: an unmarked edge that its surface crosses is a hole, and the triangle there at
-// that placement is what was missing.
-// SPDX-License-Identifier: LGPL-2.1-or-later
+// covering body ends: an unmarked edge that its surface crosses is a hole, and the triangle there
+// at that placement is what was missing. SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>

@@ -51,7 +51,8 @@ void PairSampler::add(std::uint32_t face, const std::uint32_t* begin, const std:
 
 void PairSampler::addWhole(std::uint32_t placement) {
   const std::uint32_t* at = identity_.data() + placement;
-  for (std::uint32_t f = 0; f < input_.body.triangles.size(); ++f) items_.push_back({f, at, at + 1});
+  for (std::uint32_t f = 0; f < input_.body.triangles.size(); ++f)
+    items_.push_back({f, at, at + 1});
 }
 
 /// Expected: half the sum of the areas of the three projections, in cells, at most 1.74 the area.
@@ -101,15 +102,13 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
           for (std::uint32_t e = start[j]; e < start[j + 1]; ++e) {
             const MarkedEdge& edge = layer.edges[axis][e];
             const auto x = static_cast<std::int32_t>(i), y = static_cast<std::int32_t>(j);
-            chunk.records.push_back(CrossingRecord::make(axis, x, y, edge.k,
-                                                         fractionOf(edge.lowFraction),
-                                                         elementOf(edge.lowElement)));
+            chunk.records.push_back(CrossingRecord::make(
+                axis, x, y, edge.k, fractionOf(edge.lowFraction), elementOf(edge.lowElement)));
             if (edge.highElement == edge.lowElement && edge.highFraction == edge.lowFraction) {
               continue;
             }
-            chunk.records.push_back(CrossingRecord::make(axis, x, y, edge.k,
-                                                         fractionOf(edge.highFraction),
-                                                         elementOf(edge.highElement)));
+            chunk.records.push_back(CrossingRecord::make(
+                axis, x, y, edge.k, fractionOf(edge.highFraction), elementOf(edge.highElement)));
           }
         }
       }

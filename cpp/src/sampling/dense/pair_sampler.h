@@ -39,7 +39,7 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;  // in cells
+  std::vector<Placement> placements_;    // in cells
   std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: lists of one placement
   std::vector<Item> items_;
   MarkedEdges marked_;

@@ -62,9 +62,9 @@ class PlacementSpace {
   Placement mean_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // body frame
   double radius_ = 0, remainder_ = 0, reach_ = 0, turn_ = 0;
-  std::vector<Point6> points_;         // by placement
-  std::vector<Point6> sorted_;         // in the order of the tree
-  std::vector<std::uint32_t> order_;   // sorted_[i] is placement order_[i]
+  std::vector<Point6> points_;        // by placement
+  std::vector<Point6> sorted_;        // in the order of the tree
+  std::vector<std::uint32_t> order_;  // sorted_[i] is placement order_[i]
   std::vector<Node> nodes_;
 };
 

@@ -52,8 +52,9 @@ SegmentGrid::SegmentGrid(const TriMesh& body, double least) : body_(body) {
     Eigen::AlignedBox3d of;
     for (const std::int32_t v : body.triangles[f]) of.extend(body.vertices[v]);
     const Eigen::Vector3d room = Eigen::Vector3d::Constant(1e-6 * size_);
-    forCubes(of.min() - room, of.max() + room,
-             [&](std::uint64_t cube) { entries_.push_back({cube, f}); });
+    forCubes(of.min() - room, of.max() + room, [&](std::uint64_t cube) {
+      entries_.push_back({cube, f});
+    });
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& x, const Entry& y) {
     return x.cube != y.cube ? x.cube < y.cube : x.triangle < y.triangle;
