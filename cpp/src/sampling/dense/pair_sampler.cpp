@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "sampling/cpu/rasterise.h"
+#include "sampling/rasterise.h"
 #include "sampling/snap.h"
 
 namespace swept::dense {
