@@ -127,6 +127,13 @@ class Run {
 
   void compute(const TriMesh& body, const Trajectory& trajectory) {
     checkOptions(options_);
+    if (options_.keepCavities) {
+      report_.warnings.push_back({"CavitiesFilled",
+                                  1,
+                                  {},
+                                  "sealed-off hollow spaces are filled: keeping them as inner "
+                                  "shells is not built yet"});
+    }
     run_.checkpoint(Phase::Input);
     prepared_.body = checkBody(body, options_, run_);
     prepared_.trajectory = checkTrajectory(trajectory);
