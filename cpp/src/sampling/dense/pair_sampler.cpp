@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <numeric>
+#include <unordered_map>
 
 #include "base/parallel.h"
 #include "sampling/rasterise.h"
@@ -83,13 +84,12 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   chunks.resize(first + (layers + kLayers - 1) / kLayers);
   parallelBlocks(layers, kLayers, [&](std::size_t begin, std::size_t end) {
     RecordChunk& chunk = chunks[first + begin / kLayers];
-    std::uint32_t lastElement = ~0u;
+    std::unordered_map<std::uint32_t, std::uint32_t> carried;
     const auto elementOf = [&](std::uint32_t element) {
-      if (element != lastElement) {
-        chunk.elements.push_back(marked_.elements[element]);
-        lastElement = element;
-      }
-      return static_cast<std::uint32_t>(chunk.elements.size() - 1);
+      const auto next = static_cast<std::uint32_t>(chunk.elements.size());
+      const auto [at, isNew] = carried.emplace(element, next);
+      if (isNew) chunk.elements.push_back(marked_.elements[element]);
+      return at->second;
     };
     // Back to the same fixed-point fraction: in the middle of its step, so that rounding is safe.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
