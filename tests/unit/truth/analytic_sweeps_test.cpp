@@ -169,7 +169,7 @@ TEST(ObliqueTurn, OfABoxWithTwelveTriangles) {
     double p99;           ///< cells
     std::int64_t shells;  ///< should be 1: specks of some thousandths of a cell are known
   };
-  constexpr Bar kBars[] = {{40, 0.08, 12}, {80, 0.06, 7}, {160, 0.035, 4}};
+  constexpr Bar kBars[] = {{40, 0.087, 1}, {80, 0.06, 1}, {160, 0.039, 4}};
   Truth truth;
   truth.body = makeBox({-3, -2, -1}, {3, 2, 1});
   truth.motion.poses = {poseOf(0, placement({0, 0, 1}, 0, {0, 0, 0})),
