@@ -127,6 +127,7 @@ class Run {
 
   void compute(const TriMesh& body, const Trajectory& trajectory) {
     checkOptions(options_);
+    refuseUnbuilt();
     if (options_.keepCavities) {
       report_.warnings.push_back({"CavitiesFilled",
                                   1,
@@ -163,6 +164,17 @@ class Run {
   }
 
  private:
+  /// Options that the interface already names are refused, never ignored.
+  void refuseUnbuilt() const {
+    const char* name = options_.offset > 0           ? "offset"
+                       : options_.conservative       ? "conservative"
+                       : options_.positionFilter > 0 ? "position filter"
+                                                     : nullptr;
+    if (name == nullptr) return;
+    throw Error(
+        Status::InvalidInput, "BadOption",
+        std::string("the option '") + name + "' is not built yet; leave it out (0 or false)");
+  }
   void stage(const char* name) { report_.seconds.push_back({name, timer_.lap()}); }
 
   void describePlan() {
