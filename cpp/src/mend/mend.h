@@ -16,7 +16,8 @@
 
 namespace swept {
 
-/// Returns the pairs that are left; `moved` and `fanned` of the report text are added to `surface`.
+/// Changes `surface` in place; returns the pairs that are left, by its triangle numbers. `grid` is
+/// the one that it was contoured from.
 SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& grid,
                                         const SelfIntersections& found, RunContext& run);
 
