@@ -18,10 +18,13 @@
 namespace swept {
 
 struct Surface {
+  /// In crossingOf: a triangle of the strip that closes the end of a thin wall.
+  static constexpr std::uint32_t kNoCrossing = 0xffffffffu;
+
   TriMesh mesh;
   std::vector<double> contactTime;
-  std::vector<std::uint32_t>
-      crossingOf;  ///< per triangle: the crossing whose polygon it is part of
+  /// Per triangle: the crossing whose polygon it is part of, or kNoCrossing.
+  std::vector<std::uint32_t> crossingOf;
   std::size_t dualVertices =
       0;                  ///< the first so many vertices are those of components, then extra ones
   std::int64_t fans = 0;  ///< quads fanned about their crossing

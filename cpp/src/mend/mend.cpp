@@ -169,6 +169,7 @@ class Mender {
       if (!region_.isDual(v)) continue;
       std::vector<std::uint32_t> crossings = around(v);
       Eigen::Vector3d mass = Eigen::Vector3d::Zero();
+      if (crossings.empty()) continue;
       for (const std::uint32_t c : crossings) mass += region_.crossingPoint(c);
       mass /= static_cast<double>(crossings.size());
       const Eigen::Vector3d now = region_.toCells(region_.mesh.vertices[v]);
@@ -186,7 +187,8 @@ class Mender {
   std::vector<std::uint32_t> around(std::int32_t v) const {
     std::vector<std::uint32_t> crossings;
     for (std::uint32_t n = start_[v]; n < start_[v + 1]; ++n) {
-      crossings.push_back(region_.crossingOf[triangles_[n]]);
+      const std::uint32_t crossing = region_.crossingOf[triangles_[n]];
+      if (crossing != Surface::kNoCrossing) crossings.push_back(crossing);
     }
     std::sort(crossings.begin(), crossings.end());
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
@@ -263,7 +265,8 @@ SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& gri
     std::unordered_set<std::int32_t> vertices;
     for (const auto& [a, b] : left.pairs) {
       for (const std::int32_t t : {a, b}) {
-        polygons.insert(region.crossingOf[t]);
+        const std::uint32_t crossing = region.crossingOf[t];
+        if (crossing != Surface::kNoCrossing) polygons.insert(crossing);
         for (const std::int32_t v : region.mesh.triangles[t]) vertices.insert(v);
       }
     }
