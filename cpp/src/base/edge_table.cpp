@@ -79,4 +79,21 @@ EdgeTable::EdgeTable(const std::vector<std::array<std::int32_t, 3>>& triangles,
   });
 }
 
+RawArray<std::uint32_t> findAcross(const std::vector<std::array<std::int32_t, 3>>& triangles,
+                                   std::int64_t vertexCount) {
+  const EdgeTable edges(triangles, vertexCount);
+  RawArray<std::uint32_t> across(3 * triangles.size());
+  std::fill(across.data(), across.data() + across.size(), kNoNeighbour);
+  edges.forEachEdge(
+      0, vertexCount,
+      [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
+        if (last - first != 2) return;
+        const auto h = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[0]));
+        const auto g = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[1]));
+        across[h] = g;
+        across[g] = h;
+      });
+  return across;
+}
+
 }  // namespace swept

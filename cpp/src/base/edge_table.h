@@ -53,4 +53,11 @@ class EdgeTable {
   RawArray<std::uint64_t> records_;
 };
 
+constexpr std::uint32_t kNoNeighbour = 0xffffffffu;
+
+/// Half-edge on the other side of each half-edge where the edge has two triangles, else
+/// kNoNeighbour.
+RawArray<std::uint32_t> findAcross(const std::vector<std::array<std::int32_t, 3>>& triangles,
+                                   std::int64_t vertexCount);
+
 }  // namespace swept

@@ -228,7 +228,8 @@ bool shellsOriented(const TriMesh& mesh, const MeshTopology& topology, RunContex
   return true;
 }
 
-MeshCheck checkInArena(const TriMesh& mesh, SelfIntersections* found, RunContext& run) {
+MeshCheck checkInArena(const TriMesh& mesh, MeshTopology& topology, SelfIntersections* found,
+                       RunContext& run) {
   run.checkpoint(Phase::Check);
   MeshCheck check;
   check.vertices = static_cast<std::int64_t>(mesh.vertices.size());
@@ -236,7 +237,7 @@ MeshCheck checkInArena(const TriMesh& mesh, SelfIntersections* found, RunContext
   requireValidIndices(mesh);
   check.finite = allFinite(mesh);
   check.selfIntersections = -1;
-  const MeshTopology topology = findTopology(mesh, run);
+  topology = findTopology(mesh, run);
   check.shells = topology.shells;
   check.openEdges = topology.openEdges;
   check.nonManifoldEdges = topology.nonManifoldEdges;
@@ -269,13 +270,19 @@ MeshCheck checkInArena(const TriMesh& mesh, SelfIntersections* found, RunContext
 MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run) {
   SelfIntersections found;
   SelfIntersections* wanted = withSelfIntersections ? &found : nullptr;
-  if (run.threads <= 0) return checkInArena(mesh, wanted, run);
+  MeshTopology topology;
+  if (run.threads <= 0) return checkInArena(mesh, topology, wanted, run);
   tbb::task_arena arena(run.threads);
-  return arena.execute([&] { return checkInArena(mesh, wanted, run); });
+  return arena.execute([&] { return checkInArena(mesh, topology, wanted, run); });
 }
 
 MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run) {
-  return checkInArena(mesh, &found, run);
+  MeshTopology topology;
+  return checkInArena(mesh, topology, &found, run);
+}
+
+MeshCheck checkMesh(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
+  return checkInArena(mesh, topology, nullptr, run);
 }
 
 MeshCheck checkMesh(const TriMesh& mesh, RunContext& run) { return checkMesh(mesh, true, run); }

@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "check/mesh_topology.h"
 #include "check/self_intersections.h"
 #include "swept/report.h"
 #include "swept/run_context.h"
@@ -22,5 +23,8 @@ MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext&
 
 /// The same, and all pairs of triangles that meet, not only the first ones.
 MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run);
+
+/// Everything but self-intersections (-1), and how the mesh hangs together.
+MeshCheck checkMesh(const TriMesh& mesh, MeshTopology& topology, RunContext& run);
 
 }  // namespace swept

@@ -53,6 +53,20 @@ EdgeSums joinEdges(const EdgeTable& edges, RawArray<std::uint32_t>& across, RunC
                               });
 }
 
+void joinAll(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
+  const EdgeTable edges(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
+  topology.across = RawArray<std::uint32_t>(3 * mesh.triangles.size());
+  tbb::parallel_for(Range(0, topology.across.size(), 1 << 16), [&](const Range& range) {
+    std::fill(topology.across.data() + range.begin(), topology.across.data() + range.end(),
+              kNoNeighbour);
+  });
+  const EdgeSums sums = joinEdges(edges, topology.across, run);
+  topology.openEdges = sums.open;
+  topology.nonManifoldEdges = sums.nonManifold;
+  topology.oddEdges = sums.odd;
+  topology.misorientedEdges = sums.misoriented;
+}
+
 std::uint32_t nextHalfEdge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 std::uint32_t previousHalfEdge(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
@@ -226,19 +240,7 @@ void findShells(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
 
 MeshTopology findTopology(const TriMesh& mesh, RunContext& run) {
   MeshTopology topology;
-  {
-    const EdgeTable edges(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
-    topology.across = RawArray<std::uint32_t>(3 * mesh.triangles.size());
-    tbb::parallel_for(Range(0, topology.across.size(), 1 << 16), [&](const Range& range) {
-      std::fill(topology.across.data() + range.begin(), topology.across.data() + range.end(),
-                kNoNeighbour);
-    });
-    const EdgeSums sums = joinEdges(edges, topology.across, run);
-    topology.openEdges = sums.open;
-    topology.nonManifoldEdges = sums.nonManifold;
-    topology.oddEdges = sums.odd;
-    topology.misorientedEdges = sums.misoriented;
-  }
+  joinAll(mesh, topology, run);
   walkFans(mesh, topology, run);
   findShells(mesh, topology, run);
   return topology;

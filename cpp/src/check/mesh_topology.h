@@ -16,8 +16,6 @@
 
 namespace swept {
 
-constexpr std::uint32_t kNoNeighbour = 0xffffffffu;
-
 struct MeshTopology {
   std::int64_t openEdges = 0;         ///< one triangle
   std::int64_t nonManifoldEdges = 0;  ///< more than two triangles

@@ -8,6 +8,7 @@
 
 #include "base/exact_predicates.h"
 #include "check/box_tree.h"
+#include "check/certainly_apart.h"
 #include "check/triangle_pairs.h"
 
 namespace swept {
@@ -24,53 +25,6 @@ struct Found {
     if (pairs.size() < kMostPairsOfPart) pairs.emplace_back(std::min(a, b), std::max(a, b));
   }
 };
-
-/// A triangle with the directions along which others are often seen to lie beside it.
-struct Prepared {
-  std::array<Eigen::Vector3d, 3> corner;
-  std::array<Eigen::Vector3d, 4> axis;  ///< in its plane, outward from each edge; then its normal
-  std::array<double, 4> axisSize;
-  double size = 0;
-
-  void set(const TriMesh& mesh, std::int32_t t) {
-    const auto& tri = mesh.triangles[t];
-    for (int i = 0; i < 3; ++i) corner[i] = mesh.vertices[tri[i]];
-    const Eigen::Vector3d e0 = corner[1] - corner[0];
-    const Eigen::Vector3d e1 = corner[2] - corner[1];
-    const Eigen::Vector3d e2 = corner[0] - corner[2];
-    axis[3] = e0.cross(e1);
-    axis[0] = e0.cross(axis[3]);
-    axis[1] = e1.cross(axis[3]);
-    axis[2] = e2.cross(axis[3]);
-    for (int i = 0; i < 4; ++i) axisSize[i] = axis[i].cwiseAbs().sum();
-    size = std::max({e0.cwiseAbs().maxCoeff(), e1.cwiseAbs().maxCoeff(), e2.cwiseAbs().maxCoeff()});
-  }
-
-  /// True only if some axis separates this triangle from q for certain: the margin is some fifty
-  /// times what rounding can do.
-  bool certainlyApart(const std::array<Eigen::Vector3d, 3>& q) const {
-    for (int i = 0; i < 4; ++i) {
-      const Eigen::Vector3d& origin = corner[i % 3];
-      double least = HUGE_VAL, most = -HUGE_VAL, reach = size;
-      for (const auto& point : q) {
-        const Eigen::Vector3d d = point - origin;
-        const double value = axis[i].dot(d);
-        least = std::min(least, value);
-        most = std::max(most, value);
-        reach = std::max(reach, d.cwiseAbs().maxCoeff());
-      }
-      const double margin = 2e-14 * axisSize[i] * reach;
-      if (least > margin || (i == 3 && most < -margin)) return true;
-    }
-    return false;
-  }
-};
-
-bool hasNoArea(const TriMesh& mesh, std::int32_t t) {
-  const auto& tri = mesh.triangles[t];
-  return tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0] ||
-         collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);
-}
 
 /// Searches pairs of triangles without common corner.
 class PairSearch {
@@ -124,7 +78,7 @@ class PairSearch {
     const TriangleLeaf& p = tree_.leaves[a];
     const TriangleLeaf& q = tree_.leaves[b];
     const FloatBox& boxQ = tree_.levels[0][b];
-    Prepared first;
+    SeenTriangle first;
     for (int i = 0; i < kLeafSize; ++i) {
       if (p.triangle[i] < 0) break;
       if (a != b && (p.low[0][i] > boxQ.high[0] || p.high[0][i] < boxQ.low[0] ||
@@ -154,12 +108,13 @@ class PairSearch {
     }
   }
 
-  void meetTriangles(const Prepared& first, std::int32_t a, std::int32_t b, Found& found) const {
+  void meetTriangles(const SeenTriangle& first, std::int32_t a, std::int32_t b,
+                     Found& found) const {
     const auto& tri = mesh_.triangles[b];
     const std::array<Eigen::Vector3d, 3> corners{mesh_.vertices[tri[0]], mesh_.vertices[tri[1]],
                                                  mesh_.vertices[tri[2]]};
     if (first.certainlyApart(corners)) return;
-    Prepared second;
+    SeenTriangle second;
     second.set(mesh_, b);
     if (second.certainlyApart(first.corner)) return;
     if (hasNoArea(mesh_, a) || hasNoArea(mesh_, b)) return;

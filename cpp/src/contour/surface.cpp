@@ -312,6 +312,7 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
   mesh.triangles.resize(triangleCount);
   surface.crossingOf.resize(triangleCount);
   surface.dualVertices = dualVertices;
+  surface.alone.resize(dualVertices);
   surface.contactTime.resize(vertexCount);
   const auto place = [&](std::size_t at, const Eigen::Vector3d& g, double time) {
     mesh.vertices[at] = grid.plan.origin + grid.plan.cell * g;
@@ -322,8 +323,15 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
   }
   parallelFor(layers, [&](std::size_t i) {
     if (i + 1 < layers) {
-      for (std::size_t v = 0; v < dual.vertices[i].size(); ++v) {
-        const DualVertex& d = dual.vertices[i][v];
+      const auto& layer = dual.vertices[i];
+      const auto sameCell = [&](std::size_t v, std::size_t w) {
+        return layer[v].k == layer[w].k && layer[v].j == layer[w].j;
+      };
+      for (std::size_t v = 0; v < layer.size(); ++v) {
+        const DualVertex& d = layer[v];
+        const bool inside = d.local.minCoeff() > 1e-5f && d.local.maxCoeff() < 1 - 1e-5f;
+        surface.alone[dual.firstVertex[i] + v] = inside && (v == 0 || !sameCell(v - 1, v)) &&
+                                                 (v + 1 == layer.size() || !sameCell(v, v + 1));
         place(dual.firstVertex[i] + v, d.local.cast<double>() + Eigen::Vector3d(d.i, d.j, d.k),
               d.timeSeconds);
       }

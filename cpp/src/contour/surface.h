@@ -27,6 +27,8 @@ struct Surface {
   std::vector<std::uint32_t> crossingOf;
   std::size_t dualVertices =
       0;                  ///< the first so many vertices are those of components, then extra ones
+  /// Per component vertex: 1 if it is the only one of its cell and lies inside it.
+  std::vector<std::uint8_t> alone;
   std::int64_t fans = 0;  ///< quads fanned about their crossing
   std::int64_t facePoints = 0;  ///< vertices put on cell faces
 };

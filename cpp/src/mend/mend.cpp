@@ -3,100 +3,134 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "base/parallel.h"
+#include "check/near_pairs.h"
+#include "mend/region.h"
 
 namespace swept {
 namespace {
 
-constexpr int kBlockCells = 8;  ///< regions are made of blocks of so many cells
 constexpr int kReachCells = 4;  ///< around a triangle that meets another one
 constexpr int kRounds = 8;
 constexpr double kCellMargin = 1e-4;
 
 using Triangle = std::array<std::int32_t, 3>;
+/// Vertex, and a triangle at it that is part of a crossing's polygon; sorted by vertex.
+using Around = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// The part of the surface round the pairs, with numbers of its own.
-class Region {
+void sortUnique(std::vector<std::int32_t>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Changes the surface in place, within the triangles near the first pairs.
+class Mender {
  public:
-  Region(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found)
-      : surface_(surface), grid_(grid) {
-    const auto blocks = badBlocks(found);
-    const auto& all = surface.mesh.triangles;
-    constexpr std::size_t kChunk = 1 << 16;
-    std::vector<std::vector<std::uint32_t>> parts((all.size() + kChunk - 1) / kChunk);
-    parallelFor(parts.size(), [&](std::size_t p) {
-      for (std::size_t t = p * kChunk; t < std::min(all.size(), (p + 1) * kChunk); ++t) {
-        const Eigen::Vector3i cell = cellOf(surface.mesh.vertices[all[t][0]]);
-        if (blocks.contains(key(cell / kBlockCells)))
-          parts[p].push_back(static_cast<std::uint32_t>(t));
+  Mender(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found, RunContext& run)
+      : surface_(surface), mesh_(surface.mesh), grid_(grid), run_(run), pairs_(found) {
+    marked_.resize(mesh_.vertices.size());
+    region_ = nearPairs(nullptr);
+  }
+
+  bool done() const { return pairs_.count == 0; }
+  const SelfIntersections& left() const { return pairs_; }
+
+  void mendRound(int round) {
+    std::vector<std::int32_t> polygons;  // each by one of its triangles
+    std::vector<std::int32_t> vertices;
+    for (const auto& [a, b] : pairs_.pairs) {
+      for (const std::int32_t t : {a, b}) {
+        if (surface_.crossingOf[t] != Surface::kNoCrossing) polygons.push_back(t);
+        vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
       }
+    }
+    sortUnique(vertices);
+    const std::vector<std::int32_t> near = nearPairs(&region_);
+    if (round > 0) {
+      const Around around = trianglesAround(vertices, near);
+      if (round >= 4) {  // the neighbours follow
+        for (const auto& [v, t] : around) polygons.push_back(t);
+      }
+      relax(vertices, around, round < 3 ? 0.5 : 1.0);
+    }
+    changed_ = round > 0 ? touching(vertices, near) : std::vector<std::int32_t>{};
+    if (round != 1) fan(polygons);
+    sortUnique(changed_);
+    findAgain(near);
+  }
+
+ private:
+  std::vector<std::int32_t> nearPairs(const std::vector<std::int32_t>* among) const {
+    BlockSet blocks(grid_.plan);
+    for (const auto& [a, b] : pairs_.pairs) {
+      blocks.add(mesh_, a, kReachCells);
+      blocks.add(mesh_, b, kReachCells);
+    }
+    return trianglesIn(blocks, mesh_, among);
+  }
+
+  template <class Use>
+  void forTouching(const std::vector<std::int32_t>& vertices, const std::vector<std::int32_t>& near,
+                   const Use& use) {
+    for (const std::int32_t v : vertices) marked_[v] = 1;
+    for (const std::int32_t t : near) {
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        if (marked_[v] != 0) use(v, t);
+      }
+    }
+    for (const std::int32_t v : vertices) marked_[v] = 0;
+  }
+  std::vector<std::int32_t> touching(const std::vector<std::int32_t>& vertices,
+                                     const std::vector<std::int32_t>& near) {
+    std::vector<std::int32_t> out;
+    forTouching(vertices, near, [&](std::int32_t, std::int32_t t) { out.push_back(t); });
+    return out;
+  }
+  Around trianglesAround(const std::vector<std::int32_t>& vertices,
+                         const std::vector<std::int32_t>& near) {
+    Around out;
+    forTouching(vertices, near, [&](std::int32_t v, std::int32_t t) {
+      if (surface_.crossingOf[t] != Surface::kNoCrossing) out.emplace_back(v, t);
     });
-    for (const auto& part : parts) global_.insert(global_.end(), part.begin(), part.end());
-    std::unordered_map<std::int32_t, std::int32_t> local;
-    for (const std::uint32_t t : global_) {
-      Triangle triangle = all[t];
-      for (auto& v : triangle) {
-        const auto [at, fresh] =
-            local.try_emplace(v, static_cast<std::int32_t>(vertexGlobal_.size()));
-        if (fresh) {
-          vertexGlobal_.push_back(v);
-          mesh.vertices.push_back(surface.mesh.vertices[v]);
-        }
-        v = at->second;
-      }
-      mesh.triangles.push_back(triangle);
-      crossingOf.push_back(surface.crossingOf[t]);
-    }
-  }
-
-  /// Writes what changed back into the surface.
-  void store() {
-    const std::size_t oldVertices = vertexGlobal_.size(), oldTriangles = global_.size();
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-      if (v < oldVertices) {
-        surface_.mesh.vertices[vertexGlobal_[v]] = mesh.vertices[v];
-      } else {
-        vertexGlobal_.push_back(static_cast<std::int32_t>(surface_.mesh.vertices.size()));
-        surface_.mesh.vertices.push_back(mesh.vertices[v]);
-        surface_.contactTime.push_back(newTimes[v - oldVertices]);
-      }
-    }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      Triangle triangle = mesh.triangles[t];
-      for (auto& v : triangle) v = vertexGlobal_[v];
-      if (t < oldTriangles) {
-        surface_.mesh.triangles[global_[t]] = triangle;
-      } else {
-        global_.push_back(static_cast<std::uint32_t>(surface_.mesh.triangles.size()));
-        surface_.mesh.triangles.push_back(triangle);
-        surface_.crossingOf.push_back(crossingOf[t]);
-      }
-    }
-  }
-
-  /// Local pairs in the surface's own numbers.
-  SelfIntersections global(const SelfIntersections& local) const {
-    SelfIntersections out;
-    out.count = local.count;
-    for (const auto& [a, b] : local.pairs) {
-      const auto x = static_cast<std::int32_t>(global_[a]),
-                 y = static_cast<std::int32_t>(global_[b]);
-      out.pairs.emplace_back(std::min(x, y), std::max(x, y));
-    }
-    std::sort(out.pairs.begin(), out.pairs.end());
+    std::sort(out.begin(), out.end());
     return out;
   }
 
-  bool isDual(std::int32_t v) const {
-    return static_cast<std::size_t>(v) < vertexGlobal_.size() &&
-           static_cast<std::size_t>(vertexGlobal_[v]) < surface_.dualVertices;
+  /// Moves component vertices towards their mass points.
+  void relax(const std::vector<std::int32_t>& vertices, const Around& around, double weight) {
+    parallelBlocks(vertices.size(), 64, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> crossings;
+      for (std::size_t n = begin; n < end; ++n) {
+        const std::int32_t v = vertices[n];
+        if (static_cast<std::size_t>(v) >= surface_.dualVertices) continue;
+        crossings.clear();
+        auto at = std::lower_bound(around.begin(), around.end(), std::pair(v, std::int32_t{-1}));
+        for (; at != around.end() && at->first == v; ++at) {
+          crossings.push_back(surface_.crossingOf[at->second]);
+        }
+        std::sort(crossings.begin(), crossings.end());
+        crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+        if (!crossings.empty()) relaxVertex(v, crossings, weight);
+      }
+    });
   }
-  Eigen::Vector3d toCells(const Eigen::Vector3d& x) const {
-    return (x - grid_.plan.origin) / grid_.plan.cell;
+  void relaxVertex(std::int32_t v, const std::vector<std::uint32_t>& crossings, double weight) {
+    Eigen::Vector3d mass = Eigen::Vector3d::Zero();
+    for (const std::uint32_t c : crossings) mass += crossingPoint(c);
+    mass /= static_cast<double>(crossings.size());
+    const Eigen::Vector3d now = (mesh_.vertices[v] - grid_.plan.origin) / grid_.plan.cell;
+    // A vertex may have escaped from its cell; its mass point never does.
+    Eigen::Vector3d cell = now.array().floor();
+    if ((mass.array() < cell.array()).any() || (mass.array() > cell.array() + 1).any()) {
+      cell = mass.array().floor();
+    }
+    mass = mass.cwiseMax((cell.array() + kCellMargin).matrix())
+               .cwiseMin((cell.array() + 1 - kCellMargin).matrix());
+    mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
+
   Eigen::Vector3d toWorld(const Eigen::Vector3d& g) const {
     return grid_.plan.origin + grid_.plan.cell * g;
   }
@@ -106,123 +140,34 @@ class Region {
     g[place.axis] += grid_.crossings[crossing].fraction;
     return g;
   }
-  double crossingTime(std::uint32_t crossing) const {
-    return grid_.crossings[crossing].timeSeconds;
+
+  void fan(std::vector<std::int32_t>& polygons) {
+    const auto crossing = [&](std::int32_t t) { return surface_.crossingOf[t]; };
+    std::sort(polygons.begin(), polygons.end(), [&](std::int32_t a, std::int32_t b) {
+      return crossing(a) != crossing(b) ? crossing(a) < crossing(b) : a < b;
+    });
+    for (std::size_t n = 0; n < polygons.size(); ++n) {
+      if (n == 0 || crossing(polygons[n]) != crossing(polygons[n - 1])) fanPolygon(polygons[n]);
+    }
+    marked_.resize(mesh_.vertices.size());
   }
 
-  TriMesh mesh;
-  std::vector<std::uint32_t> crossingOf;
-  std::vector<double> newTimes;
-
- private:
-  static std::uint64_t key(const Eigen::Vector3i& block) {
-    return static_cast<std::uint64_t>(block[0]) << 42 | static_cast<std::uint64_t>(block[1]) << 21 |
-           static_cast<std::uint64_t>(block[2]);
-  }
-  Eigen::Vector3i cellOf(const Eigen::Vector3d& x) const {
-    return toCells(x).array().floor().matrix().cast<int>().cwiseMax(0);
-  }
-  std::unordered_set<std::uint64_t> badBlocks(const SelfIntersections& found) const {
-    std::unordered_set<std::uint64_t> blocks;
-    const auto add = [&](std::int32_t t) {
-      for (const std::int32_t v : surface_.mesh.triangles[t]) {
-        const Eigen::Vector3i cell = cellOf(surface_.mesh.vertices[v]);
-        const Eigen::Vector3i low =
-            (cell - Eigen::Vector3i::Constant(kReachCells)).cwiseMax(0) / kBlockCells;
-        const Eigen::Vector3i high = (cell + Eigen::Vector3i::Constant(kReachCells)) / kBlockCells;
-        for (int x = low[0]; x <= high[0]; ++x) {
-          for (int y = low[1]; y <= high[1]; ++y) {
-            for (int z = low[2]; z <= high[2]; ++z) blocks.insert(key({x, y, z}));
-          }
-        }
-      }
+  /// Replaces the polygon that triangle `t` is part of by a fan about its crossing, unless it is
+  /// one already.
+  void fanPolygon(std::int32_t t) {
+    const std::uint32_t crossing = surface_.crossingOf[t];
+    const auto same = [&](std::int32_t u) {
+      return u >= 0 && static_cast<std::size_t>(u) < surface_.crossingOf.size() &&
+             surface_.crossingOf[u] == crossing;
     };
-    for (const auto& [a, b] : found.pairs) {
-      add(a);
-      add(b);
-    }
-    return blocks;
-  }
-
-  Surface& surface_;
-  const HermiteGrid& grid_;
-  std::vector<std::uint32_t> global_;
-  std::vector<std::int32_t> vertexGlobal_;
-};
-
-class Mender {
- public:
-  explicit Mender(Region& region) : region_(region) { index(); }
-
-  void fan(const std::unordered_set<std::uint32_t>& crossings) {
-    std::vector<std::uint32_t> order(crossings.begin(), crossings.end());
-    std::sort(order.begin(), order.end());
-    for (const std::uint32_t crossing : order) fanPolygon(crossing);
-    index();
-  }
-
-  /// Moves component vertices towards their mass points.
-  void relax(const std::unordered_set<std::int32_t>& vertices, double weight) {
-    std::vector<std::int32_t> order(vertices.begin(), vertices.end());
-    std::sort(order.begin(), order.end());
-    for (const std::int32_t v : order) {
-      if (!region_.isDual(v)) continue;
-      std::vector<std::uint32_t> crossings = around(v);
-      Eigen::Vector3d mass = Eigen::Vector3d::Zero();
-      if (crossings.empty()) continue;
-      for (const std::uint32_t c : crossings) mass += region_.crossingPoint(c);
-      mass /= static_cast<double>(crossings.size());
-      const Eigen::Vector3d now = region_.toCells(region_.mesh.vertices[v]);
-      // A vertex may have escaped from its cell; its mass point never does.
-      Eigen::Vector3d cell = now.array().floor();
-      if ((mass.array() < cell.array()).any() || (mass.array() > cell.array() + 1).any()) {
-        cell = mass.array().floor();
-      }
-      mass = mass.cwiseMax((cell.array() + kCellMargin).matrix())
-                 .cwiseMin((cell.array() + 1 - kCellMargin).matrix());
-      region_.mesh.vertices[v] = region_.toWorld(now + weight * (mass - now));
-    }
-  }
-
-  std::vector<std::uint32_t> around(std::int32_t v) const {
-    std::vector<std::uint32_t> crossings;
-    for (std::uint32_t n = start_[v]; n < start_[v + 1]; ++n) {
-      const std::uint32_t crossing = region_.crossingOf[triangles_[n]];
-      if (crossing != Surface::kNoCrossing) crossings.push_back(crossing);
-    }
-    std::sort(crossings.begin(), crossings.end());
-    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
-    return crossings;
-  }
-
- private:
-  void index() {
-    const auto& mesh = region_.mesh;
-    start_.assign(mesh.vertices.size() + 1, 0);
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::int32_t v : t) ++start_[v];
-    }
-    exclusiveScan(start_);
-    triangles_.resize(3 * mesh.triangles.size());
-    std::vector<std::uint32_t> next(start_);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::int32_t v : mesh.triangles[t]) triangles_[next[v]++] = t;
-    }
-    polygon_.clear();
-    for (std::uint32_t t = 0; t < region_.crossingOf.size(); ++t) {
-      polygon_[region_.crossingOf[t]].push_back(t);
-    }
-  }
-
-  /// Replaces the triangles of a polygon by a fan about its crossing, unless it is one already.
-  void fanPolygon(std::uint32_t crossing) {
-    const std::vector<std::uint32_t>& members = polygon_[crossing];
-    if (members.size() != 2) return;  // quads only: two triangles
-    auto& triangles = region_.mesh.triangles;
-    // The ring: directed edges that no other member runs back along.
+    if (!fanned_.insert(crossing).second) return;
+    while (same(t - 1)) --t;
+    if (!same(t + 1) || same(t + 2)) return;  // quads only: two triangles
+    auto& triangles = mesh_.triangles;
+    // The ring: directed edges that the other triangle does not run back along.
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;
-    for (const std::uint32_t t : members) {
-      for (int c = 0; c < 3; ++c) edges.emplace_back(triangles[t][c], triangles[t][(c + 1) % 3]);
+    for (const std::int32_t u : {t, t + 1}) {
+      for (int c = 0; c < 3; ++c) edges.emplace_back(triangles[u][c], triangles[u][(c + 1) % 3]);
     }
     const auto inner = [&](const std::pair<std::int32_t, std::int32_t>& e) {
       return std::find(edges.begin(), edges.end(), std::pair(e.second, e.first)) != edges.end();
@@ -232,23 +177,50 @@ class Mender {
       if (!inner(e)) rim.push_back(e);
     }
     if (rim.size() != 4) return;
-    const auto centre = static_cast<std::int32_t>(region_.mesh.vertices.size());
-    region_.mesh.vertices.push_back(region_.toWorld(region_.crossingPoint(crossing)));
-    region_.newTimes.push_back(region_.crossingTime(crossing));
-    for (std::size_t e = 0; e < rim.size(); ++e) {
+    const auto centre = static_cast<std::int32_t>(mesh_.vertices.size());
+    mesh_.vertices.push_back(toWorld(crossingPoint(crossing)));
+    surface_.contactTime.push_back(grid_.crossings[crossing].timeSeconds);
+    for (int e = 0; e < 4; ++e) {
       const Triangle triangle{rim[e].first, rim[e].second, centre};
-      if (e < members.size()) {
-        triangles[members[e]] = triangle;
+      std::int32_t place = t + e;
+      if (e < 2) {
+        triangles[place] = triangle;
       } else {
+        place = static_cast<std::int32_t>(triangles.size());
         triangles.push_back(triangle);
-        region_.crossingOf.push_back(crossing);
+        surface_.crossingOf.push_back(crossing);
+        region_.push_back(place);
       }
+      changed_.push_back(place);
     }
   }
 
-  Region& region_;
-  std::vector<std::uint32_t> start_, triangles_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> polygon_;
+  /// Pairs of which neither triangle has changed stand; the rest is asked anew.
+  void findAgain(std::vector<std::int32_t> near) {
+    near.insert(near.end(), changed_.begin(), changed_.end());
+    sortUnique(near);
+    const auto isChanged = [&](std::int32_t t) {
+      return std::binary_search(changed_.begin(), changed_.end(), t);
+    };
+    SelfIntersections next =
+        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(near);
+    for (const auto& pair : pairs_.pairs) {
+      if (!isChanged(pair.first) && !isChanged(pair.second)) next.pairs.push_back(pair);
+    }
+    std::sort(next.pairs.begin(), next.pairs.end());
+    next.count = static_cast<std::int64_t>(next.pairs.size());
+    pairs_ = std::move(next);
+  }
+
+  Surface& surface_;
+  TriMesh& mesh_;
+  const HermiteGrid& grid_;
+  RunContext& run_;
+  SelfIntersections pairs_;
+  std::vector<std::int32_t> region_;          // triangles
+  std::vector<std::uint8_t> marked_;          // by vertex; zero between uses
+  std::vector<std::int32_t> changed_;         // triangles, in this round
+  std::unordered_set<std::uint32_t> fanned_;  // crossings whose polygons have been looked at
 };
 
 }  // namespace
@@ -256,32 +228,12 @@ class Mender {
 SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& grid,
                                         const SelfIntersections& found, RunContext& run) {
   if (found.count == 0) return found;
-  Region region(surface, grid, found);
-  Mender mender(region);
-  SelfIntersections left = findSelfIntersections(region.mesh, {}, run);
-  for (int round = 0; round < kRounds && left.count > 0; ++round) {
+  Mender mender(surface, grid, found, run);
+  for (int round = 0; round < kRounds && !mender.done(); ++round) {
     run.checkpoint(Phase::Check, static_cast<std::uint64_t>(round), kRounds);
-    std::unordered_set<std::uint32_t> polygons;
-    std::unordered_set<std::int32_t> vertices;
-    for (const auto& [a, b] : left.pairs) {
-      for (const std::int32_t t : {a, b}) {
-        const std::uint32_t crossing = region.crossingOf[t];
-        if (crossing != Surface::kNoCrossing) polygons.insert(crossing);
-        for (const std::int32_t v : region.mesh.triangles[t]) vertices.insert(v);
-      }
-    }
-    if (round >= 4) {  // the neighbours follow
-      const std::vector<std::int32_t> seeds(vertices.begin(), vertices.end());
-      for (const std::int32_t v : seeds) {
-        for (const std::uint32_t c : mender.around(v)) polygons.insert(c);
-      }
-    }
-    if (round > 0) mender.relax(vertices, round < 3 ? 0.5 : 1.0);
-    if (round != 1) mender.fan(polygons);
-    left = findSelfIntersections(region.mesh, {}, run);
+    mender.mendRound(round);
   }
-  region.store();
-  return region.global(left);
+  return mender.left();
 }
 
 }  // namespace swept

@@ -7,7 +7,7 @@
 // the crossings, half way and then all the way, then their neighbours follow. A triangle spans at
 // most the cells round one lattice edge, so it can only meet triangles a few cells away: the region
 // looked at again is a few cells wider than what is changed. Cost: one pass over the triangles to
-// find the regions, then O(region) a round.
+// find the region; then a round looks only at what is near the pairs that are left.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -17,6 +17,7 @@
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
 #include "mend/mend.h"
+#include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
 #include "sampling/body_topology.h"
 #include "sampling/grid_plan.h"
@@ -159,7 +160,11 @@ class Run {
     result_.contactTime = std::move(surface.contactTime);
     hermite = HermiteGrid{};
     simplify();
-    if (options_.tolerance <= 0) result_.featureEdges = findFeatureEdges(result_.mesh);
+    if (options_.tolerance <= 0) {
+      result_.featureEdges = topology_.across.size() > 0
+                                 ? findFeatureEdges(result_.mesh, topology_.across)
+                                 : findFeatureEdges(result_.mesh);
+    }
     stage("features");
   }
 
@@ -245,6 +250,7 @@ class Run {
 
   void simplify() {
     if (options_.tolerance <= 0) return;
+    topology_ = MeshTopology{};
     if (!report_.check.passes()) {
       report_.warnings.push_back(
           {"NotSimplified",
@@ -263,24 +269,20 @@ class Run {
 
   void checkAndMend(Surface& surface, const HermiteGrid& hermite) {
     SelfIntersections pairs;
-    report_.check = checkMesh(surface.mesh, pairs, run_);
-    stage("check");
-    if (pairs.count > 0 && options_.components == ComponentMethod::Consistent) {
-      const std::int64_t before = pairs.count;
-      pairs = mendSelfIntersections(surface, hermite, pairs, run_);
-      // Everything that was changed has been looked at again for pairs; the rest is checked anew.
-      report_.check = checkMesh(surface.mesh, false, run_);
+    if (options_.components != ComponentMethod::Consistent) {
+      report_.check = checkMesh(surface.mesh, pairs, run_);
+      stage("check");
+    } else {
+      pairs = findSurfaceIntersections(surface, hermite, run_);
+      stage("intersections");
+      if (pairs.count > 0) mend(surface, hermite, pairs);
+      report_.check = checkMesh(surface.mesh, topology_, run_);
       report_.check.selfIntersections = pairs.count;
       for (const auto& pair : pairs.pairs) {
         if (report_.check.firstIntersections.size() == 32) break;
         report_.check.firstIntersections.emplace_back(pair.first, pair.second);
       }
-      report_.warnings.push_back({"Mended",
-                                  before - pairs.count,
-                                  {},
-                                  std::to_string(before) + " pairs of triangles met at first; " +
-                                      std::to_string(pairs.count) + " are left after mending"});
-      stage("mend");
+      stage("check");
     }
     if (report_.check.selfIntersections > 0) {
       report_.warnings.push_back(
@@ -301,11 +303,23 @@ class Run {
     }
   }
 
+  void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs) {
+    const std::int64_t before = pairs.count;
+    pairs = mendSelfIntersections(surface, hermite, pairs, run_);
+    report_.warnings.push_back({"Mended",
+                                before - pairs.count,
+                                {},
+                                std::to_string(before) + " pairs of triangles met at first; " +
+                                    std::to_string(pairs.count) + " are left after mending"});
+    stage("mend");
+  }
+
   const Options& options_;
   RunContext& run_;
   Result& result_;
   Report& report_;
   Prepared prepared_;
+  MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
   Timer timer_;
   double cpuSeconds_ = 0;
 };

@@ -13,24 +13,73 @@ namespace {
 
 constexpr double kRankCut = 0.03;  ///< of the largest eigenvalue
 constexpr double kCosine = 0.906;  ///< of 25 degrees, the least turn of a crease
+constexpr std::size_t kBlock = 8192;
+constexpr std::uint32_t kNone = 0xffffffffu;
+using Edge = std::array<std::int32_t, 2>;
 
-std::vector<std::uint8_t> onFeature(const TriMesh& mesh,
-                                    const std::vector<Eigen::Vector3d>& normals) {
-  std::vector<Quadric> quadrics(mesh.vertices.size());
+Eigen::Vector3d normalOf(const TriMesh& mesh, std::size_t t) {
+  const auto& c = mesh.triangles[t];
+  const Eigen::Vector3d u = mesh.vertices[c[1]] - mesh.vertices[c[0]];
+  const Eigen::Vector3d v = mesh.vertices[c[2]] - mesh.vertices[c[0]];
+  return u.cross(v);
+}
+
+/// Edges of two triangles over which the surface turns.
+std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t>& across) {
+  const std::size_t n = mesh.triangles.size();
+  std::vector<std::vector<Edge>> parts(n / kBlock + 1);
+  parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Eigen::Vector3d mine = normalOf(mesh, t);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = across[3 * t + k];
+        if (other == kNoNeighbour || other < 3 * t + k) continue;
+        const Eigen::Vector3d theirs = normalOf(mesh, other / 3);
+        const double dot = mine.dot(theirs);
+        if (dot > 0 && dot * dot >= kCosine * kCosine * mine.squaredNorm() * theirs.squaredNorm()) {
+          continue;
+        }
+        const std::int32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+        parts[begin / kBlock].push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+  });
+  std::vector<Edge> edges;
+  for (const auto& part : parts) edges.insert(edges.end(), part.begin(), part.end());
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Per vertex of an edge, whether the planes round it have rank 2 or 3.
+std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>& edges) {
+  std::vector<std::uint32_t> place(mesh.vertices.size(), kNone);
+  std::vector<std::int32_t> wanted;
+  for (const Edge& edge : edges) {
+    for (const std::int32_t v : edge) {
+      if (place[v] != kNone) continue;
+      place[v] = static_cast<std::uint32_t>(wanted.size());
+      wanted.push_back(v);
+    }
+  }
+  std::vector<Quadric> quadrics(wanted.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double area = normals[t].norm();
+    const auto& c = mesh.triangles[t];
+    if ((place[c[0]] & place[c[1]] & place[c[2]]) == kNone) continue;
+    const Eigen::Vector3d normal = normalOf(mesh, t);
+    const double area = normal.norm();
     if (!(area > 0)) continue;
     // Only the directions count: planes through the origin.
-    for (const std::int32_t v : mesh.triangles[t]) {
-      quadrics[v].addPlane(normals[t] / area, Eigen::Vector3d::Zero(), area);
+    for (const std::int32_t v : c) {
+      if (place[v] == kNone) continue;
+      quadrics[place[v]].addPlane(normal / area, Eigen::Vector3d::Zero(), area);
     }
   }
   std::vector<std::uint8_t> feature(mesh.vertices.size());
-  parallelBlocks(feature.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
+  parallelBlocks(wanted.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       int rank = 0;
-      quadrics[v].minimise(Eigen::Vector3d::Zero(), kRankCut, rank);
-      feature[v] = rank > 1;
+      quadrics[n].minimise(Eigen::Vector3d::Zero(), kRankCut, rank);
+      feature[wanted[n]] = rank > 1;
     }
   });
   return feature;
@@ -38,36 +87,16 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh,
 
 }  // namespace
 
-std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh) {
-  const std::size_t n = mesh.triangles.size();
-  std::vector<Eigen::Vector3d> normals(n);
-  parallelBlocks(n, 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& c = mesh.triangles[t];
-      const Eigen::Vector3d u = mesh.vertices[c[1]] - mesh.vertices[c[0]];
-      const Eigen::Vector3d v = mesh.vertices[c[2]] - mesh.vertices[c[0]];
-      normals[t] = u.cross(v);
-    }
-  });
-  const std::vector<std::uint8_t> feature = onFeature(mesh, normals);
-  const EdgeTable table(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
-  constexpr std::size_t kBlock = 8192;
-  std::vector<std::vector<std::array<std::int32_t, 2>>> parts(mesh.vertices.size() / kBlock + 1);
-  parallelBlocks(mesh.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    table.forEachEdge(static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end),
-                      [&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
-                          const std::uint64_t* last) {
-                        if (last - first != 2 || !feature[low] || !feature[high]) return;
-                        const auto& m = normals[EdgeTable::halfEdge(first[0]) / 3];
-                        const auto& k = normals[EdgeTable::halfEdge(first[1]) / 3];
-                        if (m.dot(k) < kCosine * m.norm() * k.norm()) {
-                          parts[begin / kBlock].push_back({low, high});
-                        }
-                      });
-  });
-  std::vector<std::array<std::int32_t, 2>> edges;
-  for (const auto& part : parts) edges.insert(edges.end(), part.begin(), part.end());
+std::vector<Edge> findFeatureEdges(const TriMesh& mesh, const RawArray<std::uint32_t>& across) {
+  std::vector<Edge> edges = turningEdges(mesh, across);
+  const std::vector<std::uint8_t> feature = onFeature(mesh, edges);
+  std::erase_if(edges, [&](const Edge& e) { return !feature[e[0]] || !feature[e[1]]; });
   return edges;
+}
+
+std::vector<Edge> findFeatureEdges(const TriMesh& mesh) {
+  return findFeatureEdges(
+      mesh, findAcross(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size())));
 }
 
 }  // namespace swept

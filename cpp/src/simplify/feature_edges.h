@@ -8,10 +8,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/raw_array.h"
 #include "swept/types.h"
 
 namespace swept {
 
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh);
+/// The same where the half-edges across (base/edge_table.h) are known already.
+std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh,
+                                                          const RawArray<std::uint32_t>& across);
 
 }  // namespace swept

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "check/certainly_apart.h"
+
+#include "base/exact_predicates.h"
+
+namespace swept {
+namespace {
+
+/// Sine of the least angle that counts; rounding stays below 1e-15.
+constexpr double kSine = 1e-9;
+
+/// Triangles (v, a, b) and (v, c, d), all relative to v: does a plane through v part them? Tried
+/// are the planes on either edge of the first one across its own plane, and the one across its
+/// middle line.
+bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                    const Eigen::Vector3d& d) {
+  const Eigen::Vector3d normal = a.cross(b);
+  const double lengthA = a.norm(), lengthB = b.norm();
+  if (!(normal.norm() > kSine * lengthA * lengthB)) return false;
+  const Eigen::Vector3d away = -(a / lengthA + b / lengthB);
+  for (const Eigen::Vector3d& w :
+       {Eigen::Vector3d(a.cross(normal)), Eigen::Vector3d(normal.cross(b)), away}) {
+    const double size = kSine * w.norm();
+    if (w.dot(c) > size * c.norm() && w.dot(d) > size * d.norm()) return true;
+  }
+  return false;
+}
+
+/// Triangles over the edge from the origin to e with third corners p and q: do they lead away from
+/// the edge to different sides?
+bool partedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  const Eigen::Vector3d n = e.cross(p), m = e.cross(q);
+  return n.dot(m) < -kSine * n.norm() * m.norm();
+}
+
+}  // namespace
+
+bool hasNoArea(const TriMesh& mesh, std::int32_t t) {
+  const auto& tri = mesh.triangles[t];
+  return tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0] ||
+         collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);
+}
+
+bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
+  const auto &p = mesh.triangles[first], &q = mesh.triangles[second];
+  const auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return mesh.vertices[v]; };
+  int common = 0, i = 0, j = 0;  // the last common corner, as seen from both
+  for (int m = 0; m < 3; ++m) {
+    for (int n = 0; n < 3; ++n) {
+      if (p[m] != q[n]) continue;
+      ++common;
+      i = m;
+      j = n;
+    }
+  }
+  if (common == 0) {
+    SeenTriangle a, b;
+    a.set(mesh, first);
+    b.set(mesh, second);
+    return a.certainlyApart(b.corner) || b.certainlyApart(a.corner);
+  }
+  const Eigen::Vector3d& v = at(p[i]);
+  const Eigen::Vector3d a = at(p[(i + 1) % 3]) - v, b = at(p[(i + 2) % 3]) - v;
+  const Eigen::Vector3d c = at(q[(j + 1) % 3]) - v, d = at(q[(j + 2) % 3]) - v;
+  if (common == 1) return partedAtVertex(a, b, c, d) || partedAtVertex(c, d, a, b);
+  if (common == 3) return false;
+  for (int m = 1; m < 3; ++m) {
+    for (int n = 1; n < 3; ++n) {
+      if (p[(i + m) % 3] == q[(j + n) % 3]) {
+        return partedAtEdge(m == 1 ? a : b, m == 1 ? b : a, n == 1 ? d : c);
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace swept
