@@ -316,6 +316,26 @@ Versucht:
    <translation>„{0}“ ist schreibgeschützt.</translation>
   </message>
   <message>
+   <source>Not computed</source>
+   <translation>Nicht berechnet</translation>
+  </message>
+  <message>
+   <source>Up to date</source>
+   <translation>Aktuell</translation>
+  </message>
+  <message>
+   <source>Stale</source>
+   <translation>Veraltet</translation>
+  </message>
+  <message>
+   <source>Cancelled</source>
+   <translation>Abgebrochen</translation>
+  </message>
+  <message>
+   <source>Failed</source>
+   <translation>Fehlgeschlagen</translation>
+  </message>
+  <message>
    <source>Clear</source>
    <translation>Frei</translation>
   </message>
@@ -348,28 +368,12 @@ Versucht:
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
   <message>
+   <source>the parts of "{0}" have motions of their own: check each part with its motion.</source>
+   <translation>die Teile von „{0}“ haben eigene Bewegungen: jedes Teil mit seiner Bewegung prüfen.</translation>
+  </message>
+  <message>
    <source>Left out: {0}</source>
    <translation>Ausgelassen: {0}</translation>
-  </message>
-  <message>
-   <source>Not computed</source>
-   <translation>Nicht berechnet</translation>
-  </message>
-  <message>
-   <source>Up to date</source>
-   <translation>Aktuell</translation>
-  </message>
-  <message>
-   <source>Stale</source>
-   <translation>Veraltet</translation>
-  </message>
-  <message>
-   <source>Cancelled</source>
-   <translation>Abgebrochen</translation>
-  </message>
-  <message>
-   <source>Failed</source>
-   <translation>Fehlgeschlagen</translation>
   </message>
   <message>
    <source>Compute envelope</source>
@@ -380,16 +384,28 @@ Versucht:
    <translation>Hülle</translation>
   </message>
   <message>
-   <source>no motion is given: make one with New motion and choose it.</source>
-   <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
+   <source>cavities cannot be kept where parts have motions of their own: make one envelope for each motion.</source>
+   <translation>Hohlräume können nicht erhalten bleiben, wenn Teile eigene Bewegungen haben: für jede Bewegung eine eigene Hülle anlegen.</translation>
+  </message>
+  <message>
+   <source>{0} moving parts and {1} motions of their own: give one for each part, or none.</source>
+   <translation>{0} bewegte Teile und {1} eigene Bewegungen: für jedes Teil eine angeben oder keine.</translation>
+  </message>
+  <message>
+   <source>no poses yet</source>
+   <translation>noch keine Lagen</translation>
   </message>
   <message>
    <source>Motion</source>
    <translation>Bewegung</translation>
   </message>
   <message>
-   <source>no poses yet</source>
-   <translation>noch keine Lagen</translation>
+   <source>no motion is given: make one with New motion and choose it.</source>
+   <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
+  </message>
+  <message>
+   <source>a motion of the reference is given, but no reference part: choose it as well.</source>
+   <translation>eine Bewegung des Bezugs ist angegeben, aber kein Bezugsteil: auch dieses wählen.</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -440,10 +456,8 @@ Versucht:
    <translation>Hülle exportieren</translation>
   </message>
   <message>
-   <source>{0}: {1} triangles, {2:.3g} mm^3, {3:.2f} s
-</source>
-   <translation>{0}: {1} Dreiecke, {2:.3g} mm^3, {3:.2f} s
-</translation>
+   <source>{0} triangles, {1:.3g} mm^3, {2:.2f} s</source>
+   <translation>{0} Dreiecke, {1:.3g} mm^3, {2:.2f} s</translation>
   </message>
   <message>
    <source>Written: {0} ({1:.1f} kB)
@@ -460,6 +474,18 @@ Versucht:
    <translation>Eine Verknüpfungs- oder Draft-Anordnung wählen.</translation>
   </message>
   <message>
+   <source>choose a simulation of an assembly, then the part to watch.</source>
+   <translation>eine Simulation einer Baugruppe wählen, dann das zu verfolgende Teil.</translation>
+  </message>
+  <message>
+   <source>"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.</source>
+   <translation>„{0}“ gehört zu keiner Baugruppe, die dieses FreeCAD bewegen kann: Simulationen brauchen FreeCAD 1.1.</translation>
+  </message>
+  <message>
+   <source>"{0}" gave no frames: does it run in its own panel?</source>
+   <translation>„{0}“ ergab keine Bilder: läuft sie in ihrem eigenen Aufgabenbereich?</translation>
+  </message>
+  <message>
    <source>choose one CAM (Path) object.</source>
    <translation>Ein CAM-Objekt (Path) wählen.</translation>
   </message>
@@ -472,24 +498,36 @@ Versucht:
    <translation>Die Bewegungsdatei „{0}“ existiert nicht; eine andere wählen.</translation>
   </message>
   <message>
-   <source>choose one wire, edge or sketch as the path.</source>
-   <translation>Einen Linienzug, eine Kante oder Skizze als Bahn wählen.</translation>
-  </message>
-  <message>
    <source>a path needs at least two poses.</source>
    <translation>Eine Bahn braucht mindestens zwei Lagen.</translation>
+  </message>
+  <message>
+   <source>choose two wires: the path, then the curve that orients.</source>
+   <translation>zwei Linienzüge wählen: den Weg, dann die Kurve, die ausrichtet.</translation>
+  </message>
+  <message>
+   <source>choose one wire, edge or sketch as the path.</source>
+   <translation>Einen Linienzug, eine Kante oder Skizze als Bahn wählen.</translation>
   </message>
   <message>
    <source>"{0}" has {1} separate pieces; a path must be one.</source>
    <translation>„{0}“ hat {1} getrennte Stücke; eine Bahn muss eines sein.</translation>
   </message>
   <message>
-   <source>choose the object whose property is driven, then the part to watch.</source>
-   <translation>Das Objekt wählen, dessen Eigenschaft durchlaufen wird, dann das beobachtete Teil.</translation>
+   <source>"{0}" begins in the direction of the path "{1}": it does not say where up is. Move it sideways.</source>
+   <translation>„{0}“ beginnt in Richtung des Weges „{1}“: sie sagt nicht, wo oben ist. Sie seitlich versetzen.</translation>
   </message>
   <message>
-   <source>"{0}" has no property "{1}".</source>
-   <translation>„{0}“ hat keine Eigenschaft „{1}“.</translation>
+   <source>choose the object whose value is driven, then the part to watch.</source>
+   <translation>das Objekt wählen, dessen Wert gesteuert wird, dann das zu verfolgende Teil.</translation>
+  </message>
+  <message>
+   <source>"{0}" has no value "{1}" that can be driven; it has: {2}</source>
+   <translation>„{0}“ hat keinen steuerbaren Wert „{1}“; vorhanden: {2}</translation>
+  </message>
+  <message>
+   <source>"{0}" of "{1}" follows the expression {2}: drive what it reads.</source>
+   <translation>„{0}“ von „{1}“ folgt dem Ausdruck {2}: steuern, was dieser liest.</translation>
   </message>
   <message>
    <source>"{0}" = {1:g}: the document does not recompute.</source>
@@ -942,12 +980,28 @@ Versucht:
    <translation>Eingaben des gespeicherten Ergebnisses</translation>
   </message>
   <message>
+   <source>Inputs of the last run that gave nothing</source>
+   <translation>Eingaben des letzten Laufs ohne Ergebnis</translation>
+  </message>
+  <message>
    <source>Solids and meshes that move together, seen through groups and links</source>
    <translation>Gemeinsam bewegte Festkörper und Netze, durch Gruppen und Verknüpfungen gesehen</translation>
   </message>
   <message>
    <source>Motion of the parts</source>
    <translation>Bewegung der Teile</translation>
+  </message>
+  <message>
+   <source>One motion for each of Generators, where they move by themselves; empty: all by Motion</source>
+   <translation>Je eine Bewegung für Generators, wenn sie sich einzeln bewegen; leer: alle nach Motion</translation>
+  </message>
+  <message>
+   <source>Part that moves itself; the envelope is what it sees</source>
+   <translation>Teil, das sich selbst bewegt; die Hülle ist, was es sieht</translation>
+  </message>
+  <message>
+   <source>Motion of the reference part</source>
+   <translation>Bewegung des Bezugsteils</translation>
   </message>
   <message>
    <source>Cells along the longest side of the sweep; used while CellSize is 0</source>
@@ -1026,8 +1080,16 @@ Versucht:
    <translation>Lage des bewegten Teils zu jeder Zeit</translation>
   </message>
   <message>
-   <source>What the part does between two poses. Linear: straight line and even turn. Screw: one screw movement. None: it only stands at the poses</source>
-   <translation>Was das Teil zwischen zwei Lagen tut. Linear: gerade und gleichmäßig gedreht. Screw: eine Schraubung. None: Es steht nur in den Lagen</translation>
+   <source>What the part does between two poses. Linear: straight line and even turn. Screw: one screw movement. Spline: smooth through all poses. None: it only stands at them</source>
+   <translation>Was das Teil zwischen zwei Posen tut. Linear: gerade Linie und gleichmäßige Drehung. Screw: eine Schraubbewegung. Spline: glatt durch alle Posen. None: es steht nur an ihnen</translation>
+  </message>
+  <message>
+   <source>Spline: what happens at each pose: Auto, Stop, Corner or Given (then by Velocities); missing ones are Auto</source>
+   <translation>Spline: was an jeder Pose geschieht: Auto, Stop, Corner oder Given (dann nach Velocities); fehlende sind Auto</translation>
+  </message>
+  <message>
+   <source>Spline: velocity at each pose with the tangent Given (mm/s)</source>
+   <translation>Spline: Geschwindigkeit an jeder Pose mit der Tangente Given (mm/s)</translation>
   </message>
   <message>
    <source>Where the poses come from</source>
@@ -1060,6 +1122,10 @@ Versucht:
   <message>
    <source>Whether the motion can be used</source>
    <translation>Ob die Bewegung brauchbar ist</translation>
+  </message>
+  <message>
+   <source>State of the source when it was read</source>
+   <translation>Zustand der Quelle, als sie gelesen wurde</translation>
   </message>
   <message>
    <source>Envelope (or any closed mesh) of which this is the solid</source>

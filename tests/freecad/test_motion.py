@@ -7,7 +7,7 @@ import FreeCAD as App
 from case import SHARED, Case, V, shift, turn
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import motion
-from sweptvolume.trajectory.poses import Poses, at_time, in_frame
+from sweptvolume.trajectory.poses import Poses, at_time, base_of, course, straightened
 
 CSV = (
     "# unit: cm\nt,tx,ty,tz,qx,qy,qz,qw\n"
@@ -80,8 +80,8 @@ class Motion(Case):
             "RelativeToFirst": ([3, 13], 4),
         }
         for frame, (xs, y) in cases.items():
-            places, base = in_frame(poses, frame, standing)
-            for place, x in zip(places, xs):
+            base = base_of(poses, frame, standing)
+            for place, x in zip(poses.placements, xs):
                 world = place.multiply(base.inverse()).multiply(standing)
                 self.assert_placement(world, shift(x, y))
 
@@ -91,6 +91,76 @@ class Motion(Case):
         self.assert_placement(at_time(poses, "None", 1.9), shift())
         screw = at_time(poses, "Screw", 1)
         self.assert_placement(screw.multiply(screw), turn(90, base=V(10, 0, 0)), 1e-7)
+
+
+class Spline(Case):
+    """Smooth motion: through the keys, no jump of the velocity, tangents as asked for."""
+
+    def keys(self, tangents=()):
+        places = [shift(), turn(40, V(1, 1, 0), V(10, 5)), turn(100, V(0, 1, 1), V(12, 20, 5))]
+        places.append(turn(170, V(0, 0, 1), V(0, 30, 5)))
+        return Poses([0, 1, 3, 4], places, tangents)
+
+    def velocity(self, at, time, step):
+        """Of the origin (mm/s) and of a point of the part off it."""
+        a, b = at(time), at(time + step)
+        off = V(7, -3, 11)
+        return (b.Base - a.Base) / step, (b.multVec(off) - a.multVec(off)) / step
+
+    def test_through_the_keys(self):
+        poses = self.keys()
+        at = course(poses, "Spline")
+        for time, place in zip(poses.times, poses.placements):
+            self.assert_placement(at(time), place, 1e-9)
+
+    def test_velocity_does_not_jump(self):
+        at, step = course(self.keys(), "Spline"), 1e-5
+        for time in (1, 3):
+            before, after = self.velocity(at, time, -step), self.velocity(at, time, step)
+            for a, b in zip(before, after):
+                self.assertLess((a - b).Length, 2e-3 * a.Length)
+        linear = course(self.keys(), "Linear")
+        a, b = self.velocity(linear, 1, -step)[0], self.velocity(linear, 1, step)[0]
+        self.assertGreater((a - b).Length, 1, "the test would not see a jump")
+
+    def test_tangents_at_keys(self):
+        given = [("Stop", None), ("Given", V(0, 9, 1)), ("Corner", None)]
+        at, step = course(self.keys(given), "Spline"), 1e-6
+        for v in self.velocity(at, 0, step):
+            self.assertLess(v.Length, 1e-2)
+        for side in (-step, step):
+            self.assertLess((self.velocity(at, 1, side)[0] - V(0, 9, 1)).Length, 1e-2)
+        keys = self.keys().placements
+        into = (keys[2].Base - keys[1].Base) / 2
+        out = keys[3].Base - keys[2].Base
+        self.assertLess((self.velocity(at, 3, -step)[0] - into).Length, 1e-2)
+        self.assertLess((self.velocity(at, 3, step)[0] - out).Length, 1e-2)
+
+    def test_straight_pieces_are_near_enough(self):
+        at, reach, tolerance = course(self.keys(), "Spline"), 25.0, 0.05
+        pieces = straightened(at, [0, 1, 3, 4], reach, tolerance)
+        self.assertTrue({0, 1, 3, 4}.issubset(pieces.times))
+        off, worst = V(15, 0, 20), 0.0
+        for k in range(801):
+            straight = at_time(pieces, "Linear", k / 200)
+            worst = max(worst, (straight.multVec(off) - at(k / 200).multVec(off)).Length)
+        self.assertLess(worst, tolerance)
+        self.assertGreater(worst, tolerance / 100)
+
+    def test_saved_with_its_tangents(self):
+        poses = self.keys()
+        obj = motion.motion_from_poses(self.doc, poses.times, poses.placements, "Spline")
+        obj.Tangents = ["Stop", "Given"]
+        obj.Velocities = [V(), V(0, 9, 1)]
+        self.doc.recompute()
+        before, name = motion.words(obj), obj.Name
+        path = os.path.join(self.folder, "s.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        obj = App.openDocument(path).getObject(name)
+        self.assertEqual(motion.words(obj), before)
+        at = course(motion.poses_of(obj), obj.Interpolation)
+        self.assertLess((self.velocity(at, 1, 1e-6)[0] - V(0, 9, 1)).Length, 1e-2)
 
 
 class MotionFile(Case):
@@ -109,6 +179,34 @@ class MotionFile(Case):
         self.assertEqual(len(obj.Times), 2)
         motion.reload_source(obj)
         self.assertEqual(len(obj.Times), 3)
+
+    def test_changed_file_makes_the_motion_stale(self):
+        path = self.file("m.csv", CSV)
+        obj, saved = motion.motion_from_file(self.doc, path), os.path.join(self.folder, "f.FCStd")
+        self.doc.recompute()
+        self.assertEqual(obj.Status, "")
+        name = obj.Name
+        self.doc.saveAs(saved)
+        App.closeDocument(self.doc.Name)
+        self.file("m.csv", CSV + "3,0,0,0,0,0,0,1\n")
+        obj = App.openDocument(saved).getObject(name)
+        self.assertEqual((obj.Status, len(obj.Times)), (motion.STALE, 2))
+        motion.reload_source(obj)
+        obj.Document.recompute()
+        self.assertEqual((obj.Status, len(obj.Times)), ("", 3))
+
+    def test_packed_files(self):
+        import gzip
+        import lzma
+
+        for suffix, opener in ((".gz", gzip.open), (".xz", lzma.open)):
+            path = os.path.join(self.folder, "m.csv" + suffix)
+            with opener(path, "wt", encoding="utf-8") as out:
+                out.write(CSV)
+            obj = motion.motion_from_file(self.doc, path, "cm")
+            self.assert_placement(obj.Placements[1], turn(90, base=V(10, 20, 30)), 1e-9)
+            motion.reload_source(obj)
+            self.assertEqual(len(obj.Times), 2)
 
     def test_matrices(self):
         rows = "1,0,0,4,0,1,0,5,0,0,1,6,0,0,0,1\n0,-1,0,0,1,0,0,0,0,0,1,0,0,0,0,1\n"

@@ -11,6 +11,7 @@ import os
 import sys
 
 import FreeCAD as App
+import numpy as np
 
 from . import ROOT, settings
 from .texts import translate
@@ -147,14 +148,23 @@ class Control:
     """Cancel flag and progress of one run, usable from any thread."""
 
     def __init__(self):
-        self.context = module().RunContext(settings.threads(), settings.memory_limit())
+        self._cancelled, self._part, self._parts = False, 0, 1
+        self.enter(0, 1)
+
+    def enter(self, part, parts):
+        """Begins part number `part` of a run that has several: each has a context of its own."""
+        context = module().RunContext(settings.threads(), settings.memory_limit())
+        self._part, self._parts, self.context = part, parts, context
+        if self._cancelled:
+            context.cancel()
 
     def cancel(self):
+        self._cancelled = True
         self.context.cancel()
 
     def progress(self):
         """Overall progress, 0 to 1."""
-        return self.context.progress
+        return (self._part + self.context.progress) / self._parts
 
     def phase(self):
         """Name of the stage under way."""
@@ -171,6 +181,28 @@ def compute(request, control):
     with _errors():
         found = module().compute(*_arguments(request), run=control.context, **request.options)
     return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
+
+
+def join(outcomes, options, control):
+    """The outer surface of several envelopes: their meshes together, sampled once more where they are.
+
+    What the runs before took and warned of goes into the report. Raises CoreError.
+    """
+    counts = np.cumsum([0] + [len(o.vertices) for o in outcomes])
+    vertices = np.vstack([o.vertices for o in outcomes])
+    triangles = np.vstack([o.triangles + n for o, n in zip(outcomes, counts)]).astype(np.int32)
+    still = np.zeros(1), np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]])
+    request = Request(vertices, triangles, *still, "none", options)
+    joined = compute(request, control)
+    report = joined.report
+    report["joined"] = len(outcomes)
+    for before in outcomes:
+        report["placements"] += before.report["placements"]
+        report["warnings"] = before.report["warnings"] + report["warnings"]
+        report["seconds"]["total"] += before.report["seconds"]["total"]
+        peak = max(report["peak_memory_bytes"], before.report["peak_memory_bytes"])
+        report["peak_memory_bytes"] = peak
+    return joined
 
 
 def estimate(request):

@@ -4,7 +4,7 @@ on the GUI thread.
 
 A task has `document`, `watched` (objects it needs to the end), `title`, `work(control)` (any thread,
 plain values only), `finish(value)` (GUI thread, inside one transaction), and optionally
-`fail(text)`. If the document closes or a watched object goes, the run is cancelled and finish() is
+`fail(text, cancelled)`. If the document closes or a watched object goes, the run is cancelled and finish() is
 never called.
 """
 import FreeCAD as App
@@ -35,8 +35,8 @@ class Task:
     def finish(self, value):
         raise NotImplementedError
 
-    def fail(self, text):
-        """Failure that the document should remember; not called when cancelled."""
+    def fail(self, text, cancelled=False):
+        """A run that gave nothing, for the document to remember."""
 
 
 class _Thread(QtCore.QThread):
@@ -129,6 +129,7 @@ class Run(QtCore.QObject):
         if isinstance(error, core.CoreError) and error.status == "Cancelled":
             self.state = "cancelled"
             self.message = str(error)
+            self.task.fail(self.message, cancelled=True)
             return
         self.state = "failed"
         self.message = str(error) or type(error).__name__

@@ -2,10 +2,17 @@
 """What all our document objects share: properties added once, nothing stored in the proxy."""
 import FreeCAD as App
 
-from ..texts import translate
+from ..texts import mark, translate
 
 READ_ONLY = 1
 HIDDEN = 2
+
+#: States of a result. Stored as they are; views translate them.
+NOT_COMPUTED = mark("Messages", "Not computed")
+UP_TO_DATE = mark("Messages", "Up to date")
+STALE = mark("Messages", "Stale")
+CANCELLED = mark("Messages", "Cancelled")
+FAILED = mark("Messages", "Failed")
 
 
 class Feature:
@@ -65,6 +72,25 @@ def set_changed(obj, name, value):
     """Sets a property only if that changes it: no needless touch, no needless undo entry."""
     if getattr(obj, name) != value:
         setattr(obj, name, value)
+
+
+def mark_result(obj, now, waiting=False):
+    """Status of an object with InputHash and TriedHash. now: hash of the inputs; waiting: an input is
+    itself stale. A failure stays readable until the inputs change."""
+    if obj.InputHash and obj.InputHash == now:
+        set_changed(obj, "Status", STALE if waiting else UP_TO_DATE)
+    elif not (obj.Status in (FAILED, CANCELLED) and obj.TriedHash == now):
+        set_changed(obj, "Status", STALE if obj.InputHash else NOT_COMPUTED)
+
+
+def mark_failure(obj, now, text, tried, cancelled):
+    """Remembers a run that gave nothing. now: hash of the object's inputs; tried: hash of those of the
+    run, which may have had other settings: then a current result stays what it is."""
+    if obj.InputHash and obj.InputHash == now and tried != now:
+        return
+    set_changed(obj, "TriedHash", tried)
+    set_changed(obj, "Status", CANCELLED if cancelled else FAILED)
+    set_changed(obj, "Message", text)
 
 
 def attach_view(obj, maker):

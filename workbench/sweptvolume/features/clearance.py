@@ -12,10 +12,24 @@ import numpy as np
 from .. import convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
-from ..trajectory.poses import INTERPOLATIONS
 from . import envelope as envelope_feature
-from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
-from .envelope import FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
+from . import motion as motion_feature
+from .base import (  # noqa: F401 (the states are read from here as well)
+    CANCELLED,
+    FAILED,
+    HIDDEN,
+    NOT_COMPUTED,
+    READ_ONLY,
+    STALE,
+    UP_TO_DATE,
+    Feature,
+    attach_view,
+    kind_of,
+    mark_failure,
+    mark_result,
+    set_changed,
+)
+from .moving import Moving
 
 TYPE = "App::FeaturePython"
 
@@ -111,6 +125,12 @@ _RESULT = [
         HIDDEN,
     ),
     ("App::PropertyString", "InputHash", mark("Properties", "Inputs of the stored result"), HIDDEN),
+    (
+        "App::PropertyString",
+        "TriedHash",
+        mark("Properties", "Inputs of the last run that gave nothing"),
+        HIDDEN,
+    ),
 ]
 
 
@@ -195,6 +215,25 @@ class Plan:
         for name, value in self.values.items():
             set_changed(obj, name, value)
 
+    def objects(self):
+        """Document objects that a run needs to its end."""
+        found = [root for root, _ in self.pairs] + [self.motion, self.envelope]
+        return [obj for obj in found if obj is not None]
+
+    def moving(self):
+        """The moving parts. Raises InputProblem where each has a motion of its own."""
+        if self.envelope is None:
+            return Moving(self.pairs, self.motion)
+        groups = envelope_feature.Plan.of(self.envelope).groups()
+        if len(groups) > 1:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    'the parts of "{0}" have motions of their own: check each part with its motion.',
+                ).format(self.envelope.Label)
+            )
+        return groups[0]
+
     def leaves(self):
         """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts."""
         roots = self.neighbours
@@ -217,23 +256,22 @@ class Plan:
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
-        moving = envelope_feature.Plan(self.pairs, self.motion, _ENVELOPE_DEFAULTS).hash()
-        if not moving:
-            return ""
         try:
-            neighbours = self.leaves()
-            words = [moving, convert.signature(neighbours), json.dumps(self.values, sort_keys=True)]
+            words = self.moving().words()
+            words += [convert.signature(self.leaves()), json.dumps(self.values, sort_keys=True)]
         except (InputProblem, RuntimeError, AttributeError):
             return ""
         return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""
-        moving = envelope_feature.Plan(self.pairs, self.motion, _ENVELOPE_DEFAULTS)
-        times, placements, into_base = moving._placements()
+        moving = self.moving()
         deflection = max(float(self.values["Deflection"]), 1e-4)
-        body = convert.body_from(self.pairs, deflection)
-        translations, rotations = convert.pose_arrays(placements)
+        straight = 0.5 * float(self.values["Tolerance"])
+        body = moving.body_request(deflection, straight, {})
+        chord = deflection if _has_shape(self.pairs) else 0.0
+        if moving.curved():
+            chord += straight
         neighbours, notes = self._neighbours(deflection)
         if not neighbours:
             raise InputProblem(
@@ -243,20 +281,12 @@ class Plan:
         if self.envelope is not None and self.envelope.Mesh.CountFacets:
             points = envelope_arrays(self.envelope)[0]
         return Request(
-            core.Request(
-                convert.transform(into_base, body.vertices),
-                body.triangles,
-                np.array(times, dtype=float),
-                translations,
-                rotations,
-                INTERPOLATIONS[self.motion.Interpolation],
-                {},
-            ),
+            body,
             neighbours,
             {
                 "required": float(self.values["Required"]),
                 "tolerance": float(self.values["Tolerance"]),
-                "body_chord": deflection if _has_shape(self.pairs) else 0.0,
+                "body_chord": chord,
             },
             points,
             notes,
@@ -274,20 +304,6 @@ class Plan:
             chord = deflection if _has_shape([pair]) else 0.0
             neighbours.append(Neighbour(name, part.vertices, part.triangles, chord))
         return neighbours, notes
-
-
-#: Settings of an envelope that do not matter here, for the parts of its plan that we use.
-_ENVELOPE_DEFAULTS = {
-    "Resolution": 128,
-    "CellSize": 0.0,
-    "MeshDeflection": 0.1,
-    "Tolerance": 0.0,
-    "Offset": 0.0,
-    "Conservative": False,
-    "KeepCavities": False,
-    "Components": "Consistent",
-    "Backend": "Auto",
-}
 
 
 def _has_shape(pairs):
@@ -340,17 +356,15 @@ def apply(obj, outcome, hash_at_start):
     update_status(obj)
 
 
-def fail(obj, text):
-    obj.Status = FAILED
-    obj.Message = text
+def fail(obj, text, tried, cancelled=False):
+    """Remembers a run that gave nothing; the stored result stays. tried: hash of its inputs."""
+    mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
 
 
 def update_status(obj):
-    now = Plan.of(obj).hash()
-    if obj.InputHash:
-        set_changed(obj, "Status", UP_TO_DATE if obj.InputHash == now else STALE)
-    elif obj.Status != FAILED:
-        set_changed(obj, "Status", NOT_COMPUTED)
+    """Compares inputs and stored result."""
+    plan = Plan.of(obj)
+    mark_result(obj, plan.hash(), any(motion_feature.is_stale(o) for o in plan.objects()))
 
 
 def compute(obj, control=None):
@@ -360,7 +374,7 @@ def compute(obj, control=None):
     try:
         outcome = work(plan.request(), control or core.Control())
     except (core.CoreError, InputProblem) as error:
-        fail(obj, str(error))
+        fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
         raise
     obj.Document.openTransaction(translate("Messages", "Check clearance"))
     apply(obj, outcome, hash_at_start)

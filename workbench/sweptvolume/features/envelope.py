@@ -14,18 +14,25 @@ import numpy as np
 from .. import convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
-from ..trajectory.poses import INTERPOLATIONS, in_frame, swept_box
+from ..trajectory.poses import swept_box
 from . import motion as motion_feature
-from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
+from .base import (  # noqa: F401 (the states are read from here as well)
+    CANCELLED,
+    FAILED,
+    HIDDEN,
+    NOT_COMPUTED,
+    READ_ONLY,
+    STALE,
+    UP_TO_DATE,
+    Feature,
+    attach_view,
+    kind_of,
+    mark_failure,
+    mark_result,
+)
+from .moving import Moving
 
 TYPE = "Mesh::FeaturePython"
-
-#: States of the result. Stored as they are; views translate them.
-NOT_COMPUTED = mark("Messages", "Not computed")
-UP_TO_DATE = mark("Messages", "Up to date")
-STALE = mark("Messages", "Stale")
-CANCELLED = mark("Messages", "Cancelled")
-FAILED = mark("Messages", "Failed")
 
 #: Name in the property -> name the core knows.
 COMPONENTS = {
@@ -36,6 +43,8 @@ COMPONENTS = {
     "Greedy": "greedy",
 }
 BACKENDS = {"Auto": "auto", "CPU": "cpu", "GPU": "gpu"}
+#: Straight pieces of a smooth motion leave it by at most this part of a cell.
+STRAIGHT = 0.02
 
 _INPUT = [
     (
@@ -51,6 +60,33 @@ _INPUT = [
         "Motion",
         "Input",
         mark("Properties", "Motion of the parts"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkListGlobal",
+        "Motions",
+        "Input",
+        mark(
+            "Properties",
+            "One motion for each of Generators, where they move by themselves; empty: all by Motion",
+        ),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkSubGlobal",
+        "Reference",
+        "Input",
+        mark("Properties", "Part that moves itself; the envelope is what it sees"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkGlobal",
+        "ReferenceMotion",
+        "Input",
+        mark("Properties", "Motion of the reference part"),
         None,
         0,
     ),
@@ -158,6 +194,7 @@ class Envelope(Feature):
             for name, text in (
                 ("Report", mark("Properties", "Report of the run (JSON)")),
                 ("InputHash", mark("Properties", "Inputs of the stored result")),
+                ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
             )
         ]
         return _INPUT + _ACCURACY + result + hidden
@@ -176,32 +213,73 @@ def is_envelope(obj):
 
 
 class Plan:
-    """What is to be computed: generators, motion, values of the settings by property name.
+    """What is to be computed: generators, motions, reference, values of the settings by property name.
 
     Made from an object or from a panel; reads documents only in the thread of the GUI.
+    motions: one for each of pairs, or empty; reference: (root, sub).
     """
 
     SETTINGS = [name for _, name, *_ in _ACCURACY]
 
-    def __init__(self, pairs, motion, values):
+    def __init__(self, pairs, motion, values, motions=(), reference=None, reference_motion=None):
         self.pairs = list(pairs)
         self.motion = motion
         self.values = dict(values)
+        self.motions = list(motions) if any(m is not motion for m in motions) else []
+        self.reference = reference
+        self.reference_motion = reference_motion
 
     @classmethod
     def of(cls, obj):
         values = {name: getattr(obj, name) for name in cls.SETTINGS}
         for name, value in values.items():
             values[name] = getattr(value, "Value", value)
-        return cls(convert.pairs_of(obj.Generators), obj.Motion, values)
+        seen_from = convert.pairs_of([obj.Reference] if obj.Reference else [])
+        return cls(
+            convert.pairs_of(obj.Generators),
+            obj.Motion,
+            values,
+            obj.Motions,
+            seen_from[0] if seen_from else None,
+            obj.ReferenceMotion,
+        )
 
     def write(self, obj):
         """Puts the plan into an envelope object."""
         obj.Generators = self.pairs
         obj.Motion = self.motion
+        obj.Motions = self.motions
+        obj.Reference = (self.reference[0], [self.reference[1]]) if self.reference else None
+        obj.ReferenceMotion = self.reference_motion
         for name, value in self.values.items():
             if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
                 setattr(obj, name, value)
+
+    def objects(self):
+        """Document objects that a run needs to its end."""
+        found = [root for root, _ in self.pairs] + [self.motion, self.reference_motion]
+        found += self.motions + ([self.reference[0]] if self.reference else [])
+        return [obj for obj in found if obj is not None]
+
+    def groups(self):
+        """Parts that move together: list of Moving."""
+        if self.motions and len(self.motions) != len(self.pairs):
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "{0} moving parts and {1} motions of their own: give one for each part, or none.",
+                ).format(len(self.pairs), len(self.motions))
+            )
+        reference = (self.reference, self.reference_motion)
+        groups = []
+        for pair, motion in zip(self.pairs, self.motions or [self.motion] * len(self.pairs)):
+            for group in groups:
+                if group.motion is motion:
+                    group.pairs.append(pair)
+                    break
+            else:
+                groups.append(Moving([pair], motion, *reference))
+        return groups or [Moving([], self.motion, *reference)]
 
     def options(self):
         """Settings as the core takes them."""
@@ -219,74 +297,81 @@ class Plan:
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
-        motion = self.motion
-        if not self.pairs or motion is None or not motion_feature.is_motion(motion):
-            return ""
         options = self.options()
         del options["backend"]  # the surface is the same whoever computes it
+        words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
         try:
-            words = [convert.signature(self.pairs), json.dumps(options, sort_keys=True)]
+            for group in self.groups():
+                words += group.words()
         except (InputProblem, RuntimeError, AttributeError):
             return ""
-        words.append(repr(self.values["MeshDeflection"]))
-        words += [motion.Interpolation, motion.Frame, repr([round(t, 9) for t in motion.Times])]
-        for placement in motion.Placements:
-            words.append(np.array2string(convert.matrix_of(placement), precision=9))
         return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
-    def _placements(self):
-        if self.motion is None or not motion_feature.is_motion(self.motion):
-            raise InputProblem(
-                translate("Messages", "no motion is given: make one with New motion and choose it.")
-            )
-        if not self.pairs:
-            raise InputProblem(convert.no_part_text())
-        poses = motion_feature.poses_of(self.motion)
-        standing = convert.global_placement(*self.pairs[0])
-        placements, base = in_frame(poses, self.motion.Frame, standing)
-        return poses.times, placements, convert.matrix_of(base.inverse())
+    def cell(self, groups):
+        """Edge of a cell (mm): as given, or from the resolution and the boxes of the parts."""
+        if self.values["CellSize"] > 0:
+            return float(self.values["CellSize"])
+        low, high = np.full(3, np.inf), np.full(3, -np.inf)
+        for group in groups:
+            poses = group.trajectory(np.inf)[0]
+            box = swept_box(group.corners(), poses.placements)
+            low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
+        return max(float((high - low).max()) / max(self.values["Resolution"], 1), 1e-9)
 
-    def _request(self, vertices, triangles, times, placements):
-        translations, rotations = convert.pose_arrays(placements)
-        return core.Request(
-            vertices,
-            triangles,
-            np.array(times, dtype=float),
-            translations,
-            rotations,
-            INTERPOLATIONS[self.motion.Interpolation],
-            self.options(),
-        )
-
-    def request(self):
-        """The run as plain arrays, no document behind it."""
-        times, placements, into_base = self._placements()
-        cell = self.values["CellSize"]
-        if cell <= 0:
-            corners = convert.transform(into_base, convert.box_corners(self.pairs))
-            low, high = swept_box(corners, placements)
-            cell = max(float((high - low).max()) / max(self.values["Resolution"], 1), 1e-9)
+    def requests(self):
+        """One run for each group of parts that move together, no document behind them."""
+        groups, options = self.groups(), self.options()
+        cell = self.cell(groups)
+        if len(groups) > 1:
+            options.update(cell=cell, tolerance=0.0)
+            if options["keep_cavities"]:
+                raise InputProblem(
+                    translate(
+                        "Messages",
+                        "cavities cannot be kept where parts have motions of their own: make one "
+                        "envelope for each motion.",
+                    )
+                )
         deflection = max(self.values["MeshDeflection"], 1e-3) * cell
-        body = convert.body_from(self.pairs, deflection)
-        vertices = convert.transform(into_base, body.vertices)
-        return self._request(vertices, body.triangles, times, placements)
+        return [g.body_request(deflection, STRAIGHT * cell, options) for g in groups]
+
+    def union_options(self, requests):
+        """Settings of the run that joins the envelopes of several groups."""
+        return dict(self.options(), cell=requests[0].options["cell"], offset=0.0)
 
     def estimate(self):
         """What the run would take, from the boxes of the parts alone: dict of the core."""
-        times, placements, into_base = self._placements()
-        corners = convert.transform(into_base, convert.box_corners(self.pairs))
-        return core.estimate(self._request(corners, convert.BOX_TRIANGLES, times, placements))
+        groups, options = self.groups(), self.options()
+        if len(groups) > 1:
+            options["cell"] = self.cell(groups)
+        tolerance = STRAIGHT * self.cell(groups)
+        found = [
+            core.estimate(g.request(g.corners(), convert.BOX_TRIANGLES, tolerance, options))
+            for g in groups
+        ]
+        most = max(found, key=lambda e: e["memory_bytes"])
+        return dict(most, seconds=sum(e["seconds"] for e in found))
+
+
+def work(requests, union_options, control):
+    """Any thread: one envelope, or those of several groups and the outer surface of them all.
+
+    Raises core.CoreError.
+    """
+    if len(requests) == 1:
+        return core.compute(requests[0], control)
+    found = []
+    for k, request in enumerate(requests):
+        control.enter(k, len(requests) + 1)
+        found.append(core.compute(request, control))
+    control.enter(len(requests), len(requests) + 1)
+    return core.join(found, union_options, control)
 
 
 def update_status(obj):
-    """Compares inputs and stored result. A failure stays readable until the inputs change."""
-    now = Plan.of(obj).hash()
-    if obj.InputHash and obj.InputHash == now:
-        set_changed(obj, "Status", UP_TO_DATE)
-    elif obj.InputHash:
-        set_changed(obj, "Status", STALE)
-    elif obj.Status not in (FAILED, CANCELLED):
-        set_changed(obj, "Status", NOT_COMPUTED)
+    """Compares inputs and stored result."""
+    plan = Plan.of(obj)
+    mark_result(obj, plan.hash(), any(motion_feature.is_stale(o) for o in plan.objects()))
 
 
 def apply(obj, outcome, hash_at_start):
@@ -308,10 +393,9 @@ def apply(obj, outcome, hash_at_start):
     update_status(obj)
 
 
-def fail(obj, text, cancelled=False):
-    """Remembers a run that gave nothing; the stored mesh stays as it is."""
-    obj.Status = CANCELLED if cancelled else FAILED
-    obj.Message = text
+def fail(obj, text, tried, cancelled=False):
+    """Remembers a run that gave nothing; the stored mesh stays as it is. tried: hash of its inputs."""
+    mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
 
 
 def _inside_groups(obj):
@@ -329,9 +413,11 @@ def compute(obj, control=None):
     hash_at_start = plan.hash()
     document = obj.Document
     try:
-        outcome = core.compute(plan.request(), control or core.Control())
+        requests = plan.requests()
+        options = plan.union_options(requests)
+        outcome = work(requests, options, control or core.Control())
     except (core.CoreError, InputProblem) as error:
-        fail(obj, str(error), getattr(error, "status", "") == "Cancelled")
+        fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
         raise
     document.openTransaction(translate("Messages", "Compute envelope"))
     apply(obj, outcome, hash_at_start)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motion: times and placements kept in the document, linked to where they came from."""
+import numpy as np
+
 from .. import core
 from ..convert import InputProblem, matrix_of
 from ..texts import mark, translate
@@ -9,6 +11,8 @@ from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
 
 TYPE = "App::FeaturePython"
 UNITS = ["mm", "cm", "m", "in"]
+#: Status of a motion whose source changed after it was read.
+STALE = mark("Messages", "Stale")
 
 
 class Motion(Feature):
@@ -41,12 +45,32 @@ class Motion(Feature):
                 mark(
                     "Properties",
                     "What the part does between two poses. Linear: straight line and even turn. Screw: "
-                    "one screw movement. None: it only stands at the poses",
+                    "one screw movement. Spline: smooth through all poses. None: it only stands at them",
                 ),
                 list(INTERPOLATIONS),
                 0,
             ),
             ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
+            (
+                "App::PropertyStringList",
+                "Tangents",
+                "Motion",
+                mark(
+                    "Properties",
+                    "Spline: what happens at each pose: Auto, Stop, Corner or Given (then by "
+                    "Velocities); missing ones are Auto",
+                ),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyVectorList",
+                "Velocities",
+                "Motion",
+                mark("Properties", "Spline: velocity at each pose with the tangent Given (mm/s)"),
+                None,
+                0,
+            ),
             (
                 "App::PropertyEnumeration",
                 "SourceType",
@@ -111,6 +135,14 @@ class Motion(Feature):
                 None,
                 READ_ONLY,
             ),
+            (
+                "App::PropertyString",
+                "SourceHash",
+                "Source",
+                mark("Properties", "State of the source when it was read"),
+                None,
+                HIDDEN,
+            ),
         ]
 
     def __init__(self, obj):
@@ -118,7 +150,7 @@ class Motion(Feature):
         obj.Interpolation = "Linear"
 
     def execute(self, obj):
-        """Reads live sources again; files and driven properties wait for Reload motion."""
+        """Reads live sources again; others turn stale and wait for Reload motion."""
         try:
             if sources.is_live(obj.SourceType):
                 store(obj, sources.read(settings_of(obj)), touch=False)
@@ -129,7 +161,25 @@ class Motion(Feature):
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
         set_changed(obj, "Duration", span)
-        set_changed(obj, "Status", "" if len(poses) else translate("Messages", "no poses yet"))
+        look(obj)
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        if obj.SourceType == "File":  # the file may have changed while the document was closed
+            look(obj)
+
+
+def look(obj):
+    """Compares the source with what was read from it and says so in Status."""
+    text = "" if len(obj.Placements) else translate("Messages", "no poses yet")
+    if obj.SourceHash and obj.SourceHash != sources.signature(settings_of(obj)):
+        text = STALE
+    set_changed(obj, "Status", text)
+
+
+def is_stale(obj):
+    """Whether the source of a motion changed since it was read."""
+    return is_motion(obj) and obj.Status == STALE
 
 
 def settings_of(obj):
@@ -149,10 +199,24 @@ def is_motion(obj):
 
 def poses_of(obj):
     """Poses of a motion object; raises InputProblem naming it."""
+    tangents = []
+    for k, kind in enumerate(obj.Tangents):
+        given = obj.Velocities[k] if k < len(obj.Velocities) else None
+        tangents.append((kind, given))
     try:
-        return Poses(obj.Times, obj.Placements)
+        return Poses(obj.Times, obj.Placements, tangents)
     except InputProblem as problem:
         raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
+
+
+def words(obj):
+    """Texts that change with the way that the motion takes, for hashes."""
+    found = [obj.Interpolation, obj.Frame, repr([round(t, 9) for t in obj.Times])]
+    for placement in obj.Placements:
+        found.append(np.array2string(matrix_of(placement), precision=9))
+    if obj.Interpolation == "Spline":
+        found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
+    return found
 
 
 def store(obj, poses, touch=True):
@@ -173,6 +237,7 @@ def _same(a, b):
 def reload_source(obj):
     """Reads the source again, whatever its kind (not for stored poses)."""
     store(obj, sources.read(settings_of(obj)))
+    obj.SourceHash = sources.signature(settings_of(obj))
 
 
 def make_motion(document, label=None):
@@ -201,6 +266,7 @@ def motion_from_file(document, path, unit="mm", interpolation="Linear", frame="A
     obj.SourceType = "File"
     obj.SourceFile = path
     obj.SourceUnit = unit
+    obj.SourceHash = sources.signature(settings_of(obj))
     store(obj, poses)
     obj.Interpolation = interpolation
     obj.Frame = frame
@@ -215,6 +281,7 @@ def motion_from_source(document, kind, objects, interpolation="Linear", frame="A
     obj.SourceType = kind
     obj.SourceObjects = list(objects)
     obj.SourceSettings = settings.extra
+    obj.SourceHash = sources.signature(settings)
     store(obj, poses)
     obj.Interpolation = interpolation
     obj.Frame = frame
@@ -232,8 +299,15 @@ def capture(obj, placement, time=None):
     if time is None:
         time = times[-1] + 1.0 if times else 0.0
     poses = Poses(times + [time], list(obj.Placements) + [placement])
-    obj.SourceType = "Stored"
+    make_stored(obj)
     store(obj, poses)
+
+
+def make_stored(obj):
+    """Cuts a motion off its source: the poses it has are its own."""
+    obj.SourceType = "Stored"
+    obj.SourceObjects = []
+    obj.SourceHash = ""
 
 
 __all__ = [
@@ -241,7 +315,10 @@ __all__ = [
     "capture",
     "even_times",
     "is_motion",
+    "is_stale",
+    "look",
     "make_motion",
+    "make_stored",
     "motion_from_file",
     "motion_from_objects",
     "motion_from_source",
@@ -250,4 +327,5 @@ __all__ = [
     "reload_source",
     "settings_of",
     "store",
+    "words",
 ]

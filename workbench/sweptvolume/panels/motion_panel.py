@@ -11,7 +11,7 @@ from ..features import motion
 from ..features.envelope import is_envelope
 from ..texts import translate
 from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from
-from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, in_frame
+from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, base_of
 from ..views.ghost import Ghosts
 from . import selection, widgets
 from .preview import Preview
@@ -254,11 +254,9 @@ class MotionPanel:
 
     def _applied(self, placements):
         """Placements that take the body to each pose."""
-        keys = Keys(range(len(placements)), placements)
         # The ghosts' points are those of the body as it stood when they were made.
-        there = self.body.placement
-        applied, base = in_frame(keys.poses(), self.frame.currentData(), there)
-        return [p.multiply(base.inverse()) for p in applied]
+        base = base_of(self.keys.poses(), self.frame.currentData(), self.body.placement)
+        return [p.multiply(base.inverse()) for p in placements]
 
     def show_ghosts(self):
         if self.ghosts is not None:
@@ -303,7 +301,7 @@ class MotionPanel:
         self.time.setText("{:.2f} s".format(self.now()))
         if self.ghosts is not None:
             here = at_time(self.keys.poses(), self.interpolation.currentData(), self.now())
-            self.ghosts.show_moving(self._applied([self.keys.placements[0], here])[1])
+            self.ghosts.show_moving(self._applied([here])[0])
 
     def toggle(self, on):
         self.play.setText(translate("Panels", "Pause") if on else translate("Panels", "Play"))

@@ -5,18 +5,26 @@ import numpy as np
 
 from .. import convert, core, runner, settings
 from ..runner import Task
-from ..trajectory.poses import INTERPOLATIONS, in_frame
+from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
 
 
+#: Straight pieces of a smooth motion leave it by at most this part of the path's size.
+STRAIGHT = 1e-3
+
+
 def request_for(body, poses, frame, interpolation, resolution):
     """Run for a body as it stands now (convert.Body), no document behind it."""
-    placements, base = in_frame(poses, frame, body.placement)
-    into_base = convert.matrix_of(base.inverse())
-    translations, rotations = convert.pose_arrays(placements)
+    into_base = convert.matrix_of(base_of(poses, frame, body.placement).inverse())
+    vertices = convert.transform(into_base, body.vertices)
+    if interpolation == "Spline":
+        reach = float(np.linalg.norm(vertices, axis=1).max())
+        size = float(np.ptp(convert.pose_arrays(poses.placements)[0], axis=0).max()) + reach
+        poses = straightened(course(poses, "Spline"), poses.times, reach, STRAIGHT * size)
+    translations, rotations = convert.pose_arrays(poses.placements)
     return core.Request(
-        convert.transform(into_base, body.vertices),
+        vertices,
         body.triangles,
         np.array(poses.times, dtype=float),
         translations,

@@ -4,46 +4,97 @@ import os
 
 import FreeCAD as App
 
-from .. import core, export
+from .. import export
 from ..features import clearance, envelope, solid
 from ..runner import Task
-from ..texts import translate
+from ..texts import mark, translate
 
 
-class EnvelopeTask(Task):
-    """Computes an envelope; makes the object if there is none yet. One undo step."""
+class PlanTask(Task):
+    """Carries out a plan (of FEATURE) and keeps the result in an object; makes the object if there is
+    none yet. One undo step."""
+
+    TITLE = ""
+    FEATURE = None
 
     def __init__(self, document, plan, obj=None):
-        self.title = translate("Messages", "Compute envelope")
+        self.title = translate("Messages", self.TITLE)
         self.document = document
         self.plan = plan
         self.obj = obj
         self.hash = plan.hash()
-        self.request = plan.request()
-        self.watched = [root for root, _ in plan.pairs] + [plan.motion] + ([obj] if obj else [])
-        self.watched = [o for o in self.watched if o.Document is document]
+        self.request = self.read()
+        self.watched = [
+            o for o in plan.objects() + ([obj] if obj else []) if o.Document is document
+        ]
+
+    def read(self):
+        """The plan as plain values for work(). Raises InputProblem."""
+        return self.plan.request()
+
+    def make(self):
+        """The object, where there is none yet."""
+        raise NotImplementedError
 
     def work(self, control):
-        return core.compute(self.request, control)
+        return self.FEATURE.work(self.request, control)
 
     def finish(self, value):
         if self.obj is None:
-            self.obj = envelope.make_envelope(self.document, [], None)
+            self.obj = self.make()
         self.plan.write(self.obj)
-        envelope.apply(self.obj, value, self.hash)
+        self.FEATURE.apply(self.obj, value, self.hash)
         self.obj.purgeTouched()
-        report = value.report
-        App.Console.PrintMessage(
-            translate("Messages", "{0}: {1} triangles, {2:.3g} mm^3, {3:.2f} s\n").format(
-                self.obj.Label, report["triangles"], report["volume"], report["seconds"]["total"]
-            )
-        )
-        for warning in report.get("warnings", []):
+        App.Console.PrintMessage("{}: {}\n".format(self.obj.Label, self.summary(value)))
+
+    def summary(self, value):
+        """One line for the report view."""
+        raise NotImplementedError
+
+    def fail(self, text, cancelled=False):
+        if self.obj is not None:
+            self.FEATURE.fail(self.obj, text, self.hash, cancelled)
+
+
+class EnvelopeTask(PlanTask):
+    """Computes an envelope."""
+
+    TITLE = mark("Messages", "Compute envelope")
+    FEATURE = envelope
+
+    def read(self):
+        requests = self.plan.requests()
+        return requests, self.plan.union_options(requests)
+
+    def make(self):
+        return envelope.make_envelope(self.document, [], None)
+
+    def work(self, control):
+        return envelope.work(*self.request, control)
+
+    def finish(self, value):
+        super().finish(value)
+        for warning in value.report.get("warnings", []):
             App.Console.PrintWarning("{}: {}\n".format(self.obj.Label, warning["text"]))
 
-    def fail(self, text):
-        if self.obj is not None:
-            envelope.fail(self.obj, text)
+    def summary(self, value):
+        report = value.report
+        return translate("Messages", "{0} triangles, {1:.3g} mm^3, {2:.2f} s").format(
+            report["triangles"], report["volume"], report["seconds"]["total"]
+        )
+
+
+class ClearanceTask(PlanTask):
+    """Checks clearances."""
+
+    TITLE = mark("Messages", "Check clearance")
+    FEATURE = clearance
+
+    def make(self):
+        return clearance.make_clearance(self.document)
+
+    def summary(self, value):
+        return self.obj.Summary
 
 
 class SolidTask(Task):
@@ -72,8 +123,8 @@ class SolidTask(Task):
         if self.source.ViewObject is not None:
             self.source.ViewObject.Visibility = False
 
-    def fail(self, text):
-        if self.obj is not None:
+    def fail(self, text, cancelled=False):
+        if self.obj is not None and not cancelled:
             solid.fail(self.obj, text)
 
 
@@ -97,32 +148,3 @@ class ExportTask(Task):
                 self.path, os.path.getsize(self.path) / 1000.0
             )
         )
-
-
-class ClearanceTask(Task):
-    """Checks clearances; makes the object if there is none yet. One undo step."""
-
-    def __init__(self, document, plan, obj=None):
-        self.title = translate("Messages", "Check clearance")
-        self.document = document
-        self.plan = plan
-        self.obj = obj
-        self.hash = plan.hash()
-        self.request = plan.request()
-        self.watched = [root for root, _ in plan.pairs] + [plan.motion] + ([obj] if obj else [])
-        self.watched = [o for o in self.watched if o.Document is document]
-
-    def work(self, control):
-        return clearance.work(self.request, control)
-
-    def finish(self, value):
-        if self.obj is None:
-            self.obj = clearance.make_clearance(self.document)
-        self.plan.write(self.obj)
-        clearance.apply(self.obj, value, self.hash)
-        self.obj.purgeTouched()
-        App.Console.PrintMessage("{}: {}\n".format(self.obj.Label, self.obj.Summary))
-
-    def fail(self, text):
-        if self.obj is not None:
-            clearance.fail(self.obj, text)

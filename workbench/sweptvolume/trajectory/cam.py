@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses of a cutter from CAM (Path) commands: G0 to G3 with X Y Z I J K and A B C words.
+"""Poses of a cutter from CAM (Path) commands: G0 to G3 with X Y Z I J K R and A B C words.
 
-Convention: the pose is that of the tool, its tip at X Y Z; A, B, C (degrees) turn it about the fixed
-axes x, then y, then z. G2/G3 in the xy plane with I J (centre relative to the start), also as helix.
-Feed is in mm/s; G0 is taken at `rapid` mm/s.
+Convention: the pose is that of the tool seen from the workpiece, its tip at the programmed point.
+A, B, C are degrees. Head: they turn the tool about the fixed axes x, then y, then z (R = Rz Ry Rx);
+X Y Z are in the workpiece. Table: they turn the workpiece with its coordinates about the machine's
+axes in that order; X Y Z are in the machine, the tool keeps its direction.
+G2 and G3 lie in the plane of G17 (xy), G18 (zx) or G19 (yz), with the centre relative to the start
+(G91.1, as Path has it) or a radius R, also as helix. G90 and G91 are followed. Feed is in mm/s as
+Path stores it; G0 goes at `rapid` mm/s.
 """
 import math
 
@@ -16,37 +20,25 @@ from .poses import Poses
 #: Arcs are cut into pieces of at most this angle (rad); shortest time of a command (s).
 ARC_STEP, SHORTEST = math.radians(10), 1e-4
 MOVES = {"G0": 0, "G00": 0, "G1": 1, "G01": 1, "G2": 2, "G02": 2, "G3": 3, "G03": 3}
+#: Plane word -> (first axis, second axis, first centre word, second centre word).
+PLANES = {
+    "G17": ("X", "Y", "I", "J"),
+    "G18": ("Z", "X", "K", "I"),
+    "G19": ("Y", "Z", "J", "K"),
+}
+CONVENTIONS = ["Head", "Table"]
 
 
 def is_path(obj):
     return hasattr(getattr(obj, "Path", None), "Commands")
 
 
-def poses(objects, rapid=100.0):
+def poses(objects, rapid=100.0, convention="Head"):
     """All moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
         raise InputProblem(translate("Messages", "choose one CAM (Path) object."))
-    state = {axis: 0.0 for axis in "XYZABC"}
-    feed, time = rapid, 0.0
-    times, found = [], []
-    for command in objects[0].Path.Commands:
-        kind = MOVES.get(command.Name.upper())
-        if kind is None:
-            continue
-        words = command.Parameters
-        feed = words.get("F", feed) or feed
-        target = {axis: words.get(axis, state[axis]) for axis in state}
-        if (
-            not found
-        ):  # where the tool comes from is not known: the motion starts at the first target
-            times, found, state = [0.0], [_placement(target)], target
-            continue
-        for step in _steps(state, target, words, kind):
-            length = _distance(state, step)
-            time += max(length / (rapid if kind == 0 else feed), SHORTEST)
-            times.append(time)
-            found.append(_placement(step))
-            state = step
+    place = {"Head": _by_head, "Table": _by_table}[convention]
+    times, found = _Reader(rapid, place).read(objects[0].Path.Commands)
     if len(found) < 2:
         raise InputProblem(
             translate("Messages", '"{0}" has no moves (G0 to G3).').format(objects[0].Label)
@@ -54,23 +46,88 @@ def poses(objects, rapid=100.0):
     return Poses(times, found)
 
 
-def _placement(state):
+class _Reader:
+    """Follows commands; the words that stay in force are its state."""
+
+    def __init__(self, rapid, place):
+        self.rapid, self.place, self.feed = rapid, place, rapid
+        self.state = {axis: 0.0 for axis in "XYZABC"}
+        self.plane, self.relative = PLANES["G17"], False
+        self.times, self.found = [], []
+
+    def read(self, commands):
+        for command in commands:
+            name = command.Name.upper()
+            if name in PLANES:
+                self.plane = PLANES[name]
+            elif name in ("G90", "G91"):
+                self.relative = name == "G91"
+            elif name in MOVES:
+                self._move(MOVES[name], command.Parameters)
+        return self.times, self.found
+
+    def _move(self, kind, words):
+        self.feed = words.get("F", self.feed) or self.feed
+        target = dict(self.state)
+        for axis in target:
+            if axis in words:
+                target[axis] = words[axis] + (self.state[axis] if self.relative else 0.0)
+        if not self.found:  # where the tool comes from is not known: the first target begins
+            self._arrive(target, 0.0)
+            return
+        for step in _steps(self.state, target, words, kind, self.plane):
+            speed = self.rapid if kind == 0 else self.feed
+            self._arrive(step, max(_distance(self.state, step) / speed, SHORTEST))
+
+    def _arrive(self, state, seconds):
+        self.times.append(self.times[-1] + seconds if self.times else 0.0)
+        self.found.append(self.place(state))
+        self.state = state
+
+
+def _by_head(state):
     turn = App.Rotation(state["C"], state["B"], state["A"])  # yaw, pitch, roll
     return App.Placement(App.Vector(state["X"], state["Y"], state["Z"]), turn)
+
+
+def _by_table(state):
+    turn = App.Rotation(state["C"], state["B"], state["A"]).inverted()
+    point = turn.multVec(App.Vector(state["X"], state["Y"], state["Z"]))
+    return App.Placement(point, turn)
 
 
 def _distance(a, b):
     return math.sqrt(sum((a[axis] - b[axis]) ** 2 for axis in "XYZ"))
 
 
-def _steps(state, target, words, kind):
-    if kind < 2 or not ("I" in words or "J" in words):
+def _centre(state, target, words, kind, plane):
+    """Centre of an arc in its plane, or None where the words give none."""
+    first, second, i, j = plane
+    if i in words or j in words:
+        return state[first] + words.get(i, 0.0), state[second] + words.get(j, 0.0)
+    if "R" not in words:
+        return None
+    dx, dy = target[first] - state[first], target[second] - state[second]
+    chord = math.hypot(dx, dy)
+    if chord < 1e-12:
+        return None
+    height = math.sqrt(max(words["R"] ** 2 - chord**2 / 4, 0.0))
+    # Clockwise and the short way: the centre lies to the right; R < 0 asks for the long way.
+    side = (1.0 if kind == 3 else -1.0) * (1.0 if words["R"] > 0 else -1.0)
+    x, y = (state[first] + target[first]) / 2, (state[second] + target[second]) / 2
+    return x - side * height * dy / chord, y + side * height * dx / chord
+
+
+def _steps(state, target, words, kind, plane):
+    """The states on the way, the target last."""
+    centre = _centre(state, target, words, kind, plane) if kind >= 2 else None
+    if centre is None:
         return [target]
-    cx, cy = state["X"] + words.get("I", 0.0), state["Y"] + words.get("J", 0.0)
-    radius = math.hypot(state["X"] - cx, state["Y"] - cy)
-    first = math.atan2(state["Y"] - cy, state["X"] - cx)
-    last = math.atan2(target["Y"] - cy, target["X"] - cx)
-    sweep = last - first
+    axes = plane[:2]
+    start = [state[axis] - c for axis, c in zip(axes, centre)]
+    end = [target[axis] - c for axis, c in zip(axes, centre)]
+    radius, first = math.hypot(*start), math.atan2(start[1], start[0])
+    sweep = math.atan2(end[1], end[0]) - first
     if kind == 2 and sweep >= -1e-9:
         sweep -= 2 * math.pi
     if kind == 3 and sweep <= 1e-9:
@@ -80,7 +137,7 @@ def _steps(state, target, words, kind):
     for i in range(1, count):
         u = i / count
         step = {axis: state[axis] + (target[axis] - state[axis]) * u for axis in state}
-        step["X"] = cx + radius * math.cos(first + sweep * u)
-        step["Y"] = cy + radius * math.sin(first + sweep * u)
+        step[axes[0]] = centre[0] + radius * math.cos(first + sweep * u)
+        step[axes[1]] = centre[1] + radius * math.sin(first + sweep * u)
         steps.append(step)
     return steps + [target]

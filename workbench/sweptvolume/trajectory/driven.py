@@ -1,38 +1,143 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses of a part while a property runs through a range: sketch-driven mechanisms, spreadsheets,
-Assembly4 variables. The document is recomputed for each value and put back afterwards."""
-from ..convert import InputProblem, global_placement, root_path
+"""Poses of a part while a value of the document runs through a range: spreadsheets, variable sets,
+sketch constraints, Assembly4 variables, any property that moves a mechanism. The document is
+recomputed for each value and put back afterwards."""
+import math
+import re
+
+import FreeCAD as App
+
+from ..convert import InputProblem, global_placement, matrix_of, root_path
 from ..texts import translate
 from .poses import Poses, even_times
 
+#: Types of properties that hold one number.
+_NUMBERS = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyPercent")
+#: Properties of every object that drive nothing.
+_IDLE = {"MapPathParameter"}
+CONSTRAINT = "Constraints."
+#: Numbers of a placement (mm, degrees), such as an attachment offset.
+_PLACEMENT = ("Base.x", "Base.y", "Base.z", "Rotation.Angle")
+
+
+class Handle:
+    """A value that can be read, set and put back: property, sketch constraint or cell."""
+
+    def __init__(self, driver, name):
+        self.driver, self.name = driver, name
+        if name not in names_of(driver):
+            raise InputProblem(
+                translate(
+                    "Messages", '"{0}" has no value "{1}" that can be driven; it has: {2}'
+                ).format(driver.Label, name, ", ".join(names_of(driver)[:12]) or "-")
+            )
+        for path, expression in getattr(driver, "ExpressionEngine", []):
+            if path.lstrip(".") == name:
+                raise InputProblem(
+                    translate(
+                        "Messages",
+                        '"{0}" of "{1}" follows the expression {2}: drive what it reads.',
+                    ).format(name, driver.Label, expression)
+                )
+        self.before = self._raw()
+
+    def _cell(self):
+        if not self.driver.isDerivedFrom("Spreadsheet::Sheet"):
+            return ""
+        return self.driver.getCellFromAlias(self.name) or self.name
+
+    def _raw(self):
+        """What restore() writes back."""
+        return self.driver.getContents(self._cell()) if self._cell() else self.value()
+
+    def value(self):
+        """The number as it is now."""
+        if self.name.startswith(CONSTRAINT):
+            value = self.driver.getDatum(self.name[len(CONSTRAINT) :])
+        elif "." in self.name:
+            return self._placement_value()
+        else:
+            value = getattr(self.driver, self.name)
+        return float(getattr(value, "Value", value))
+
+    def set(self, value):
+        if self._cell():
+            self.driver.set(self._cell(), value if isinstance(value, str) else repr(float(value)))
+        elif self.name.startswith(CONSTRAINT):
+            self._set_constraint(value)
+        elif "." in self.name:
+            self._set_placement(value)
+        else:
+            now = getattr(self.driver, self.name)
+            setattr(self.driver, self.name, int(round(value)) if isinstance(now, int) else value)
+
+    def _placement_value(self):
+        name, part = self.name.split(".", 1)
+        place = getattr(self.driver, name)
+        if part == "Rotation.Angle":
+            return math.degrees(place.Rotation.Angle)
+        return getattr(place.Base, part[-1])
+
+    def _set_placement(self, value):
+        name, part = self.name.split(".", 1)
+        place = App.Placement(getattr(self.driver, name))
+        if part == "Rotation.Angle":
+            place.Rotation = App.Rotation(place.Rotation.Axis, value)
+        else:
+            base = App.Vector(place.Base)
+            setattr(base, part[-1], value)
+            place.Base = base
+        setattr(self.driver, name, place)
+
+    def _set_constraint(self, value):
+        short = self.name[len(CONSTRAINT) :]
+        unit = "deg" if self.driver.getDatum(short).Unit == App.Units.Angle else "mm"
+        self.driver.setDatum(short, App.Units.Quantity("{!r} {}".format(float(value), unit)))
+
+    def restore(self):
+        self.set(self.before)
+
+
+def names_of(driver):
+    """Values of an object that can be driven, by the names that expressions use."""
+    if driver.isDerivedFrom("Spreadsheet::Sheet"):
+        cells = [c for c in driver.PropertiesList if re.fullmatch("[A-Z]{1,2}[0-9]+", c)]
+        cells = [c for c in cells if not driver.getContents(c).startswith("=")]
+        aliases = [driver.getAlias(c) or c for c in cells]
+        return [a for a in aliases if _is_number(getattr(driver, a, None))]
+    found = []
+    for name in driver.PropertiesList:
+        kind = driver.getTypeIdOfProperty(name)
+        value = getattr(driver, name, None)
+        if name in _IDLE or "ReadOnly" in driver.getEditorMode(name):
+            continue
+        if kind == "App::PropertyPlacement":
+            found += ["{}.{}".format(name, part) for part in _PLACEMENT]
+        elif kind in _NUMBERS or (_is_number(value) and hasattr(value, "Unit")):
+            found.append(name)
+    if driver.isDerivedFrom("Sketcher::SketchObject"):
+        found += [CONSTRAINT + c.Name for c in driver.Constraints if c.Name and c.Driving]
+    return sorted(found)
+
+
+def _is_number(value):
+    return isinstance(getattr(value, "Value", value), (int, float)) and not isinstance(value, bool)
+
+
+def is_driver(obj):
+    """Whether an object has a value that moves others: a sheet, a variable set, a named constraint."""
+    return bool(names_of(obj))
+
 
 def poses(objects, name, start, end, count, duration):
-    """objects: the object with the property, the part to watch. name: property or cell alias."""
-    if len(objects) != 2:
-        raise InputProblem(
-            translate(
-                "Messages", "choose the object whose property is driven, then the part to watch."
-            )
-        )
-    driver, part = objects
-    if not name or not hasattr(driver, name):
-        raise InputProblem(
-            translate("Messages", '"{0}" has no property "{1}".').format(driver.Label, name)
-        )
-    document, before = driver.Document, getattr(driver, name)
-    before = getattr(before, "Value", before)
-    sheet = driver.isDerivedFrom("Spreadsheet::Sheet")
-    if sheet:
-        cell = driver.getCellFromAlias(name) or name
-        before = driver.getContents(cell)
+    """objects: the object with the value, the part to watch."""
+    driver, part = _pair(objects)
+    handle, document = Handle(driver, name), driver.Document
     found = []
     try:
         for i in range(count):
             value = start + (end - start) * i / max(count - 1, 1)
-            if sheet:
-                driver.set(cell, repr(float(value)))
-            else:
-                setattr(driver, name, value)
+            handle.set(value)
             document.recompute()
             if "Invalid" in part.State or "Invalid" in driver.State:
                 raise InputProblem(
@@ -42,9 +147,23 @@ def poses(objects, name, start, end, count, duration):
                 )
             found.append(global_placement(*root_path(part)))
     finally:
-        if sheet:
-            driver.set(cell, before)
-        else:
-            setattr(driver, name, before)
+        handle.restore()
         document.recompute()
     return Poses(even_times(count, duration / max(count - 1, 1)), found)
+
+
+def _pair(objects):
+    if len(objects) != 2:
+        raise InputProblem(
+            translate(
+                "Messages", "choose the object whose value is driven, then the part to watch."
+            )
+        )
+    return objects
+
+
+def signature(objects, name):
+    """Text that changes when the mechanism does: the value and where it puts the part."""
+    driver, part = _pair(objects)
+    place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
+    return "{!r} {}".format(Handle(driver, name).value(), place.tolist())

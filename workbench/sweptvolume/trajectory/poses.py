@@ -5,9 +5,12 @@ import numpy as np
 
 from ..convert import InputProblem, matrix_of, transform
 from ..texts import mark, translate
+from .spline import Spline, rotation_vector
 
-#: Name in the property -> name the core knows.
-INTERPOLATIONS = {"None": "none", "Linear": "linear", "Screw": "screw"}
+#: Name in the property -> name the core knows. A spline goes to the core as many straight pieces.
+INTERPOLATIONS = {"None": "none", "Linear": "linear", "Screw": "screw", "Spline": "linear"}
+#: A curved way is halved until its straight pieces are near enough, at most this often.
+MOST_HALVINGS = 10
 
 #: What a pose of the motion means for the part (property Frame).
 FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
@@ -24,9 +27,10 @@ FRAME_HELP = mark(
 
 
 class Poses:
-    """Times and placements, checked."""
+    """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline."""
 
-    def __init__(self, times, placements):
+    def __init__(self, times, placements, tangents=()):
+        self.tangents = list(tangents)
         self.times = [float(t) for t in times]
         self.placements = [App.Placement(p) for p in placements]
         if len(self.times) != len(self.placements):
@@ -54,20 +58,17 @@ def even_times(count, step=1.0):
     return [i * step for i in range(count)]
 
 
-def in_frame(poses, frame, standing):
-    """Placements to apply to the body, and the frame in which the body is to be given.
-
-    Returns (placements, base): x_world(t) = placement(t) * base^-1 * x_world(now).
-    """
+def base_of(poses, frame, standing):
+    """The frame in which the body is to be given: x_world(t) = placement(t) * base^-1 * x_world(now).
+    standing: where the first part stands now."""
     if not poses.placements:
         raise InputProblem(translate("Messages", "the motion has no poses: add at least one."))
     if frame == "Absolute":
-        return list(poses.placements), App.Placement(standing)
+        return App.Placement(standing)
     if frame == "Relative":
-        return list(poses.placements), App.Placement()
+        return App.Placement()
     if frame == "RelativeToFirst":
-        back = poses.placements[0].inverse()
-        return [p.multiply(back) for p in poses.placements], App.Placement()
+        return App.Placement(poses.placements[0])
     raise InputProblem(
         translate("Messages", 'the frame "{0}" is unknown; allowed: {1}.').format(
             frame, ", ".join(FRAMES)
@@ -87,17 +88,63 @@ def swept_box(points, placements):
 
 def at_time(poses, interpolation, time):
     """Placement at a time, as the core interpolates (none: the last pose reached)."""
-    times = poses.times
-    if time <= times[0]:
-        return App.Placement(poses.placements[0])
-    if time >= times[-1]:
-        return App.Placement(poses.placements[-1])
-    k = int(np.searchsorted(times, time, side="right")) - 1
-    a, b = poses.placements[k], poses.placements[k + 1]
-    u = (time - times[k]) / (times[k + 1] - times[k])
-    if interpolation == "None":
-        return App.Placement(a)
-    if interpolation == "Screw":
-        return a.sclerp(b, u)
-    base = a.Base + (b.Base - a.Base) * u
-    return App.Placement(base, a.Rotation.slerp(b.Rotation, u))
+    return course(poses, interpolation)(time)
+
+
+def course(poses, interpolation):
+    """The motion as a function time -> Placement; before the first and after the last pose it rests."""
+    times, placements = poses.times, poses.placements
+    spline = Spline(times, placements, poses.tangents) if interpolation == "Spline" else None
+
+    def at(time):
+        if time <= times[0]:
+            return App.Placement(placements[0])
+        if time >= times[-1]:
+            return App.Placement(placements[-1])
+        if spline is not None:
+            return spline.at(time)
+        k = int(np.searchsorted(times, time, side="right")) - 1
+        a, b = placements[k], placements[k + 1]
+        u = (time - times[k]) / (times[k + 1] - times[k])
+        if interpolation == "None":
+            return App.Placement(a)
+        if interpolation == "Screw":
+            return a.sclerp(b, u)
+        return App.Placement(a.Base + (b.Base - a.Base) * u, a.Rotation.slerp(b.Rotation, u))
+
+    return at
+
+
+def straightened(at, knots, reach, tolerance):
+    """A function time -> Placement as poses between which the core may go straight (Linear).
+
+    knots: times (s) that stay; reach: largest distance of a point of the part from the poses' origin;
+    tolerance: mm by which such a point may leave its way, tested at three points a piece.
+    """
+    times, placements = [knots[0]], [at(knots[0])]
+    for last in knots[1:]:
+        waiting = [(last, at(last), 0)]
+        while waiting:
+            b, there, depth = waiting[-1]
+            a, here = times[-1], placements[-1]
+            if depth < MOST_HALVINGS and _leaves(at, a, here, b, there, reach) > tolerance:
+                middle = 0.5 * (a + b)
+                waiting[-1] = (b, there, depth + 1)
+                waiting.append((middle, at(middle), depth + 1))
+            else:
+                times.append(b)
+                placements.append(there)
+                waiting.pop()
+    return Poses(times, placements)
+
+
+def _leaves(at, a, here, b, there, reach):
+    """How far (mm) the way from a to b leaves the straight one at most, bounded at three times."""
+    most = 0.0
+    for u in (0.25, 0.5, 0.75):
+        true = at(a + (b - a) * u)
+        base = here.Base + (there.Base - here.Base) * u
+        turn = here.Rotation.slerp(there.Rotation, u)
+        angle = rotation_vector(true.Rotation.inverted().multiply(turn)).Length
+        most = max(most, (true.Base - base).Length + reach * angle)
+    return most

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the poses of a motion come from. Each kind is one function Settings -> Poses."""
+import hashlib
 import json
+import os
 
 from ..convert import InputProblem
 from ..texts import translate
-from . import array, cam, csv_file, curve, driven, objects, robot
+from . import array, assembly, cam, csv_file, curve, driven, objects, robot
 from .poses import Poses
 
 
@@ -59,7 +61,11 @@ def _array(settings):
 
 
 def _cam(settings):
-    return cam.poses(settings.objects, float(settings.get("rapid", 100.0)))
+    return cam.poses(
+        settings.objects,
+        float(settings.get("rapid", 100.0)),
+        settings.get("convention", "Head"),
+    )
 
 
 def _driven(settings):
@@ -73,8 +79,16 @@ def _driven(settings):
     )
 
 
+def _simulation(settings):
+    return assembly.poses(settings.objects)
+
+
 def kind_for(found):
     """The kind of source that selected objects are, "" for none."""
+    if len(found) == 2 and all(curve.is_curve(obj) for obj in found):
+        return "Curve"
+    if len(found) == 2 and assembly.is_simulation(found[0]):
+        return "Simulation"
     if len(found) == 1:
         obj = found[0]
         for kind, test in (
@@ -99,12 +113,38 @@ KINDS = {
     "CAM": (_cam, True),
     # Driving recomputes the document and so cannot happen inside a recompute.
     "Driven": (_driven, False),
+    "Simulation": (_simulation, False),
 }
 
 
 def is_live(kind):
     """Whether the motion follows its source by itself."""
     return KINDS[kind][1]
+
+
+def signature(settings):
+    """Text that stands for the state of a source that is not live, so that a change is noticed; ""
+    where there is none. A source that is gone or broken is a changed one."""
+    try:
+        if settings.kind == "File":
+            return _file_hash(settings.file)
+        if settings.kind == "Driven":
+            return driven.signature(settings.objects, settings.get("property", ""))
+        if settings.kind == "Simulation":
+            return assembly.signature(settings.objects)
+    except (InputProblem, OSError, AttributeError) as problem:
+        return "? {}".format(problem)
+    return ""
+
+
+def _file_hash(path):
+    if not os.path.isfile(path):
+        raise InputProblem(path)
+    found = hashlib.sha256()
+    with open(path, "rb") as file:
+        for block in iter(lambda: file.read(1 << 20), b""):
+            found.update(block)
+    return found.hexdigest()[:32]
 
 
 def read(settings):

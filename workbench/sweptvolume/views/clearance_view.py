@@ -74,8 +74,7 @@ class ClearanceView(View):
         found = clearance.report_of(obj)["neighbours"][index]
         plan = clearance.Plan.of(obj)
         request_pose = found["pose"]
-        moving = clearance.envelope_feature.Plan(plan.pairs, plan.motion, {})
-        into_base = moving._placements()[2]
+        into_base = plan.moving().into_base()
         body = convert.body_from(plan.pairs, max(plan.values["Deflection"], 0.05) * 4)
         pose = convert.placements_from(
             [request_pose["translation"]], [request_pose["quaternion_xyzw"]]

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Envelopes of parts with motions of their own, seen from a moving reference, and of smooth motions."""
+import math
+
+import numpy as np
+
+from case import Case, V, shift, turn
+from sweptvolume import convert, core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, envelope, motion
+
+
+class Moving(Case):
+    NEEDS_CORE = True
+
+    def lines(self, *ways):
+        return [motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(*w)]) for w in ways]
+
+    def assert_box(self, obj, low, high):
+        box, cell = obj.Mesh.BoundBox, obj.UsedCellSize.Value
+        found = (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)
+        for a, b in zip(found, tuple(low) + tuple(high)):
+            self.assertAlmostEqual(a, b, delta=cell, msg=str(found))
+
+    def test_parts_with_motions_of_their_own(self):
+        """Two boxes at right angles: an L of known volume, one closed surface."""
+        boxes = [self.box("A"), self.box("B")]
+        along, up = self.lines((30, 0, 0), (0, 20, 0))
+        obj = self.envelope(boxes, along, Motions=[along, up], Resolution=80)
+        envelope.compute(obj)
+        cell = obj.UsedCellSize.Value
+        self.assertTrue(obj.Mesh.isSolid())
+        self.assertEqual(obj.Shells, 1)
+        self.assert_box(obj, (0, 0, 0), (40, 30, 10))
+        area = 2 * 600 + 10 * (40 + 30 + 30 + 20 + 10 + 10)
+        self.assertAlmostEqual(obj.Volume.Value, 6000, delta=0.1 * area * cell)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        up.Placements = [shift(), shift(0, 25)]
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+
+    def test_every_part_needs_its_motion(self):
+        along, up = self.lines((30, 0, 0), (0, 20, 0))
+        obj = self.envelope([self.box("A"), self.box("B")], along, Motions=[up])
+        with self.assertRaisesRegex(InputProblem, "2 moving parts and 1 motions"):
+            envelope.compute(obj)
+
+    def test_cancel_in_the_second_part(self):
+        along, up = self.lines((30, 0, 0), (0, 20, 0))
+        obj = self.envelope([self.box("A"), self.box("B")], along, Motions=[along, up])
+        control = core.Control()
+        control.enter(1, 3)
+        control.cancel()
+        control.enter(2, 3)  # the next part hears of it as well
+        with self.assertRaises(core.CoreError) as caught:
+            envelope.compute(obj, control)
+        self.assertEqual(caught.exception.status, "Cancelled")
+        self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.CANCELLED, 0))
+
+    def test_seen_from_a_part_that_goes_along(self):
+        """Part and reference move alike: seen from the reference the part stands still."""
+        part, table = self.box("Part"), self.box("Table")
+        table.Placement = shift(0, 50)
+        way = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(80, base=V(90, 5, 1))])
+        way.Frame = "Relative"
+        obj = self.envelope([part], way, Reference=(table, [""]), ReferenceMotion=way)
+        envelope.compute(obj)
+        self.assert_box(obj, (0, 0, 0), (10, 10, 10))
+
+    def test_seen_from_a_turning_table(self):
+        """A part at rest off the axis of a table that turns once: a ring on the table."""
+        part, table = self.box("Part"), self.box("Table")
+        part.Placement = shift(20, -5)
+        turns = [turn(90 * k) for k in range(5)]
+        still = motion.motion_from_poses(self.doc, [0, 4], [shift(), shift()], "Linear", "Relative")
+        spin = motion.motion_from_poses(self.doc, range(5), turns, "Linear", "Relative")
+        obj = self.envelope(
+            [part], still, Reference=(table, [""]), ReferenceMotion=spin, Resolution=100
+        )
+        envelope.compute(obj)
+        points = convert.arrays_from_mesh(obj.Mesh)[0]
+        radius, cell = np.hypot(points[:, 0], points[:, 1]), obj.UsedCellSize.Value
+        self.assertAlmostEqual(radius.min(), 20, delta=cell)
+        self.assertAlmostEqual(radius.max(), math.hypot(30, 5), delta=cell)
+        ring = math.pi * (math.hypot(30, 5) ** 2 - 20**2) * 10
+        self.assertAlmostEqual(obj.Volume.Value, ring, delta=0.02 * ring)
+
+    def test_reference_motion_needs_the_part(self):
+        way = self.line()
+        obj = self.envelope([self.box()], way, ReferenceMotion=way)
+        with self.assertRaisesRegex(InputProblem, "no reference part"):
+            envelope.compute(obj)
+
+    def test_smooth_motion(self):
+        """Three keys of a quarter circle with the velocities of that circle."""
+        box = self.box(size=2.0)
+        speed = 20 * math.pi / 2
+        places = [shift(20), shift(20 * math.sqrt(0.5), 20 * math.sqrt(0.5)), shift(0, 20)]
+        way = motion.motion_from_poses(self.doc, [0, 0.5, 1], places, "Spline")
+        way.Tangents = ["Given"] * 3
+        way.Velocities = [
+            V(0, speed),
+            V(-speed * math.sqrt(0.5), speed * math.sqrt(0.5)),
+            V(-speed, 0),
+        ]
+        obj = self.envelope([box], way, Resolution=100)
+        envelope.compute(obj)
+        # Convex in x and y and only shifted: the area below the way of each corner is the circle's.
+        box = obj.Mesh.BoundBox
+        self.assertAlmostEqual(box.XMax, 22, delta=obj.UsedCellSize.Value)
+        points = convert.arrays_from_mesh(obj.Mesh)[0]
+        outer = np.hypot(points[:, 0] - 2, points[:, 1] - 2)
+        self.assertLess(abs(outer[(points[:, 0] > 3) & (points[:, 1] > 3)].max() - 20), 0.1)
+        way.Interpolation = "Linear"
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+
+    def test_clearance_of_a_smooth_motion(self):
+        places = [shift(0), shift(20, 20), shift(40)]
+        way = motion.motion_from_poses(self.doc, [0, 1, 2], places, "Spline")
+        part, wall = self.box("Part", 2.0), self.box("Wall", 2.0)
+        wall.Placement = shift(20, 30)
+        check = clearance.make_clearance(self.doc, Generators=[(part, [""])], Motion=way)
+        check.Neighbours, check.AllVisible = [(wall, [""])], False
+        self.doc.recompute()
+        report = clearance.compute(check)
+        self.assertAlmostEqual(report["neighbours"][0]["distance"], 8, delta=0.02)
+
+    def test_stale_motion_makes_a_stale_envelope(self):
+        text = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,9,0,0,0,0,0,1\n"
+        path = self.file("m.csv", text)
+        way = motion.motion_from_file(self.doc, path)
+        obj = self.envelope([self.box()], way)
+        envelope.compute(obj)
+        self.file("m.csv", text + "2,9,9,0,0,0,0,1\n")
+        way.touch()
+        self.doc.recompute()
+        self.assertEqual((way.Status, obj.Status), (motion.STALE, envelope.STALE))
+        motion.reload_source(way)
+        self.doc.recompute()
+        self.assertEqual((way.Status, obj.Status), ("", envelope.STALE))
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+
+    def test_a_failure_stays_until_the_inputs_change(self):
+        box = self.box()
+        obj = self.envelope([box], self.line(), CellSize=1000)
+        with self.assertRaises(core.CoreError):
+            envelope.compute(obj)
+        obj.touch()
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.FAILED)
+        obj.CellSize = 1
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.NOT_COMPUTED)

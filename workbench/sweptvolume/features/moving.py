@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts that move rigidly together, their motion, and what they are seen from: document objects ->
+plain arrays for the core. Reads documents only in the thread of the GUI.
+"""
+import numpy as np
+
+from .. import convert, core
+from ..convert import InputProblem
+from ..texts import translate
+from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
+from . import motion as motion_feature
+
+
+class Moving:
+    """Generators with one motion. reference: (root, sub) of a part that moves itself by
+    reference_motion; the generators are then seen from it, where it stands now."""
+
+    def __init__(self, pairs, motion, reference=None, reference_motion=None):
+        self.pairs = list(pairs)
+        self.motion = motion
+        self.reference = reference
+        self.reference_motion = reference_motion
+
+    def check(self):
+        """Raises InputProblem while something is missing."""
+        if self.motion is None or not motion_feature.is_motion(self.motion):
+            raise InputProblem(
+                translate("Messages", "no motion is given: make one with New motion and choose it.")
+            )
+        if not self.pairs:
+            raise InputProblem(convert.no_part_text())
+        if self.reference_motion is not None and self.reference is None:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "a motion of the reference is given, but no reference part: choose it as well.",
+                )
+            )
+
+    def words(self):
+        """Texts that change with the geometry and the motion. Raises InputProblem."""
+        self.check()
+        words = [convert.signature(self.pairs)] + motion_feature.words(self.motion)
+        if self.reference_motion is not None:
+            standing = convert.global_placement(*self.reference)
+            words.append(np.array2string(convert.matrix_of(standing), precision=9))
+            words += motion_feature.words(self.reference_motion)
+        return words
+
+    def into_base(self):
+        """4x4: from the world as it stands to the frame to which the placements apply."""
+        return convert.matrix_of(self._base()[1].inverse())
+
+    def _base(self):
+        self.check()
+        poses = motion_feature.poses_of(self.motion)
+        standing = convert.global_placement(*self.pairs[0])
+        return poses, base_of(poses, self.motion.Frame, standing)
+
+    def corners(self):
+        """Corners of the boxes of the parts in the base frame (k,3): cheap."""
+        return convert.transform(self.into_base(), convert.box_corners(self.pairs))
+
+    def curved(self):
+        """Whether the core gets straight pieces in place of a curved way."""
+        return self.reference_motion is not None or self.motion.Interpolation == "Spline"
+
+    def trajectory(self, tolerance):
+        """(Poses, interpolation as the core knows it). tolerance: mm by which straight pieces may
+        leave a curved way."""
+        poses = self._base()[0]
+        kind = self.motion.Interpolation
+        if not self.curved():
+            return poses, INTERPOLATIONS[kind]
+        at, knots = course(poses, kind), poses.times
+        if self.reference_motion is not None:
+            at, knots, steps = self._seen_from_reference(at, knots)
+            if steps or kind == "None":
+                seen = motion_feature.Poses(knots, [at(t) for t in knots])
+                return seen, INTERPOLATIONS["None"]
+        points = self.corners()
+        reach = float(np.linalg.norm(points, axis=1).max())
+        return straightened(at, knots, reach, tolerance), INTERPOLATIONS["Linear"]
+
+    def _seen_from_reference(self, at, knots):
+        poses = motion_feature.poses_of(self.reference_motion)
+        standing = convert.global_placement(*self.reference)
+        base = base_of(poses, self.reference_motion.Frame, standing)
+        there = course(poses, self.reference_motion.Interpolation)
+
+        def seen(time):
+            return base.multiply(there(time).inverse()).multiply(at(time))
+
+        inside = [t for t in poses.times if knots[0] < t < knots[-1]]
+        knots = sorted(set(knots).union(inside))
+        return seen, knots, self.reference_motion.Interpolation == "None"
+
+    def request(self, vertices, triangles, tolerance, options):
+        """A run of the core for points in the base frame."""
+        poses, interpolation = self.trajectory(tolerance)
+        translations, rotations = convert.pose_arrays(poses.placements)
+        times = np.array(poses.times, dtype=float)
+        return core.Request(
+            vertices, triangles, times, translations, rotations, interpolation, options
+        )
+
+    def body_request(self, deflection, tolerance, options):
+        """A run of the core for the parts themselves. deflection: mm, for solids."""
+        self.check()
+        body = convert.body_from(self.pairs, deflection)
+        points = convert.transform(self.into_base(), body.vertices)
+        return self.request(points, body.triangles, tolerance, options)

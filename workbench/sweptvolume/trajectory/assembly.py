@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Poses of a part in a simulation of the built-in Assembly (FreeCAD 1.1 and later).
+
+The simulation is run by FreeCAD; frame 0 is the assembly as it stands, the motion begins with frame 1
+at the simulation's start and goes on by its output step. The parts are put back afterwards.
+"""
+from ..convert import InputProblem, global_placement, matrix_of, root_path
+from ..texts import translate
+from .poses import Poses
+
+_CALLS = ("generateSimulation", "numberOfFrames", "updateForFrame")
+
+
+def is_simulation(obj):
+    """Whether an object is a simulation (told by its properties: its class is Python)."""
+    names = getattr(obj, "PropertiesList", [])
+    return {"aTimeStart", "bTimeEnd", "cTimeStepOutput"}.issubset(names)
+
+
+def assembly_of(simulation):
+    """The assembly that runs a simulation."""
+    seen, waiting = set(), [simulation]
+    while waiting:
+        obj = waiting.pop()
+        if all(hasattr(obj, call) for call in _CALLS):
+            return obj
+        for user in obj.InList:
+            if user.Name not in seen:
+                seen.add(user.Name)
+                waiting.append(user)
+    raise InputProblem(
+        translate(
+            "Messages",
+            '"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.',
+        ).format(simulation.Label)
+    )
+
+
+def _pair(objects):
+    if len(objects) != 2 or not is_simulation(objects[0]):
+        raise InputProblem(
+            translate("Messages", "choose a simulation of an assembly, then the part to watch.")
+        )
+    return objects
+
+
+def _seconds(value):
+    return float(getattr(value, "Value", value))
+
+
+def poses(objects):
+    """objects: the simulation, the part to watch."""
+    simulation, part = _pair(objects)
+    assembly = assembly_of(simulation)
+    start, step = _seconds(simulation.aTimeStart), _seconds(simulation.cTimeStepOutput)
+    found = []
+    try:
+        assembly.generateSimulation(simulation)
+        for frame in range(1, assembly.numberOfFrames()):
+            assembly.updateForFrame(frame)
+            found.append(global_placement(*root_path(part)))
+    finally:
+        assembly.updateForFrame(0)
+    if len(found) < 2:
+        raise InputProblem(
+            translate("Messages", '"{0}" gave no frames: does it run in its own panel?').format(
+                simulation.Label
+            )
+        )
+    return Poses([start + step * i for i in range(len(found))], found)
+
+
+def signature(objects):
+    """Text that changes when the simulation or the place of the part does."""
+    simulation, part = _pair(objects)
+    words = [repr(_seconds(getattr(simulation, n))) for n in ("aTimeStart", "bTimeEnd")]
+    words.append(repr(_seconds(simulation.cTimeStepOutput)))
+    for motion in getattr(simulation, "Group", []):
+        words += [str(getattr(motion, "Formula", "")), str(getattr(motion, "MotionType", ""))]
+    place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
+    return " ".join(words) + str(place.tolist())
