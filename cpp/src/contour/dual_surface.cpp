@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
+#include <unordered_set>
 
 #include "base/parallel.h"
 #include "contour/components.h"
 #include "contour/qef.h"
+#include "contour/wall_end.h"
 
 namespace swept {
 namespace {
@@ -68,22 +71,31 @@ struct Escape {
   double error;              // mean squared distance of the planes from the minimiser
 };
 
+/// What the cells of a layer leave for later.
+struct LayerNotes {
+  std::vector<FaceSegment> ambiguous;
+  std::vector<Escape> escapes;
+  std::vector<RimSegment> rims;
+};
+
 class LayerBuilder {
  public:
-  LayerBuilder(const HermiteGrid& grid, ComponentMethod method, DualSurface& out)
+  LayerBuilder(const HermiteGrid& grid, ComponentMethod method, const SurfaceProbe* probe,
+               DualSurface& out)
       : grid_(grid),
         out_(out),
         finder_(method),
         column_(grid),
-        segments_(method == ComponentMethod::Consistent) {}
+        segments_(method == ComponentMethod::Consistent),
+        probe_(segments_ ? probe : nullptr) {}
 
-  void build(std::int32_t i, std::vector<FaceSegment>& ambiguous, std::vector<Escape>& escapes) {
+  void build(std::int32_t i, LayerNotes& notes) {
     auto& vertices = out_.vertices[i];
-    escapes_ = &escapes;
+    notes_ = &notes;
     for (std::int32_t j = 0; j + 1 < grid_.plan.points[1]; ++j) {
       for (const Cell& cell : column_.gather(i, j)) {
         addCell(cell, i, j, vertices);
-        if (segments_) addSegments(cell, ambiguous);
+        if (segments_) addSegments(cell, notes.ambiguous);
       }
     }
     vertices.shrink_to_fit();
@@ -109,19 +121,76 @@ class LayerBuilder {
                              : std::min(times[component], crossing.timeSeconds);
       out_.quads[index][quadCorner(edge)] = base + static_cast<std::uint32_t>(component);
     }
+    const auto firstTwin = static_cast<std::size_t>(base) + components_.count;
+    twins_.clear();
     for (int c = 0; c < components_.count; ++c) {
       DualVertex vertex;
-      Eigen::Vector3d free;
-      vertex.local = qefs[c].solve(kCellMargin, free).cast<float>();
-      if (mayEscape(free)) {
-        escapes_->push_back({static_cast<std::uint32_t>(vertices.size()), qefs[c].massPoint(), free,
-                             qefs[c], qefs[c].error(free) / qefs[c].count()});
-      }
       vertex.i = static_cast<std::int16_t>(i);
       vertex.j = static_cast<std::int16_t>(j);
       vertex.k = static_cast<std::int16_t>(cell.k);
       vertex.timeSeconds = times[c];
+      WallEnd end;
+      if (probe_ != nullptr &&
+          findWallEnd(cell, {i, j, cell.k}, components_, c, crossings, *probe_, end)) {
+        addWallEnd(cell, c, end, vertex, firstTwin, vertices);
+        continue;
+      }
+      place(qefs[c], vertex, vertices.size());
       vertices.push_back(vertex);
+    }
+    vertices.insert(vertices.end(), twins_.begin(), twins_.end());
+  }
+
+  /// `at`: the number that the vertex is going to have.
+  void place(const Qef& qef, DualVertex& vertex, std::size_t at) {
+    Eigen::Vector3d free;
+    vertex.local = qef.solve(kCellMargin, free).cast<float>();
+    if (mayEscape(free)) {
+      notes_->escapes.push_back({static_cast<std::uint32_t>(at), qef.massPoint(), free, qef,
+                                 qef.error(free) / qef.count()});
+    }
+  }
+
+  /// One vertex for each side of the wall where it can be split, each with the planes of its side
+  /// and of the rim; one vertex with all planes where it cannot.
+  void addWallEnd(const Cell& cell, int component, const WallEnd& end, DualVertex vertex,
+                  std::size_t firstTwin, std::vector<DualVertex>& vertices) {
+    const bool splits = !end.folds.empty();
+    std::array<Qef, 2> sides;
+    const Eigen::Vector3d corner(vertex.i, vertex.j, vertex.k);
+    for (const ProbeLine& hit : end.rim) {
+      for (Qef& side : sides) side.add(hit.point - corner, hit.normal);
+    }
+    const std::size_t twin = firstTwin + twins_.size();
+    for (int slot = 0; slot < kSlots; ++slot) {
+      if (components_.of[slot] != component) continue;
+      const std::uint32_t index = cell.crossing(slot);
+      const Crossing& crossing = grid_.crossings[index];
+      const int side = splits ? end.side[slot] : 0;
+      sides[side].add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
+      if (side == 1) {
+        out_.quads[index][quadCorner(slot >> 1)] = static_cast<std::uint32_t>(twin);
+      }
+    }
+    place(sides[0], vertex, vertices.size());
+    vertices.push_back(vertex);
+    if (!splits) return;
+    place(sides[1], vertex, twin);
+    twins_.push_back(vertex);
+    for (std::size_t f = 0; f < end.folds.size(); ++f) {
+      RimSegment rim;
+      for (int n = 0; n < 2; ++n) {
+        const int slot = end.folds[f][n];
+        rim.crossing[n] = cell.crossing(slot);
+        rim.side[n] = static_cast<std::uint8_t>(quadSide(slot >> 1, end.foldFaces[f]));
+        rim.seenFromLow[n] = (slot & 1) == 0;
+      }
+      if (rim.crossing[0] > rim.crossing[1]) {
+        std::swap(rim.crossing[0], rim.crossing[1]);
+        std::swap(rim.side[0], rim.side[1]);
+        std::swap(rim.seenFromLow[0], rim.seenFromLow[1]);
+      }
+      notes_->rims.push_back(rim);
     }
   }
 
@@ -154,8 +223,10 @@ class LayerBuilder {
   ComponentFinder finder_;
   CellColumn column_;
   Components components_;
-  std::vector<Escape>* escapes_ = nullptr;
+  LayerNotes* notes_ = nullptr;
+  std::vector<DualVertex> twins_;  // of the cell at hand, numbered after its components
   bool segments_;
+  const SurfaceProbe* probe_;
 };
 
 /// Any single cell of the grid, found by binary search in the edge lists.
@@ -197,11 +268,11 @@ class TipPlacer {
   TipPlacer(const HermiteGrid& grid, ComponentMethod method, DualSurface& surface)
       : grid_(grid), method_(method), surface_(surface) {}
 
-  void place(const std::vector<std::vector<Escape>>& escapes) {
-    std::vector<std::vector<Claim>> byLayer(escapes.size());
-    parallelFor(escapes.size(), [&](std::size_t layer) {
+  void place(const std::vector<LayerNotes>& notes) {
+    std::vector<std::vector<Claim>> byLayer(notes.size());
+    parallelFor(notes.size(), [&](std::size_t layer) {
       const auto finder = std::make_unique<ComponentFinder>(method_);
-      for (const Escape& escape : escapes[layer]) {
+      for (const Escape& escape : notes[layer].escapes) {
         claim(static_cast<std::uint32_t>(layer), escape, *finder, byLayer[layer]);
       }
     });
@@ -211,21 +282,17 @@ class TipPlacer {
       for (int axis = 0; axis < 3; ++axis) {
         if (x.cell[axis] != y.cell[axis]) return x.cell[axis] < y.cell[axis];
       }
+      if (x.corner != y.corner) return x.corner;
       return x.error < y.error;
     });
-    std::size_t group = 0;  // first claim on the same cell
-    for (std::size_t n = 0; n < claims.size(); ++n) {
-      if (claims[n].cell != claims[group].cell) group = n;
-      bool free = true;
-      for (std::size_t m = group; m < n && free; ++m) {
-        free = !claims[m].granted ||
-               ((claims[m].point - claims[n].point).norm() > kApart &&
-                (claims[m].layer != claims[n].layer || claims[m].vertex != claims[n].vertex));
+    // A vertex with a point of its own outside its cell goes there, whatever others ask it to take.
+    std::unordered_set<std::uint64_t> moved;
+    for (const bool own : {true, false}) {
+      std::size_t group = 0;  // first claim on the same cell
+      for (std::size_t n = 0; n < claims.size(); ++n) {
+        if (claims[n].cell != claims[group].cell) group = n;
+        if (claims[n].own == own) grant(claims, group, n, moved);
       }
-      if (!free) continue;
-      claims[n].granted = true;
-      DualVertex& v = surface_.vertices[claims[n].layer][claims[n].vertex];
-      v.local = (claims[n].point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
     }
   }
 
@@ -235,8 +302,24 @@ class TipPlacer {
     double error;
     std::uint32_t layer, vertex;
     Eigen::Vector3d point;  // grid coordinates
+    bool own;     // the vertex's own planes meet there; else it takes a point for another one
+    bool corner;  // three planes meet there: goes before creases
     bool granted = false;
   };
+  void grant(std::vector<Claim>& claims, std::size_t group, std::size_t n,
+             std::unordered_set<std::uint64_t>& moved) {
+    Claim& claim = claims[n];
+    const auto key = static_cast<std::uint64_t>(claim.layer) << 32 | claim.vertex;
+    if (moved.contains(key)) return;
+    for (std::size_t m = group; m < claims.size() && claims[m].cell == claim.cell; ++m) {
+      if (claims[m].granted && (claims[m].point - claim.point).norm() <= kApart) return;
+    }
+    claim.granted = true;
+    moved.insert(key);
+    DualVertex& v = surface_.vertices[claim.layer][claim.vertex];
+    v.local = (claim.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
+  }
+
   static constexpr double kApart = 0.1;  // cells between two vertices on one crease
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
@@ -247,19 +330,23 @@ class TipPlacer {
     const Eigen::Vector3d way = escape.to - escape.from;
     const Eigen::Vector3i target = own + escape.to.array().floor().matrix().cast<int>();
     const Eigen::Vector3d point = escape.to + own.cast<double>();
+    const double count = escape.planes.count();
+    const bool corner = escape.planes.matrix().determinant() > kCorner * count * count * count;
     const Cell cell = gatherCell(grid_, target);
     if (cell.mask != 0) {
-      const std::uint32_t vertex = agreeing(cell, target, point, finder);
+      const auto [vertex, wholly] = agreeing(cell, target, point, finder);
       if (vertex == DualSurface::kNone) return;
       const DualVertex& taker = surface_.vertices[target[0]][vertex];
       const Eigen::Vector3d there =
           Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
       const double missed = escape.planes.error(there - own.cast<double>()) / escape.planes.count();
       if (missed > kPlanesMeet) {
-        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point});
+        if (!wholly) return;
+        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point,
+                       false, corner});
       } else if ((there - point).norm() > kApart) {
         // The neighbour stands on the same crease: this vertex may go there as well.
-        out.push_back({target, way.norm(), layer, escape.vertex, point});
+        out.push_back({target, way.norm(), layer, escape.vertex, point, true, corner});
       }
       return;
     }
@@ -269,33 +356,52 @@ class TipPlacer {
       const Eigen::Vector3i step = x.array().floor().matrix().cast<int>();
       if (step == Eigen::Vector3i::Zero()) continue;
       const Cell passed = gatherCell(grid_, own + step);
-      if (passed.mask != 0 && agreeing(passed, own + step, point, finder) == DualSurface::kNone) {
+      if (passed.mask != 0 &&
+          agreeing(passed, own + step, point, finder).vertex == DualSurface::kNone) {
         return;
       }
     }
-    out.push_back({target, way.norm(), layer, escape.vertex, point});
+    out.push_back({target, way.norm(), layer, escape.vertex, point, true, corner});
   }
 
-  /// Vertex of the first component of a leaf cell whose planes pass through the point, or kNone.
-  std::uint32_t agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
-                         ComponentFinder& finder) const {
+  /// Vertex of the first component of a leaf cell on whose crease the point lies, or kNone: its
+  /// planes pass through the point, or two or more do that make a crease and the point is behind
+  /// the others (the crease ends at them, in a corner that the cell holds).
+  struct Agreement {
+    std::uint32_t vertex = DualSurface::kNone;
+    bool wholly = false;  // all planes of the component pass through the point
+  };
+  Agreement agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
+                     ComponentFinder& finder) const {
     Components components;
     finder.find(cell, grid_.crossings.data(), components);
+    const Eigen::Vector3d local = point - at.cast<double>();
     for (int c = 0; c < components.count; ++c) {
-      Qef qef;
+      Qef all, through;
+      bool behind = true;
       std::uint32_t vertex = DualSurface::kNone;
       for (int slot = 0; slot < kSlots; ++slot) {
         if (components.of[slot] != c) continue;
         const Crossing& crossing = grid_.crossings[cell.crossing(slot)];
-        qef.add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
+        const Eigen::Vector3d position = localPosition(slot >> 1, crossing.fraction);
+        const Eigen::Vector3d normal = crossing.normal.cast<double>();
+        const double distance = normal.dot(local - position);
+        all.add(position, normal);
+        if (distance * distance <= kPlanesMeet) {
+          through.add(position, normal);
+        } else {
+          behind &= distance < 0;
+        }
         vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
       }
-      if (qef.error(point - at.cast<double>()) <= kPlanesMeet * qef.count()) return vertex;
+      if (all.error(local) <= kPlanesMeet * all.count()) return {vertex, true};
+      if (behind && through.count() > 1 && through.sharpness() >= kSharp) return {vertex, false};
     }
-    return DualSurface::kNone;
+    return {};
   }
 
   static constexpr double kSharp = 0.05;       // two planes that differ by 26 degrees
+  static constexpr double kCorner = 1e-3;      // of the planes' product; 0.037 for a cube's corner
   static constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
 
   const HermiteGrid& grid_;
@@ -305,29 +411,38 @@ class TipPlacer {
 
 }  // namespace
 
-DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method, RunContext& run) {
+DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
+                             const SurfaceProbe* probe, RunContext& run) {
   DualSurface out;
   const auto layers = static_cast<std::size_t>(grid.plan.points[0] - 1);
   out.vertices.resize(layers);
   out.quads.assign(grid.crossings.size(), {DualSurface::kNone, DualSurface::kNone,
                                            DualSurface::kNone, DualSurface::kNone});
-  std::vector<std::vector<FaceSegment>> ambiguous(layers);
-  std::vector<std::vector<Escape>> escapes(layers);
+  std::vector<LayerNotes> notes(layers);
   constexpr std::size_t kGroup = 8;
   parallelBlocks(layers, kGroup, [&](std::size_t begin, std::size_t end) {
-    const auto builder = std::make_unique<LayerBuilder>(grid, method, out);
+    const auto builder = std::make_unique<LayerBuilder>(grid, method, probe, out);
     run.checkpoint(Phase::Contour, begin, 2 * layers);
     for (std::size_t i = begin; i < end; ++i) {
-      builder->build(static_cast<std::int32_t>(i), ambiguous[i], escapes[i]);
+      builder->build(static_cast<std::int32_t>(i), notes[i]);
     }
   });
-  TipPlacer(grid, method, out).place(escapes);
+  TipPlacer(grid, method, out).place(notes);
   out.firstVertex.resize(layers + 1, 0);
   for (std::size_t i = 0; i < layers; ++i) {
     out.firstVertex[i + 1] =
         out.firstVertex[i] + static_cast<std::uint32_t>(out.vertices[i].size());
-    out.ambiguous.insert(out.ambiguous.end(), ambiguous[i].begin(), ambiguous[i].end());
+    out.ambiguous.insert(out.ambiguous.end(), notes[i].ambiguous.begin(), notes[i].ambiguous.end());
+    out.rims.insert(out.rims.end(), notes[i].rims.begin(), notes[i].rims.end());
   }
+  // Both cells of a face may have told it.
+  const auto key = [](const RimSegment& rim) { return std::tie(rim.crossing, rim.side); };
+  std::sort(out.rims.begin(), out.rims.end(),
+            [&](const RimSegment& x, const RimSegment& y) { return key(x) < key(y); });
+  out.rims.erase(
+      std::unique(out.rims.begin(), out.rims.end(),
+                  [&](const RimSegment& x, const RimSegment& y) { return key(x) == key(y); }),
+      out.rims.end());
   return out;
 }
 

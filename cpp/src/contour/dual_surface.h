@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "data/hermite_grid.h"
+#include "data/surface_probe.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -20,9 +21,17 @@ struct FaceSegment {
   bool firstOfFace = false;
 };
 
+/// Where the two vertices of a split wall end are to be joined to those of the next cell: the two
+/// crossings on the face between, and the sides of their quads there.
+struct RimSegment {
+  std::array<std::uint32_t, 2> crossing;
+  std::array<std::uint8_t, 2> side;
+  std::array<bool, 2> seenFromLow;
+};
+
 struct DualVertex {
-  Eigen::Vector3f local;             ///< in the cell, [0, 1]^3
-  std::int16_t i = 0, j = 0, k = 0;  ///< cell
+  Eigen::Vector3f local = Eigen::Vector3f::Zero();  ///< in the cell, [0, 1]^3
+  std::int16_t i = 0, j = 0, k = 0;                 ///< cell
   float timeSeconds = 0;
 };
 
@@ -34,8 +43,11 @@ struct DualSurface {
   /// quadCorner() does; kNone where a component method left one out.
   std::vector<std::array<std::uint32_t, 4>> quads;
   std::vector<FaceSegment> ambiguous;  ///< faces with more than one segment, by layer
+  std::vector<RimSegment> rims;        ///< each once, ordered by its first crossing
 };
 
-DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method, RunContext& run);
+/// `probe`: looks for the ends of thin walls; nullptr leaves them at the last crossing.
+DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
+                             const SurfaceProbe* probe, RunContext& run);
 
 }  // namespace swept

@@ -252,6 +252,52 @@ class LayerEmitter {
   std::int32_t firstFacePoint_;
 };
 
+/// The polygons between the two sides of a split wall end: quads, triangles where the wall goes on
+/// as one vertex. Wound against the polygons of the two sides.
+std::vector<std::array<std::int32_t, 3>> rimTriangles(const HermiteGrid& grid,
+                                                      const DualSurface& dual,
+                                                      const PolygonBuilder& polygons) {
+  struct Corner {
+    std::uint32_t vertex = 0;
+    Eigen::Vector3d position;
+  };
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  for (const RimSegment& rim : dual.rims) {
+    std::array<Corner, 4> ring;
+    for (int n = 0; n < 2; ++n) {
+      const CrossingPlace place = findCrossing(grid, rim.crossing[n]);
+      for (int end = 0; end < 2; ++end) {
+        // The quad runs from its side's first corner to the second if seen from the high end.
+        const int corner = (rim.side[n] + end) & 3;
+        Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
+        to.vertex = polygons.vertex(place.axis, place.i, rim.crossing[n], corner);
+        const auto layer =
+            std::upper_bound(dual.firstVertex.begin(), dual.firstVertex.end(), to.vertex) -
+            dual.firstVertex.begin() - 1;
+        to.position = polygons.position(to.vertex, static_cast<std::int32_t>(layer));
+      }
+    }
+    const auto triangle = [&](int a, int b, int c) {
+      triangles.push_back({static_cast<std::int32_t>(ring[a].vertex),
+                           static_cast<std::int32_t>(ring[b].vertex),
+                           static_cast<std::int32_t>(ring[c].vertex)});
+    };
+    if (ring[1].vertex == ring[2].vertex) {
+      if (ring[3].vertex != ring[0].vertex) triangle(0, 1, 3);
+    } else if (ring[3].vertex == ring[0].vertex) {
+      triangle(0, 1, 2);
+    } else if ((ring[2].position - ring[0].position).squaredNorm() <=
+               (ring[3].position - ring[1].position).squaredNorm()) {
+      triangle(0, 1, 2);
+      triangle(0, 2, 3);
+    } else {
+      triangle(1, 2, 3);
+      triangle(1, 3, 0);
+    }
+  }
+  return triangles;
+}
+
 }  // namespace
 
 CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
@@ -276,8 +322,9 @@ CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
   throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
 }
 
-Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run) {
-  DualSurface dual = buildDualSurface(grid, options.components, run);
+Surface contourUniform(const HermiteGrid& grid, const Options& options, const SurfaceProbe* probe,
+                       RunContext& run) {
+  DualSurface dual = buildDualSurface(grid, options.components, probe, run);
   const PolygonBuilder polygons(grid, dual);
   const FacePoints facePoints = findFacePoints(grid, dual, polygons);
 
@@ -306,11 +353,15 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
                 "the envelope has " + std::to_string(vertexCount) +
                     " vertices, the limit is 1073741824; use a larger cell");
   }
+  const auto rim = rimTriangles(grid, dual, polygons);
+  surface.rimPolygons = static_cast<std::int64_t>(dual.rims.size());
   std::vector<std::array<std::uint32_t, 4>>().swap(dual.quads);
   auto& mesh = surface.mesh;
   mesh.vertices.resize(vertexCount);
-  mesh.triangles.resize(triangleCount);
-  surface.crossingOf.resize(triangleCount);
+  mesh.triangles.resize(triangleCount + rim.size());
+  surface.crossingOf.resize(triangleCount + rim.size(), Surface::kNoCrossing);
+  std::copy(rim.begin(), rim.end(),
+            mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangleCount));
   surface.dualVertices = dualVertices;
   surface.alone.resize(dualVertices);
   surface.contactTime.resize(vertexCount);

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "data/hermite_grid.h"
+#include "data/surface_probe.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -30,11 +31,13 @@ struct Surface {
   /// Per component vertex: 1 if it is the only one of its cell and lies inside it.
   std::vector<std::uint8_t> alone;
   std::int64_t fans = 0;  ///< quads fanned about their crossing
-  std::int64_t facePoints = 0;  ///< vertices put on cell faces
+  std::int64_t facePoints = 0;   ///< vertices put on cell faces
+  std::int64_t rimPolygons = 0;  ///< that close the ends of thin walls
 };
 
-/// Consumes the Hermite grid's crossings no more than it reads them; the grid is left as it was.
-Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run);
+/// The grid is left as it was. `probe`: see buildDualSurface().
+Surface contourUniform(const HermiteGrid& grid, const Options& options, const SurfaceProbe* probe,
+                       RunContext& run);
 
 /// Lattice edge of a crossing, found from its index alone: O(log crossings).
 struct CrossingPlace {

@@ -1,5 +1,5 @@
 // Two-sided Hermite data of the envelope: for every lattice edge, the first crossing seen from each
-// of its ends that is outside. Memory: 8 bytes an edge, 20 bytes a crossing.
+// of its ends that is outside. Memory: 8 bytes an edge, 24 bytes a crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -37,6 +37,7 @@ struct HermiteGrid {
   GridPlan plan;
   std::vector<HermiteLayer> layers;
   std::vector<Crossing> crossings;
+  std::vector<std::uint32_t> winner;  ///< per crossing: index of the swept element it lies on
   std::int64_t markedEdges = 0;
   std::int64_t sheetEdges = 0;  ///< edges whose two crossings are one and the same point
 };

@@ -20,6 +20,7 @@
 #include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
 #include "sampling/body_topology.h"
+#include "sampling/element_probe.h"
 #include "sampling/grid_plan.h"
 #include "sampling/hermite.h"
 #include "sampling/refine_motion.h"
@@ -153,7 +154,7 @@ class Run {
     stage("motion");
 
     HermiteGrid hermite = sample(topology, options_.cull);
-    Surface surface = contourUniform(hermite, options_, run_);
+    Surface surface = contour(topology, hermite);
     stage("contour");
     checkAndMend(surface, hermite);
     result_.mesh = std::move(surface.mesh);
@@ -192,9 +193,22 @@ class Run {
     report_.chordError = prepared_.motion.chordError;
   }
 
+  SamplerInput samplerInput(const BodyTopology& topology, bool cull) const {
+    return {prepared_.body.mesh, topology, prepared_.motion,
+            prepared_.grid,      cull,     prepared_.body.orientable};
+  }
+
+  Surface contour(const BodyTopology& topology, HermiteGrid& hermite) {
+    const SamplerInput input = samplerInput(topology, options_.cull);
+    const ElementProbe probe(input, elements_, hermite.winner);
+    Surface surface = contourUniform(hermite, options_, &probe, run_);
+    std::vector<SweptElement>().swap(elements_);
+    std::vector<std::uint32_t>().swap(hermite.winner);
+    return surface;
+  }
+
   HermiteGrid sample(const BodyTopology& topology, bool cull) {
-    const SamplerInput input{prepared_.body.mesh, topology, prepared_.motion,
-                             prepared_.grid,      cull,     prepared_.body.orientable};
+    const SamplerInput input = samplerInput(topology, cull);
     SampledSurface sampled = sampleSurface(
         input, options_.backend, cpuSeconds_,
         [&](const MarkedEdges& marks) {
@@ -215,6 +229,7 @@ class Run {
       ++(element.isPatch() ? report_.sweptPatches : report_.sweptFaces);
     }
     HermiteGrid hermite = buildHermiteGrid(input, marked, signs, run_);
+    elements_ = std::move(marked.elements);
     stage("crossings");
     report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
     requireEnclosed(hermite);
@@ -320,6 +335,7 @@ class Run {
   Report& report_;
   Prepared prepared_;
   MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
+  std::vector<SweptElement> elements_;  // while the contouring may ask for them
   Timer timer_;
   double cpuSeconds_ = 0;
 };

@@ -60,6 +60,7 @@ HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, con
                     " crossings, the limit is 4294967280; use a larger cell");
   }
   out.crossings.resize(total);
+  out.winner.resize(total);
   const CrossingRefiner refiner(input, marked);
   std::atomic<std::int64_t> sheets{0};
   parallelFor(layers, [&](std::size_t layer) {
@@ -74,15 +75,18 @@ HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, con
                       [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t sides) {
                         next->first += target.firstCrossing;
                         Crossing* crossing = &out.crossings[next->first];
+                        std::uint32_t* winner = &out.winner[next->first];
                         ++next;
                         if (sides & HermiteEdge::kLow) {
                           *crossing = refiner.refine(axis, i, j, edge.k, edge.lowFraction,
                                                      edge.lowElement, true);
+                          *winner++ = edge.lowElement;
                           ++crossing;
                         }
                         if (sides & HermiteEdge::kHigh) {
                           *crossing = refiner.refine(axis, i, j, edge.k, edge.highFraction,
                                                      edge.highElement, false);
+                          *winner = edge.highElement;
                         }
                         if (sides == 3) {
                           sheetEdges += edge.lowFraction == edge.highFraction;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/wall_end.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace swept {
+namespace {
+
+constexpr float kOpposed = -0.5f;   ///< cosine between the normals of the two sides
+constexpr double kAlong = 0.7;      ///< |cosine| from which a crossing belongs to a side
+constexpr double kUneven = 0.2;     ///< cells: the sides are flat to this
+constexpr double kThickest = 1.0;   ///< cells, of walls; gaps count as negative
+constexpr double kRimTurned = 0.8;  ///< |cosine| below which a hit is not on a side of the wall
+
+/// The two sides as planes normal . x = offset, in the cell's coordinates.
+struct Wall {
+  Eigen::Vector3d normal;
+  double middle = 0;
+};
+
+struct Point {
+  int slot;
+  Eigen::Vector3d position, normal;
+};
+
+/// The direction across the wall, if two normals of the component are opposed.
+std::optional<Eigen::Vector3d> across(const std::vector<Point>& points) {
+  // All of one side: nothing to look for, which is what nearly every component says.
+  bool spread = false;
+  for (const Point& p : points) spread |= points[0].normal.dot(p.normal) < 0.3;
+  if (!spread) return std::nullopt;
+  double least = kOpposed;
+  std::optional<Eigen::Vector3d> best;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (std::size_t q = p + 1; q < points.size(); ++q) {
+      const double dot = points[p].normal.dot(points[q].normal);
+      if (dot >= least) continue;
+      least = dot;
+      best = (points[p].normal - points[q].normal).normalized();
+    }
+  }
+  return best;
+}
+
+/// Sorts the crossings to the two sides; nothing if these are no thin, nearly flat wall.
+std::optional<Wall> sort(const std::vector<Point>& points, const Eigen::Vector3d& normal,
+                         WallEnd& out) {
+  std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
+  std::array<int, 2> count{0, 0};
+  out.side.fill(-1);
+  for (const Point& p : points) {
+    const double along = p.normal.dot(normal), offset = p.position.dot(normal);
+    if (std::abs(along) < kAlong) continue;
+    const int s = along > 0 ? 0 : 1;
+    out.side[p.slot] = static_cast<std::int8_t>(s);
+    sum[s] += offset;
+    ++count[s];
+    low[s] = std::min(low[s], offset);
+    high[s] = std::max(high[s], offset);
+  }
+  if (count[0] == 0 || count[1] == 0) return std::nullopt;
+  if (high[0] - low[0] > kUneven || high[1] - low[1] > kUneven) return std::nullopt;
+  const double top = sum[0] / count[0], bottom = sum[1] / count[1];
+  if (std::abs(top - bottom) > kThickest) return std::nullopt;
+  return Wall{normal, (top + bottom) / 2};
+}
+
+/// Which corners of the cell (bit per axis) lie outside, found along its edges.
+std::array<bool, 8> outsideCorners(const Cell& cell) {
+  std::array<std::int8_t, 8> sign;  // 1 outside, 0 inside, -1 not known yet
+  sign.fill(-1);
+  const auto ends = [](int edge) {
+    const int a = edge >> 2, b = (a + 1) % 3, c = (a + 2) % 3;
+    const int low = (edge & 1) << b | (edge >> 1 & 1) << c;
+    return std::array<int, 2>{low, low | 1 << a};
+  };
+  for (int edge = 0; edge < kEdges; ++edge) {
+    const auto [low, high] = ends(edge);
+    if (!cell.has(2 * edge) && !cell.has(2 * edge + 1)) continue;
+    sign[low] = cell.has(2 * edge) ? 1 : 0;
+    sign[high] = cell.has(2 * edge + 1) ? 1 : 0;
+  }
+  for (int round = 0; round < 3; ++round) {  // edges without a crossing hand the sign on
+    for (int edge = 0; edge < kEdges; ++edge) {
+      const auto [low, high] = ends(edge);
+      if (cell.has(2 * edge) || cell.has(2 * edge + 1)) continue;
+      if (sign[low] < 0) sign[low] = sign[high];
+      if (sign[high] < 0) sign[high] = sign[low];
+    }
+  }
+  std::array<bool, 8> outside;
+  for (int corner = 0; corner < 8; ++corner) outside[corner] = sign[corner] != 0;
+  return outside;
+}
+
+/// Where the middle of the wall cuts the cell's edges, outside and inside the swept volume.
+void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
+              std::vector<Eigen::Vector3d>& outside, std::vector<Eigen::Vector3d>& inside) {
+  const std::array<bool, 8> out = outsideCorners(cell);
+  for (int edge = 0; edge < kEdges; ++edge) {
+    const int b = ((edge >> 2) + 1) % 3, c = (b + 1) % 3;
+    const Eigen::Vector3d low = localPosition(edge, 0), high = localPosition(edge, 1);
+    const double dl = wall.normal.dot(low) - wall.middle, dh = wall.normal.dot(high) - wall.middle;
+    if ((dl > 0) == (dh > 0)) continue;
+    const double x = dl / (dl - dh);
+    const bool hasLow = cell.has(2 * edge), hasHigh = cell.has(2 * edge + 1);
+    bool isOut = out[(edge & 1) << b | (edge >> 1 & 1) << c];
+    if (hasLow || hasHigh) {
+      isOut = (hasLow && x < crossings[cell.crossing(2 * edge)].fraction) ||
+              (hasHigh && x > crossings[cell.crossing(2 * edge + 1)].fraction);
+    }
+    (isOut ? outside : inside).push_back(low + x * (high - low));
+  }
+}
+
+/// The places where the sides meet, if the ring of polygons falls into just one arc for each.
+void findFolds(const Cell& cell, const Components& components, int component,
+               const Crossing* crossings, WallEnd& out) {
+  for (int slot = 0; slot < kSlots; ++slot) {
+    if (components.of[slot] == component && out.side[slot] < 0) return;
+  }
+  for (int face = 0; face < kFaces; ++face) {
+    const FacePairs pairs = pairFace(cell, face, crossings);
+    for (int p = 0; p < pairs.count; ++p) {
+      const auto [x, y] = pairs.slots[p];
+      if (components.of[x] != component || out.side[x] == out.side[y]) continue;
+      out.folds.push_back(pairs.slots[p]);
+      out.foldFaces.push_back(static_cast<std::int8_t>(face));
+      if (pairs.count > 1) out.foldFaces.back() = -1;  // joined otherwise, see surface.h
+    }
+  }
+  const bool ambiguous =
+      std::find(out.foldFaces.begin(), out.foldFaces.end(), -1) != out.foldFaces.end();
+  if (out.folds.size() == 2 && !ambiguous) return;
+  out.folds.clear();
+  out.foldFaces.clear();
+}
+
+}  // namespace
+
+bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
+                 int component, const Crossing* crossings, const SurfaceProbe& probe,
+                 WallEnd& out) {
+  std::vector<Point> points;
+  std::vector<std::uint32_t> indices;
+  for (int slot = 0; slot < kSlots; ++slot) {
+    if (components.of[slot] != component) continue;
+    indices.push_back(cell.crossing(slot));
+    const Crossing& crossing = crossings[indices.back()];
+    points.push_back(
+        {slot, localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>()});
+  }
+  const auto normal = across(points);
+  if (!normal) return false;
+  const auto wall = sort(points, *normal, out);
+  if (!wall) return false;
+  std::vector<Eigen::Vector3d> outside, inside;
+  cutEdges(cell, *wall, crossings, outside, inside);
+  std::vector<ProbeLine> lines;
+  const Eigen::Vector3d corner = at.cast<double>();
+  for (const auto& from : outside) {
+    for (const auto& to : inside) {
+      ProbeLine line;
+      line.from = corner + from;
+      line.to = corner + to;
+      lines.push_back(line);
+    }
+  }
+  if (lines.empty()) return false;
+  probe.cast(at, indices, lines);
+  for (const ProbeLine& line : lines) {
+    if (line.hit && std::abs(line.normal.dot(wall->normal)) < kRimTurned) out.rim.push_back(line);
+  }
+  if (out.rim.empty()) return false;
+  findFolds(cell, components, component, crossings, out);
+  return true;
+}
+
+}  // namespace swept

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/element_probe.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <unordered_set>
+
+namespace swept {
+namespace {
+
+/// More pieces than this in one cell say nothing about a single wall any more.
+constexpr std::size_t kMostPieces = 20000;
+/// Cells: pieces this close to the cell count as met, so that the search can go round its corners.
+constexpr double kAround = 0.05;
+
+/// Where a line meets a triangle, as the share of the line and the triangle's coordinates.
+struct Meeting {
+  double along, u, v;
+};
+
+bool meets(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+           const Eigen::Vector3d& c, Meeting& out) {
+  const Eigen::Vector3d d = line.to - line.from, ab = b - a, ac = c - a;
+  const Eigen::Vector3d p = d.cross(ac);
+  const double det = ab.dot(p);
+  if (std::abs(det) < 1e-14) return false;
+  constexpr double kSlack = 1e-7;  // on an edge: both triangles are met rather than none
+  const Eigen::Vector3d s = line.from - a;
+  out.u = s.dot(p) / det;
+  if (out.u < -kSlack || out.u > 1 + kSlack) return false;
+  const Eigen::Vector3d q = s.cross(ab);
+  out.v = d.dot(q) / det;
+  if (out.v < -kSlack || out.u + out.v > 1 + kSlack) return false;
+  out.along = ac.dot(q) / det;
+  return out.along >= 0 && out.along <= 1;
+}
+
+/// Separating axes of a triangle and the cube of half side `half` about the origin (Akenine-Moeller
+/// 2001).
+bool meetsCube(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+               double half) {
+  const auto apart = [&](const Eigen::Vector3d& axis) {
+    const double x = axis.dot(a), y = axis.dot(b), z = axis.dot(c);
+    const double reach = half * axis.lpNorm<1>();
+    return std::min({x, y, z}) > reach || std::max({x, y, z}) < -reach;
+  };
+  const std::array<Eigen::Vector3d, 3> side{b - a, c - b, a - c};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (apart(Eigen::Vector3d::Unit(axis))) return false;
+  }
+  if (apart(side[0].cross(side[1]))) return false;
+  for (const Eigen::Vector3d& s : side) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (apart(Eigen::Vector3d::Unit(axis).cross(s))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+ElementProbe::ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
+                           const std::vector<std::uint32_t>& winner)
+    : input_(input), elements_(elements), winner_(winner) {
+  placements_.reserve(input.motion.placements.size());
+  for (const Placement& p : input.motion.placements) placements_.push_back(input.grid.toGrid(p));
+  faceEdges_.assign(input.body.triangles.size(), {-1, -1, -1});
+  const auto& edges = input.topology.edges;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    for (const std::int32_t face : {edges[e].left, edges[e].right}) {
+      if (face < 0) continue;
+      for (std::int32_t& slot : faceEdges_[face]) {
+        if (slot >= 0) continue;
+        slot = static_cast<std::int32_t>(e);
+        break;
+      }
+    }
+  }
+}
+
+ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
+  Piece piece;
+  piece.isPatch = element.isPatch();
+  const Placement& p = placements_[element.placement];
+  piece.start = piece.end = p.timeSeconds;
+  const auto& x = input_.body.vertices;
+  if (piece.isPatch) {
+    const Placement& q = placements_[element.placement + 1];
+    const BodyEdge& e = input_.topology.edges[element.index()];
+    piece.corner = {p.apply(x[e.a]), p.apply(x[e.b]), q.apply(x[e.b]), q.apply(x[e.a])};
+    piece.end = q.timeSeconds;
+  } else {
+    const auto& t = input_.body.triangles[element.index()];
+    piece.corner = {p.apply(x[t[0]]), p.apply(x[t[1]]), p.apply(x[t[2]]), p.apply(x[t[2]])};
+  }
+  return piece;
+}
+
+template <class Use>
+void ElementProbe::forNeighbours(const SweptElement& element, const Use& use) const {
+  const std::uint32_t k = element.placement;
+  const std::size_t steps = input_.motion.steps();
+  const auto patch = [&](std::int32_t edge, std::uint32_t step) {
+    use(SweptElement{static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit, step});
+  };
+  const auto face = [&](std::int32_t f, std::uint32_t placement) {
+    if (f >= 0) use(SweptElement{static_cast<std::uint32_t>(f), placement});
+  };
+  if (!element.isPatch()) {
+    for (const std::int32_t e : faceEdges_[element.index()]) {
+      if (e < 0) continue;
+      if (k < steps) patch(e, k);
+      if (k > 0 && k - 1 < steps) patch(e, k - 1);
+      face(input_.topology.edges[e].left, k);
+      face(input_.topology.edges[e].right, k);
+    }
+    const auto f = static_cast<std::int32_t>(element.index());
+    if (k < steps) face(f, k + 1);
+    if (k > 0 && k - 1 < steps) face(f, k - 1);
+    return;
+  }
+  const auto e = static_cast<std::int32_t>(element.index());
+  if (k > 0) patch(e, k - 1);
+  if (k + 1 < steps) patch(e, k + 1);
+  for (const std::int32_t f : {input_.topology.edges[e].left, input_.topology.edges[e].right}) {
+    face(f, k);
+    face(f, k + 1);
+    if (f < 0) continue;
+    for (const std::int32_t other : faceEdges_[f]) {
+      if (other >= 0) patch(other, k);
+    }
+  }
+}
+
+std::vector<ElementProbe::Piece> ElementProbe::gather(
+    const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings) const {
+  const Eigen::Vector3d centre = cell.cast<double>().array() + 0.5;
+  std::vector<Piece> pieces;
+  std::vector<SweptElement> waiting;
+  std::unordered_set<std::uint64_t> seen;
+  const auto visit = [&](const SweptElement& element) {
+    const auto key = static_cast<std::uint64_t>(element.code) << 32 | element.placement;
+    if (!seen.insert(key).second) return;
+    const Piece piece = pieceOf(element);
+    const auto& [a, b, c, d] = piece.corner;
+    if (!meetsCube(a - centre, b - centre, c - centre, 0.5 + kAround) &&
+        (!piece.isPatch || !meetsCube(a - centre, c - centre, d - centre, 0.5 + kAround))) {
+      return;
+    }
+    pieces.push_back(piece);
+    waiting.push_back(element);
+  };
+  for (const std::uint32_t crossing : crossings) visit(elements_[winner_[crossing]]);
+  while (!waiting.empty() && pieces.size() <= kMostPieces) {
+    const SweptElement element = waiting.back();
+    waiting.pop_back();
+    forNeighbours(element, visit);
+  }
+  if (pieces.size() > kMostPieces) pieces.clear();
+  return pieces;
+}
+
+void ElementProbe::castOne(const std::vector<Piece>& pieces, ProbeLine& line) {
+  double first = 2;
+  for (const Piece& piece : pieces) {
+    const auto& [a, b, c, d] = piece.corner;
+    const auto take = [&](const Meeting& at, double r, double s) {
+      if (at.along >= first) return;
+      first = at.along;
+      line.hit = true;
+      // The side patch is bilinear: its normal turns with the place.
+      const Eigen::Vector3d n =
+          piece.isPatch ? ((1 - s) * (b - a) + s * (c - d)).cross((1 - r) * (d - a) + r * (c - b))
+                        : (b - a).cross(c - a);
+      line.normal = n.normalized();
+      line.timeSeconds = piece.start + s * (piece.end - piece.start);
+    };
+    Meeting at{};
+    if (meets(line, a, b, c, at)) take(at, at.u + at.v, at.v);
+    if (piece.isPatch && meets(line, a, c, d, at)) take(at, at.u, at.u + at.v);
+  }
+  if (!line.hit) return;
+  const Eigen::Vector3d d = line.to - line.from;
+  line.point = line.from + first * d;
+  if (line.normal.dot(d) > 0) line.normal = -line.normal;
+}
+
+void ElementProbe::cast(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+                        std::vector<ProbeLine>& lines) const {
+  const std::vector<Piece> pieces = gather(cell, crossings);
+  for (ProbeLine& line : lines) castOne(pieces, line);
+}
+
+}  // namespace swept
