@@ -322,8 +322,8 @@ CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
   throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
 }
 
-Surface contourUniform(const HermiteGrid& grid, const Options& options, const SurfaceProbe* probe,
-                       RunContext& run) {
+Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
+                       const SurfaceProbe* probe) {
   DualSurface dual = buildDualSurface(grid, options.components, probe, run);
   const PolygonBuilder polygons(grid, dual);
   const FacePoints facePoints = findFacePoints(grid, dual, polygons);

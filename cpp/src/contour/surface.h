@@ -36,8 +36,8 @@ struct Surface {
 };
 
 /// The grid is left as it was. `probe`: see buildDualSurface().
-Surface contourUniform(const HermiteGrid& grid, const Options& options, const SurfaceProbe* probe,
-                       RunContext& run);
+Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
+                       const SurfaceProbe* probe = nullptr);
 
 /// Lattice edge of a crossing, found from its index alone: O(log crossings).
 struct CrossingPlace {

@@ -201,7 +201,7 @@ class Run {
   Surface contour(const BodyTopology& topology, HermiteGrid& hermite) {
     const SamplerInput input = samplerInput(topology, options_.cull);
     const ElementProbe probe(input, elements_, hermite.winner);
-    Surface surface = contourUniform(hermite, options_, &probe, run_);
+    Surface surface = contourUniform(hermite, options_, run_, &probe);
     std::vector<SweptElement>().swap(elements_);
     std::vector<std::uint32_t>().swap(hermite.winner);
     return surface;

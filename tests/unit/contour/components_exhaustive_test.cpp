@@ -22,7 +22,7 @@ using Geometry = SyntheticGrid::Geometry;
 
 Faults contourFaults(const SyntheticGrid& synthetic, Geometry geometry, std::uint64_t seed) {
   RunContext run;
-  return findFaults(contourUniform(synthetic.build(geometry, seed), Options{}, nullptr, run).mesh);
+  return findFaults(contourUniform(synthetic.build(geometry, seed), Options{}, run).mesh);
 }
 
 /// A block of bx x by x bz lattice points with its walls.
@@ -348,7 +348,7 @@ TEST(ComponentsExhaustive, PlainDualContouringHasFaults) {
   options.components = ComponentMethod::DualContouring;
   RunContext run;
   const Faults faults =
-      findFaults(contourUniform(grid.build(Geometry::Random, 1), options, nullptr, run).mesh);
+      findFaults(contourUniform(grid.build(Geometry::Random, 1), options, run).mesh);
   EXPECT_GT(faults.nonManifoldEdges, 0);
 }
 
