@@ -28,6 +28,8 @@ MAY_INCLUDE = {
     "python": {"base", "io"},
     "tools": {"base", "io"},
     "include": set(),
+    # Benchmarks time single stages.
+    "bench": {"base", "data", "mend", "io"} | STAGES,
 }
 
 # Third party -> parts that may see it.

@@ -27,10 +27,10 @@ struct Surface {
   /// Per triangle: the crossing whose polygon it is part of, or kNoCrossing.
   std::vector<std::uint32_t> crossingOf;
   std::size_t dualVertices =
-      0;                  ///< the first so many vertices are those of components, then extra ones
+      0;  ///< the first so many vertices are those of components, then extra ones
   /// Per component vertex: 1 if it is the only one of its cell and lies inside it.
   std::vector<std::uint8_t> alone;
-  std::int64_t fans = 0;  ///< quads fanned about their crossing
+  std::int64_t fans = 0;         ///< quads fanned about their crossing
   std::int64_t facePoints = 0;   ///< vertices put on cell faces
   std::int64_t rimPolygons = 0;  ///< that close the ends of thin walls
 };
