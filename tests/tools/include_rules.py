@@ -29,7 +29,8 @@ MAY_INCLUDE = {
     "tools": {"base", "io"},
     "include": set(),
     # Benchmarks time single stages.
-    "bench": {"base", "data", "mend", "io"} | STAGES,
+    "bench": {"base", "data", "mend", "io", "support"} | STAGES,
+    "support": set(),  # tests/support
 }
 
 # Third party -> parts that may see it.
