@@ -17,6 +17,7 @@
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
 #include "mend/mend.h"
+#include "mend/specks.h"
 #include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
 #include "sampling/body_topology.h"
@@ -292,6 +293,7 @@ class Run {
       stage("intersections");
       if (pairs.count > 0) mend(surface, hermite, pairs);
       report_.check = checkMesh(surface.mesh, topology_, run_);
+      dropSpecks(surface, pairs);
       report_.check.selfIntersections = pairs.count;
       for (const auto& pair : pairs.pairs) {
         if (report_.check.firstIntersections.size() == 32) break;
@@ -316,6 +318,21 @@ class Run {
                       std::to_string(report_.check.misorientedEdges) + ", degenerate triangles " +
                       std::to_string(report_.check.degenerateTriangles) + ")");
     }
+  }
+
+  /// A body that stands still may have parts this small; what it sweeps hangs together.
+  void dropSpecks(Surface& surface, SelfIntersections& pairs) {
+    if (topology_.shells < 2 || !prepared_.motion.continuous || options_.conservative) return;
+    const double cell = prepared_.grid.cell;
+    const Specks specks = swept::dropSpecks(surface, topology_.shellOf, cell, pairs);
+    if (specks.count == 0) return;
+    report_.check = checkMesh(surface.mesh, topology_, run_);
+    std::ostringstream text;
+    text.precision(3);
+    text << specks.count << " specks that hang on the envelope by less than the grid can see were "
+         << "dropped, the largest " << specks.largestSize * cell << " mm across, "
+         << specks.largestVolume * cell * cell * cell << " mm^3";
+    report_.warnings.push_back({"SpecksDropped", specks.count, {}, text.str()});
   }
 
   void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs) {

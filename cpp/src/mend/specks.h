@@ -1,0 +1,28 @@
+// Specks: closed shells round a single lattice edge or two, far smaller than a cell.
+//
+// The sweep of a body that hangs together hangs together; where it is thinner than the grid can
+// see, single crossings beyond the thin part come out as shells of their own. They are dropped, and
+// told: a solid made from the envelope is one solid then. Cost: O(triangles) if there are any.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "check/self_intersections.h"
+#include "contour/surface.h"
+
+namespace swept {
+
+struct Specks {
+  std::int64_t count = 0;
+  double largestVolume = 0;  ///< cubic cells
+  double largestSize = 0;    ///< cells, diagonal of the box
+};
+
+/// Drops shells of less than 0.01 cubic cells and 2 cells across, never the last shell. `shellOf`:
+/// per triangle; `pairs` are brought up to date.
+Specks dropSpecks(Surface& surface, const std::vector<std::int32_t>& shellOf, double cell,
+                  SelfIntersections& pairs);
+
+}  // namespace swept
