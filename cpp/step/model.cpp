@@ -167,7 +167,8 @@ class Builder {
               (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
           const auto [it, fresh] = seen.try_emplace(key, c, from);
           if (!fresh) {
-            again = keepWithin(c, from) | keepWithin(it->second.first, it->second.second) | again;
+            if (keepWithin(c, from)) again = true;
+            if (keepWithin(it->second.first, it->second.second)) again = true;
           }
           from = i;
         }

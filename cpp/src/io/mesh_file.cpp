@@ -33,15 +33,12 @@ constexpr std::uint64_t kMaxElements = 2147483647;  // vertex numbers have 32 bi
 // what they say goes into our message instead of onto the user's terminal.
 class OpenMeshCall {
  public:
-  OpenMeshCall() : lock_(mutex()) {
-    omerr().disconnect(std::cerr);
-    omerr().connect(text_);
-    omlog().disconnect(std::clog);
-  }
+  // The buffers are exchanged: OpenMesh's own connect() and disconnect() leak with every call.
+  OpenMeshCall()
+      : lock_(mutex()), errors_(omerr().rdbuf(text_.rdbuf())), log_(omlog().rdbuf(&silence_)) {}
   ~OpenMeshCall() {
-    omerr().disconnect(text_);
-    omerr().connect(std::cerr);
-    omlog().connect(std::clog);
+    omerr().rdbuf(errors_);
+    omlog().rdbuf(log_);
   }
   OpenMeshCall(const OpenMeshCall&) = delete;
   OpenMeshCall& operator=(const OpenMeshCall&) = delete;
@@ -63,6 +60,9 @@ class OpenMeshCall {
   }
   std::lock_guard<std::mutex> lock_;
   std::ostringstream text_;
+  std::stringbuf silence_;
+  std::streambuf* errors_;
+  std::streambuf* log_;
 };
 
 bool isMeshSuffix(const std::string& suffix) {
@@ -222,6 +222,8 @@ TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
     if (!OpenMesh::IO::IOManager().read(source, suffix, found, options)) {
       badFile("'" + path + "' cannot be read: " + call.said());
     }
+    // Streams swallow exceptions; a stream over memory has no other reason to go bad.
+    if (fromText && source.bad()) throw std::bad_alloc();
   }
   if (suffix == "ply" &&
       (found.n_vertices() != expectedVertices || found.n_faces() != expectedFaces)) {

@@ -71,34 +71,29 @@ void checkTarget(const std::string& path) {
     }
   }
   // Permission bits do not tell the whole truth (read-only mounts, full quotas): try it.
-  const fs::path probe = temporaryBeside(target);
+  const TemporaryName probe{temporaryBeside(target)};
   errno = 0;
-  std::ofstream stream(probe, std::ios::binary);
+  const std::ofstream stream(probe.path, std::ios::binary);
   const int error = errno;
-  const bool opened = stream.is_open();
-  stream.close();
-  fs::remove(probe, code);
-  if (!opened) {
+  if (!stream.is_open()) {
     refuse("ReadOnly", "cannot write into the folder '" + folder.string() + "': " + causeOf(error) +
                            "; choose a folder in which you may create files");
   }
 }
 
+TemporaryName::~TemporaryName() {
+  std::error_code ignored;
+  if (!path.empty()) fs::remove(path, ignored);
+}
+
 SafeFile::SafeFile(const std::string& path)
-    : name_(path), target_(pathFromUtf8(path)), temporary_(temporaryBeside(target_)) {
+    : name_(path), target_(pathFromUtf8(path)), temporary_{temporaryBeside(target_)} {
   checkTarget(path);
   errno = 0;
-  stream_.open(temporary_, std::ios::binary | std::ios::trunc);
+  stream_.open(temporary_.path, std::ios::binary | std::ios::trunc);
   if (!stream_.is_open()) {
     refuse("WriteFailed", "cannot create a file beside '" + path + "': " + causeOf(errno));
   }
-}
-
-SafeFile::~SafeFile() {
-  if (temporary_.empty()) return;
-  stream_.close();
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
 }
 
 void SafeFile::commit() {
@@ -112,11 +107,11 @@ void SafeFile::commit() {
                               "; the old file, if any, is unchanged");
   }
   std::error_code code;
-  fs::rename(temporary_, target_, code);
+  fs::rename(temporary_.path, target_, code);
   if (code) {
     refuse("WriteFailed", "cannot put '" + name_ + "' in its place: " + code.message());
   }
-  temporary_.clear();
+  temporary_.path.clear();
 }
 
 }  // namespace swept

@@ -20,11 +20,16 @@ std::string suffixOf(const std::string& path);
 /// writable, target neither a folder nor write-protected. To be called before minutes of computing.
 void checkTarget(const std::string& path);
 
+/// Name of a file that is removed at the end, also when opening it created it and then failed.
+struct TemporaryName {
+  std::filesystem::path path;  ///< empty: nothing to remove
+  ~TemporaryName();
+};
+
 /// A file that appears under its name only when commit() has succeeded.
 class SafeFile {
  public:
   explicit SafeFile(const std::string& path);
-  ~SafeFile();  ///< removes the temporary if commit() was not reached
   SafeFile(const SafeFile&) = delete;
   SafeFile& operator=(const SafeFile&) = delete;
 
@@ -35,7 +40,7 @@ class SafeFile {
  private:
   std::string name_;
   std::filesystem::path target_;
-  std::filesystem::path temporary_;
+  TemporaryName temporary_;  // goes after the stream is closed
   std::ofstream stream_;
 };
 

@@ -357,14 +357,21 @@ class Run {
   double cpuSeconds_ = 0;
 };
 
-void fail(Result& result, Status status, const std::string& code, const std::string& message) {
+void fail(Result& result, Status status, const char* code, const char* message) {
   result.mesh = TriMesh{};
-  result.contactTime.clear();
-  result.featureEdges.clear();
+  result.contactTime = {};
+  result.featureEdges = {};
   result.kept.reset();
   result.report.status = status;
-  result.report.code = code;
-  result.report.message = message;
+  try {
+    result.report.code = code;
+    result.report.message = message;
+  } catch (const std::bad_alloc&) {
+    // Both short enough to need no memory.
+    result.report.status = Status::OutOfMemory;
+    result.report.code = "OutOfMemory";
+    result.report.message = "out of memory";
+  }
 }
 
 /// The one wall where exceptions become a status.
@@ -373,7 +380,7 @@ void guarded(Result& result, const Body& body) {
   try {
     body();
   } catch (const Error& error) {
-    fail(result, error.status(), error.code(), error.what());
+    fail(result, error.status(), error.code().c_str(), error.what());
   } catch (const std::bad_alloc&) {
     fail(result, Status::OutOfMemory, "OutOfMemory",
          "memory ran out although the estimate was within the limit; use a larger cell");
@@ -388,19 +395,29 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
                RunContext& run) {
   Result result;
   const Timer total;
-  resetPeakMemory();
   const int threads = run.threads > 0
                           ? run.threads
                           : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   result.report.threads = threads;
   guarded(result, [&] {
+    resetPeakMemory();
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(threads);
     arena.execute([&] { Run(options, run, result).compute(body, trajectory); });
     run.checkpoint(Phase::Done);
   });
-  result.report.seconds.push_back({"total", total.seconds()});
-  result.report.peakMemoryBytes = peakMemoryBytes();
+  const auto close = [&] {
+    result.report.seconds.push_back({"total", total.seconds()});
+    result.report.peakMemoryBytes = peakMemoryBytes();
+  };
+  if (result.report.status == Status::Ok) {
+    guarded(result, close);
+  } else {
+    try {
+      close();
+    } catch (const std::bad_alloc&) {  // the failure is told already, only its figures are missing
+    }
+  }
   return result;
 }
 

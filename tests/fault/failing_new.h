@@ -1,0 +1,18 @@
+// operator new of this program, which fails on demand and counts what is outstanding.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace swept::fault {
+
+/// Allocations since the last arm() or count(), on all threads.
+std::int64_t allocations();
+/// Bytes that operator new gave out and that have not come back.
+std::int64_t outstandingBytes();
+/// The n-th allocation from now (from 1) throws std::bad_alloc; with `andAllLater` so does every
+/// one after it until disarm(). 0: only counts.
+void arm(std::int64_t n, bool andAllLater = false);
+void disarm();
+
+}  // namespace swept::fault

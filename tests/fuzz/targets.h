@@ -1,0 +1,27 @@
+// What the fuzzing programs call: bytes in, nothing out. Each turns the bytes into an input, runs
+// the code under test and throws BrokenPromise when a run ends in another way than
+// docs/pipeline.md, "The promise", allows. The kept cases are run through the same functions by
+// the tests (fuzz_cases_test.cpp).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace swept::fuzz {
+
+class BrokenPromise : public std::logic_error {
+ public:
+  explicit BrokenPromise(const std::string& what) : std::logic_error(what) {}
+};
+
+/// Body, motion and options from the bytes, then compute().
+void envelope(const std::uint8_t* data, std::size_t size);
+/// The bytes as a table of poses, plain or packed, then checkTrajectory's part of compute().
+void motionFile(const std::uint8_t* data, std::size_t size);
+/// First byte: the format; the rest: a mesh file, then the body check.
+void meshFile(const std::uint8_t* data, std::size_t size);
+
+}  // namespace swept::fuzz
