@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <unordered_set>
 
+#include "base/exact_predicates.h"
 #include "base/parallel.h"
 #include "check/near_pairs.h"
 #include "mend/region.h"
@@ -15,6 +17,7 @@ namespace {
 constexpr int kReachCells = 4;  ///< around a triangle that meets another one
 constexpr int kRounds = 8;
 constexpr double kCellMargin = 1e-4;
+constexpr double kWaysBack[] = {1e-3, 1e-2, 0.1, 1};  ///< of a vertex whose triangle has no area
 
 using Triangle = std::array<std::int32_t, 3>;
 /// Vertex, and a triangle at it that is part of a crossing's polygon; sorted by vertex.
@@ -37,6 +40,28 @@ class Mender {
   bool done() const { return pairs_.count == 0; }
   const SelfIntersections& left() const { return pairs_; }
 
+  /// Vertices that were moved onto one another, or into one line, go part of their way back.
+  void restoreAreas() {
+    for (const double back : kWaysBack) {
+      std::vector<std::int32_t> vertices;
+      for (const std::int32_t t : region_) {
+        if (!hasArea(t)) {
+          vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+        }
+      }
+      if (vertices.empty()) return;
+      sortUnique(vertices);
+      for (const std::int32_t v : vertices) {
+        const auto at = before_.find(v);
+        if (at != before_.end()) mesh_.vertices[v] += back * (at->second - mesh_.vertices[v]);
+      }
+      const std::vector<std::int32_t> near = nearPairs(&region_);
+      changed_ = touching(vertices, region_);
+      sortUnique(changed_);
+      findAgain(near);
+    }
+  }
+
   void mendRound(int round) {
     std::vector<std::int32_t> polygons;  // each by one of its triangles
     std::vector<std::int32_t> vertices;
@@ -53,6 +78,7 @@ class Mender {
       if (round >= 4) {  // the neighbours follow
         for (const auto& [v, t] : around) polygons.push_back(t);
       }
+      for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
       relax(vertices, around, round < 3 ? 0.5 : 1.0);
     }
     changed_ = round > 0 ? touching(vertices, near) : std::vector<std::int32_t>{};
@@ -131,6 +157,10 @@ class Mender {
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 
+  bool hasArea(std::int32_t t) const {
+    const Triangle& tri = mesh_.triangles[t];
+    return !collinear(mesh_.vertices[tri[0]], mesh_.vertices[tri[1]], mesh_.vertices[tri[2]]);
+  }
   Eigen::Vector3d toWorld(const Eigen::Vector3d& g) const {
     return grid_.plan.origin + grid_.plan.cell * g;
   }
@@ -217,9 +247,10 @@ class Mender {
   const HermiteGrid& grid_;
   RunContext& run_;
   SelfIntersections pairs_;
-  std::vector<std::int32_t> region_;          // triangles
-  std::vector<std::uint8_t> marked_;          // by vertex; zero between uses
-  std::vector<std::int32_t> changed_;         // triangles, in this round
+  std::vector<std::int32_t> region_;                          // triangles
+  std::vector<std::uint8_t> marked_;                          // by vertex; zero between uses
+  std::vector<std::int32_t> changed_;                         // triangles, in this round
+  std::unordered_map<std::int32_t, Eigen::Vector3d> before_;  // where moved vertices were
   std::unordered_set<std::uint32_t> fanned_;  // crossings whose polygons have been looked at
 };
 
@@ -233,6 +264,7 @@ SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& gri
     run.checkpoint(Phase::Check, static_cast<std::uint64_t>(round), kRounds);
     mender.mendRound(round);
   }
+  mender.restoreAreas();
   return mender.left();
 }
 

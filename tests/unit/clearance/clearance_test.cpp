@@ -9,6 +9,7 @@
 
 #include "clearance/pair_search.h"
 #include "clearance/stamping.h"
+#include "support/sampled.h"
 #include "support/shapes.h"
 
 namespace swept {
@@ -300,7 +301,7 @@ TEST(Clearance, AgreesWithStampingEveryPose) {
   const clearance::BoxTree bodyTree(body, "body");
   const clearance::BoxTree partTree(part, "part");
   const clearance::PairSearch pair(bodyTree, partTree);
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < sampled(12, 4); ++round) {
     const Interpolation kind = static_cast<Interpolation>(round % 3);
     Trajectory motion{{}, kind};
     for (int i = 0; i < (kind == Interpolation::None ? 400 : 6); ++i) {

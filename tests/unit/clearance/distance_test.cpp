@@ -6,6 +6,7 @@
 
 #include "clearance/pair_search.h"
 #include "clearance/stamping.h"
+#include "support/sampled.h"
 #include "support/shapes.h"
 
 namespace swept::clearance {
@@ -123,7 +124,7 @@ TEST(PairSearch, DistanceAgreesWithAllPairsAndWithFcl) {
   const BoxTree treeB(b, "b");
   const PairSearch search(treeA, treeB);
   RunContext run;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < sampled(60, 12); ++k) {
     const Eigen::Isometry3d place = random.pose(25);
     const PairDistance found = search.distanceAt(place.linear(), place.translation(), 1e300);
     double all = 1e300;

@@ -1,0 +1,30 @@
+// How much of a long series of cases a test takes: all of it, or a part under the sanitizers, where
+// a run is ten times slower and the point is what the code touches, not which figure comes out.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+
+namespace swept::test {
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SWEPT_UNDER_SANITIZER
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SWEPT_UNDER_SANITIZER
+#endif
+
+#ifdef SWEPT_UNDER_SANITIZER
+constexpr bool kUnderSanitizer = true;
+#else
+constexpr bool kUnderSanitizer = false;
+#endif
+
+/// `all`, or under a sanitizer one in `oneIn` of them (at least one).
+constexpr int sampled(int all, int oneIn) {
+  return kUnderSanitizer ? std::max(1, all / oneIn) : all;
+}
+
+}  // namespace swept::test
