@@ -20,6 +20,7 @@
 #include "mend/specks.h"
 #include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
+#include "pipeline/grown_sweep.h"
 #include "sampling/body_topology.h"
 #include "sampling/element_probe.h"
 #include "sampling/grid_plan.h"
@@ -31,6 +32,12 @@
 
 namespace swept {
 namespace {
+
+/// A conservative surface is looked for at these distances (cells) until one is proven.
+constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
+constexpr double kMostMarginCells = kMarginCells.back();
+/// Copies of triangles up to which an offset is measured from the copies themselves.
+constexpr std::size_t kMostCopies = 8'000'000;
 
 struct Prepared {
   CheckedBody body;
@@ -45,6 +52,16 @@ Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
   return box;
 }
 
+/// The box of the sweep with the room that an offset or a conservative surface takes.
+Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
+  const double cells = options.conservative ? kMostMarginCells : 0;
+  const double room =
+      options.offset + cells * cell + (options.conservative ? options.tolerance : 0);
+  box.min().array() -= room;
+  box.max().array() += room;
+  return box;
+}
+
 /// Motion and grid depend on each other through the cell: a first, coarse motion gives the cell.
 void planRun(Prepared& p, const Options& options, RunContext& run) {
   const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
@@ -52,10 +69,21 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   double cell = options.cellSize;
   if (!(cell > 0)) {
     const Motion coarse = refineMotion(p.body.mesh, p.trajectory.trajectory, size / 50, run);
-    cell = plannedCell(sweptBox(p.body.mesh, coarse), options);
+    const Eigen::AlignedBox3d box = sweptBox(p.body.mesh, coarse);
+    for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  p.motion = refineMotion(p.body.mesh, p.trajectory.trajectory, options.chordTolerance * cell, run);
-  p.grid = planGrid(sweptBox(p.body.mesh, p.motion), bodyBox, options);
+  if (options.offset > 0 || options.conservative) {
+    // The cover (sampling/offset) flattens side patches by itself: only points need to be followed.
+    // Offsets are measured from the chords, envelopes from the true motion beside them.
+    TriMesh points;
+    points.vertices = p.body.mesh.vertices;
+    p.motion =
+        refineMotion(points, p.trajectory.trajectory, options.chordTolerance / 2 * cell, run);
+  } else {
+    p.motion =
+        refineMotion(p.body.mesh, p.trajectory.trajectory, options.chordTolerance * cell, run);
+  }
+  p.grid = planGrid(grownBox(sweptBox(p.body.mesh, p.motion), cell, options), bodyBox, options);
 }
 
 /// Rough: the sweep's surface is taken as one and a half times that of its box.
@@ -154,14 +182,12 @@ class Run {
     const BodyTopology topology = buildTopology(prepared_.body.mesh);
     stage("motion");
 
-    HermiteGrid hermite = sample(topology, options_.cull);
-    Surface surface = contour(topology, hermite);
-    stage("contour");
-    checkAndMend(surface, hermite);
-    result_.mesh = std::move(surface.mesh);
-    result_.contactTime = std::move(surface.contactTime);
-    hermite = HermiteGrid{};
-    simplify();
+    if (options_.offset > 0 || options_.conservative) {
+      grow(topology);
+    } else {
+      envelope(topology);
+      simplify();
+    }
     if (options_.tolerance <= 0) {
       result_.featureEdges = topology_.across.size() > 0
                                  ? findFeatureEdges(result_.mesh, topology_.across)
@@ -173,14 +199,9 @@ class Run {
  private:
   /// Options that the interface already names are refused, never ignored.
   void refuseUnbuilt() const {
-    const char* name = options_.offset > 0           ? "offset"
-                       : options_.conservative       ? "conservative"
-                       : options_.positionFilter > 0 ? "position filter"
-                                                     : nullptr;
-    if (name == nullptr) return;
-    throw Error(
-        Status::InvalidInput, "BadOption",
-        std::string("the option '") + name + "' is not built yet; leave it out (0 or false)");
+    if (options_.positionFilter <= 0) return;
+    throw Error(Status::InvalidInput, "BadOption",
+                "the option 'position filter' is not built yet; leave it out (0)");
   }
   void stage(const char* name) { report_.seconds.push_back({name, timer_.lap()}); }
 
@@ -199,13 +220,101 @@ class Run {
             prepared_.grid,      cull,     prepared_.body.orientable};
   }
 
-  Surface contour(const BodyTopology& topology, HermiteGrid& hermite) {
+  /// The swept volume as it is: result_.mesh.
+  void envelope(const BodyTopology& topology) {
     const SamplerInput input = samplerInput(topology, options_.cull);
+    HermiteGrid hermite = sample(topology, options_.cull);
     const ElementProbe probe(input, elements_, hermite.winner);
     Surface surface = contourUniform(hermite, options_, run_, &probe);
     std::vector<SweptElement>().swap(elements_);
     std::vector<std::uint32_t>().swap(hermite.winner);
-    return surface;
+    stage("contour");
+    finish(std::move(surface), hermite);
+  }
+
+  void finish(Surface surface, const HermiteGrid& hermite) {
+    checkAndMend(surface, hermite);
+    result_.mesh = std::move(surface.mesh);
+    result_.contactTime = std::move(surface.contactTime);
+  }
+
+  /// The swept volume grown by the safety distance, or so far that it is proven to be held.
+  void grow(const BodyTopology& topology) {
+    const SamplerInput input = samplerInput(topology, options_.cull);
+    const double cell = prepared_.grid.cell, wanted = options_.offset / cell;
+    const bool fromMesh = offset::copiesOf(input) > kMostCopies;
+    if (fromMesh && options_.conservative) {
+      throw Error(Status::ResourceLimit, "TooManyCopies",
+                  "a conservative envelope of a union of copies looks at every triangle of every "
+                  "copy: " +
+                      std::to_string(offset::copiesOf(input)) + " here, the limit is " +
+                      std::to_string(kMostCopies) +
+                      "; use fewer poses or a coarser body, or interpolate between poses");
+    }
+    if (fromMesh) envelope(topology);
+    const GrownSweep sweep(
+        fromMesh ? offset::coverOfMesh(result_.mesh, result_.contactTime, prepared_.grid)
+                 : offset::coverOfMotion(input, options_.conservative, run_),
+        prepared_.grid);
+    stage("cover");
+    if (!options_.conservative) {
+      report_.warnings.push_back(offsetFinding(sweep.cover(), fromMesh));
+      growTo(sweep, wanted);
+      return;
+    }
+    const double chord = sweep.cover().chord;
+    offset::Containment proof;
+    for (const double margin : kMarginCells) {
+      growTo(sweep, wanted + margin + options_.tolerance / cell);
+      proof = sweep.prove(result_.mesh, wanted + chord, run_);
+      stage("proof");
+      if (!proof.holds) continue;
+      report_.conservativeBound = (proof.farthest + chord - wanted) * cell;
+      report_.warnings.push_back(conservativeFinding(proof, sweep.cover()));
+      result_.kept.reset();  // another tolerance would need a proof of its own
+      return;
+    }
+    throw Error(Status::InternalError, "NotProven",
+                "the surface could not be proven to hold the swept volume: " +
+                    std::to_string(proof.tooNear) + " triangles too near, " +
+                    std::to_string(proof.outside) + " pieces outside; use a smaller cell");
+  }
+
+  void growTo(const GrownSweep& sweep, double distance) {
+    HermiteGrid hermite = sweep.hermite(distance, run_);
+    stage("offset");
+    report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
+    requireCrossings(hermite);
+    Surface surface = contourUniform(hermite, options_, run_);
+    stage("contour");
+    finish(std::move(surface), hermite);
+    hermite = HermiteGrid{};
+    simplify();
+  }
+
+  Finding offsetFinding(const offset::Cover& cover, bool fromMesh) const {
+    std::ostringstream text;
+    text.precision(4);
+    text << "grown by " << options_.offset << " mm, measured from " << cover.triangles.size();
+    if (fromMesh) {
+      text << " triangles of the envelope: how far that leaves the true one adds to the deviation";
+    } else {
+      text << " triangles of the body in motion, which lie within "
+           << (cover.largestSlack + cover.chord) * report_.cellSize << " mm of the swept volume";
+    }
+    return {"Offset", static_cast<std::int64_t>(cover.triangles.size()), {}, text.str()};
+  }
+
+  Finding conservativeFinding(const offset::Containment& proof, const offset::Cover& cover) const {
+    const double cell = report_.cellSize;
+    std::ostringstream text;
+    text.precision(4);
+    text << "the envelope holds the swept volume";
+    if (options_.offset > 0) text << " grown by " << options_.offset << " mm";
+    text << ": no point of it is nearer than " << proof.nearest * cell
+         << " mm to the sampled motion, which the true one leaves by at most " << cover.chord * cell
+         << " mm; no point lies more than " << report_.conservativeBound << " mm outside";
+    return {"Conservative", static_cast<std::int64_t>(cover.triangles.size()), {}, text.str()};
   }
 
   HermiteGrid sample(const BodyTopology& topology, bool cull) {
@@ -237,15 +346,17 @@ class Run {
     return hermite;
   }
 
+  static void requireCrossings(const HermiteGrid& hermite) {
+    if (!hermite.crossings.empty()) return;
+    throw Error(Status::InvalidInput, "CellTooLarge",
+                "no line of the grid meets the body: it is thinner than the cell everywhere; use a "
+                "smaller cell");
+  }
+
   /// The outside must not reach in through an open body, and there must be something to contour.
   void requireEnclosed(const HermiteGrid& hermite) {
+    requireCrossings(hermite);
     const auto crossings = static_cast<std::int64_t>(hermite.crossings.size());
-    if (crossings == 0) {
-      throw Error(
-          Status::InvalidInput, "CellTooLarge",
-          "no line of the grid meets the body: it is thinner than the cell everywhere; use a "
-          "smaller cell");
-    }
     if (prepared_.body.closed || hermite.sheetEdges == 0) return;
     const double share =
         2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);

@@ -27,7 +27,18 @@ void separate(Crossing& low, Crossing& high) {
 
 HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, const SignRuns& signs,
                              RunContext& run) {
-  const GridPlan& grid = input.grid;
+  const CrossingRefiner refiner(input, marked);
+  return buildHermiteGrid(
+      input.grid, marked, signs,
+      [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge, bool fromLow) {
+        return refiner.refine(axis, i, j, edge.k, fromLow ? edge.lowFraction : edge.highFraction,
+                              fromLow ? edge.lowElement : edge.highElement, fromLow);
+      },
+      run);
+}
+
+HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, const SignRuns& signs,
+                             const RefineCrossing& refine, RunContext& run) {
   const auto layers = static_cast<std::size_t>(grid.points[0]);
   HermiteGrid out;
   out.plan = grid;
@@ -61,7 +72,6 @@ HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, con
   }
   out.crossings.resize(total);
   out.winner.resize(total);
-  const CrossingRefiner refiner(input, marked);
   std::atomic<std::int64_t> sheets{0};
   parallelFor(layers, [&](std::size_t layer) {
     run.checkpoint(Phase::Signs, layer, layers);
@@ -78,14 +88,12 @@ HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, con
                         std::uint32_t* winner = &out.winner[next->first];
                         ++next;
                         if (sides & HermiteEdge::kLow) {
-                          *crossing = refiner.refine(axis, i, j, edge.k, edge.lowFraction,
-                                                     edge.lowElement, true);
+                          *crossing = refine(axis, i, j, edge, true);
                           *winner++ = edge.lowElement;
                           ++crossing;
                         }
                         if (sides & HermiteEdge::kHigh) {
-                          *crossing = refiner.refine(axis, i, j, edge.k, edge.highFraction,
-                                                     edge.highElement, false);
+                          *crossing = refine(axis, i, j, edge, false);
                           *winner = edge.highElement;
                         }
                         if (sides == 3) {

@@ -1,0 +1,33 @@
+// A swept volume grown by a length: safety distance, conservative envelope.
+//
+// In:    a cover of the swept volume (sampling/offset). Out: Hermite grids at any distance from it,
+//        and the proof that a mesh made from one holds the swept volume.
+// Units: cells. Cost: see sampling/offset.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "data/hermite_grid.h"
+#include "sampling/offset/containment.h"
+
+namespace swept {
+
+class GrownSweep {
+ public:
+  GrownSweep(offset::Cover cover, const GridPlan& grid)
+      : cover_(std::move(cover)), tree_(cover_.triangles), grid_(grid) {}
+  GrownSweep(const GrownSweep&) = delete;
+  GrownSweep& operator=(const GrownSweep&) = delete;
+
+  const offset::Cover& cover() const { return cover_; }
+  HermiteGrid hermite(double distance, RunContext& run) const;
+  offset::Containment prove(const TriMesh& mesh, double least, RunContext& run) const {
+    return offset::proveContainment(cover_, tree_, mesh, grid_, least, run);
+  }
+
+ private:
+  offset::Cover cover_;
+  offset::CoverTree tree_;
+  const GridPlan& grid_;
+};
+
+}  // namespace swept
