@@ -155,6 +155,14 @@
    <translation>Erzeugt aus der ausgewählten Hülle einen Festkörper für boolesche Operationen, Messen und STEP; ein ausgewählter Festkörper wird neu erzeugt</translation>
   </message>
   <message>
+   <source>Motion from driven value...</source>
+   <translation>Bewegung aus gesteuertem Wert...</translation>
+  </message>
+  <message>
+   <source>Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch dimension, a variable of an assembly. Select the object with the value, then the part</source>
+   <translation>Macht eine Bewegung eines Teils, während ein Wert einen Bereich durchläuft: eine Tabellenzelle, ein Skizzenmaß, eine Variable einer Baugruppe. Erst das Objekt mit dem Wert wählen, dann das Teil</translation>
+  </message>
+  <message>
    <source>Motion from file...</source>
    <translation>Bewegung aus Datei …</translation>
   </message>
@@ -175,8 +183,8 @@
    <translation>Bewegung aus Bahnobjekt …</translation>
   </message>
   <message>
-   <source>Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM path. It stays linked to it</source>
-   <translation>Erzeugt eine Bewegung aus Linienzug, Skizze, Roboterbahn, Verknüpfungs- oder Draft-Anordnung oder CAM-Bahn und bleibt damit verknüpft</translation>
+   <source>Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM path; from a path and a second curve that orients; from an assembly simulation and a part. It stays linked to it</source>
+   <translation>Macht eine Bewegung aus dem gewählten Linienzug, der Skizze, der Roboterbahn, der Link- oder Draft-Anordnung oder dem CAM-Pfad; aus einem Weg und einer zweiten Kurve, die ausrichtet; aus einer Baugruppen-Simulation und einem Teil. Sie bleibt damit verknüpft</translation>
   </message>
   <message>
    <source>New motion...</source>
@@ -238,12 +246,16 @@
    <translation>Zuerst eine Bewegung auswählen.</translation>
   </message>
   <message>
+   <source>Select the object whose value is driven (spreadsheet, sketch, variables), then the part that it moves.</source>
+   <translation>Das Objekt wählen, dessen Wert gesteuert wird (Tabelle, Skizze, Variablen), dann das Teil, das es bewegt.</translation>
+  </message>
+  <message>
    <source>Select at least two objects whose placements are the poses, in the order of the motion: copies or links of the part, or local coordinate systems.</source>
    <translation>Mindestens zwei Objekte auswählen, deren Platzierungen die Lagen sind, in der Reihenfolge der Bewegung: Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
   </message>
   <message>
-   <source>Select one wire, sketch, robot trajectory, link or Draft array, or CAM path.</source>
-   <translation>Einen Linienzug, eine Skizze, Roboterbahn, Verknüpfungs- oder Draft-Anordnung oder CAM-Bahn auswählen.</translation>
+   <source>Select one wire, sketch, robot trajectory, link or Draft array, or CAM path; or a path and a second curve; or a simulation of an assembly and the part to watch.</source>
+   <translation>Einen Linienzug, eine Skizze, eine Roboterbahn, eine Link- oder Draft-Anordnung oder einen CAM-Pfad wählen; oder einen Weg und eine zweite Kurve; oder eine Simulation einer Baugruppe und das zu verfolgende Teil.</translation>
   </message>
   <message>
    <source>No envelope is stale. Select one to compute it again.</source>
@@ -448,10 +460,6 @@ Versucht:
    <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
   </message>
   <message>
-   <source>Motion from path object</source>
-   <translation>Bewegung aus Bahnobjekt</translation>
-  </message>
-  <message>
    <source>Export envelope</source>
    <translation>Hülle exportieren</translation>
   </message>
@@ -532,6 +540,10 @@ Versucht:
   <message>
    <source>"{0}" = {1:g}: the document does not recompute.</source>
    <translation>„{0}“ = {1:g}: Das Dokument lässt sich nicht neu berechnen.</translation>
+  </message>
+  <message>
+   <source>there is a key at this time already.</source>
+   <translation>zu dieser Zeit gibt es schon eine Stützstelle.</translation>
   </message>
   <message>
    <source>"{0}" is not a number or quantity in {1}.</source>
@@ -673,20 +685,12 @@ Versucht:
    <translation>{0} x {1} x {2} Zellen von {3}; etwa {4:.0f} MB und {5:.1f} s</translation>
   </message>
   <message>
-   <source>Add selected</source>
-   <translation>Auswahl hinzufügen</translation>
-  </message>
-  <message>
-   <source>Remove</source>
-   <translation>Entfernen</translation>
-  </message>
-  <message>
-   <source>Adds the solids and meshes selected in the tree</source>
-   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
-  </message>
-  <message>
    <source>Accuracy</source>
    <translation>Genauigkeit</translation>
+  </message>
+  <message>
+   <source>Left coarse and quick, right fine and slow</source>
+   <translation>Links grob und schnell, rechts fein und langsam</translation>
   </message>
   <message>
    <source>Largest deviation by simplification; 0: none</source>
@@ -703,6 +707,10 @@ Versucht:
   <message>
    <source>Cells</source>
    <translation>Zellen</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Güte</translation>
   </message>
   <message>
    <source>Cell size</source>
@@ -725,6 +733,10 @@ Versucht:
    <translation>Eingeschlossene Hohlräume behalten</translation>
   </message>
   <message>
+   <source>Show a coarse envelope</source>
+   <translation>Grobe Hülle zeigen</translation>
+  </message>
+  <message>
    <source>Method</source>
    <translation>Verfahren</translation>
   </message>
@@ -735,10 +747,6 @@ Versucht:
   <message>
    <source>Backend</source>
    <translation>Rechenwerk</translation>
-  </message>
-  <message>
-   <source>{0}: {1} triangles, {2}, {3:.2f} s</source>
-   <translation>{0}: {1} Dreiecke, {2}, {3:.2f} s</translation>
   </message>
   <message>
    <source>Number of cells</source>
@@ -785,72 +793,56 @@ Versucht:
    <translation>Eine Lage ist</translation>
   </message>
   <message>
-   <source>Path</source>
-   <translation>Bahn</translation>
-  </message>
-  <message>
    <source>Key placements</source>
    <translation>Schlüsselplatzierungen</translation>
-  </message>
-  <message>
-   <source>none selected</source>
-   <translation>keines ausgewählt</translation>
   </message>
   <message>
    <source>Part</source>
    <translation>Teil</translation>
   </message>
   <message>
-   <source>Show a coarse envelope</source>
-   <translation>Grobe Hülle zeigen</translation>
+   <source>&amp;Capture</source>
+   <translation>&amp;Aufnehmen</translation>
   </message>
   <message>
-   <source>Play</source>
-   <translation>Abspielen</translation>
+   <source>Adds the placement that the part has now (Ctrl+Return)</source>
+   <translation>Fügt die jetzige Lage des Teils an (Strg+Eingabe)</translation>
   </message>
   <message>
-   <source>Capture</source>
-   <translation>Übernehmen</translation>
-  </message>
-  <message>
-   <source>Adds the placement that the part has now</source>
-   <translation>Fügt die jetzige Platzierung des Teils hinzu</translation>
-  </message>
-  <message>
-   <source>Update</source>
-   <translation>Aktualisieren</translation>
+   <source>U&amp;pdate</source>
+   <translation>Über&amp;nehmen</translation>
   </message>
   <message>
    <source>Takes the part's placement of now for this key</source>
    <translation>Nimmt für diesen Schlüssel die jetzige Platzierung des Teils</translation>
   </message>
   <message>
-   <source>Insert</source>
-   <translation>Einfügen</translation>
+   <source>&amp;Insert</source>
+   <translation>&amp;Einfügen</translation>
   </message>
   <message>
-   <source>A new key half-way to the next one</source>
-   <translation>Ein neuer Schlüssel auf halbem Weg zum nächsten</translation>
+   <source>A new key half-way to the next one (Insert)</source>
+   <translation>Neue Stützstelle auf halbem Weg zur nächsten (Einfg)</translation>
   </message>
   <message>
-   <source>Duplicate</source>
-   <translation>Verdoppeln</translation>
+   <source>D&amp;uplicate</source>
+   <translation>&amp;Verdoppeln</translation>
   </message>
   <message>
-   <source>The same placement again</source>
-   <translation>Dieselbe Platzierung noch einmal</translation>
+   <source>The same placement again (Ctrl+D)</source>
+   <translation>Dieselbe Lage noch einmal (Strg+D)</translation>
   </message>
   <message>
-   <source>Delete</source>
-   <translation>Löschen</translation>
+   <source>D&amp;elete</source>
+   <translation>&amp;Löschen</translation>
   </message>
   <message>
-   <source>Removes the key</source>
-   <translation>Entfernt den Schlüssel</translation>
+   <source>Removes the key (Delete)</source>
+   <translation>Entfernt die Stützstelle (Entf)</translation>
   </message>
   <message>
-   <source>Reverse</source>
-   <translation>Umkehren</translation>
+   <source>&amp;Reverse</source>
+   <translation>&amp;Umkehren</translation>
   </message>
   <message>
    <source>The way back</source>
@@ -861,36 +853,176 @@ Versucht:
    <translation>Nach oben</translation>
   </message>
   <message>
-   <source>Earlier</source>
-   <translation>Früher</translation>
+   <source>Earlier (Ctrl+Up)</source>
+   <translation>Früher (Strg+Auf)</translation>
   </message>
   <message>
    <source>Down</source>
    <translation>Nach unten</translation>
   </message>
   <message>
-   <source>Later</source>
-   <translation>Später</translation>
+   <source>Later (Ctrl+Down)</source>
+   <translation>Später (Strg+Ab)</translation>
   </message>
   <message>
-   <source>Even times</source>
-   <translation>Gleiche Zeiten</translation>
+   <source>E&amp;ven times</source>
+   <translation>&amp;Gleiche Zeiten</translation>
   </message>
   <message>
    <source>One second from key to key</source>
    <translation>Eine Sekunde von Schlüssel zu Schlüssel</translation>
   </message>
   <message>
-   <source>Pause</source>
-   <translation>Anhalten</translation>
+   <source>none: select it, then open this panel</source>
+   <translation>keines: wählen, dann diesen Bereich öffnen</translation>
+  </message>
+  <message>
+   <source>Steps in which the arrows and arcs move; 0: freely</source>
+   <translation>Schritte, in denen sich Pfeile und Bögen bewegen; 0: frei</translation>
+  </message>
+  <message>
+   <source>Path</source>
+   <translation>Bahn</translation>
+  </message>
+  <message>
+   <source>In the 3D view</source>
+   <translation>In der 3D-Ansicht</translation>
+  </message>
+  <message>
+   <source>Drag the chosen key</source>
+   <translation>Gewählte Stützstelle ziehen</translation>
+  </message>
+  <message>
+   <source>R&amp;ound</source>
+   <translation>&amp;Runden</translation>
+  </message>
+  <message>
+   <source>Rounds the chosen key to these steps</source>
+   <translation>Rundet die gewählte Stützstelle auf diese Schritte</translation>
+  </message>
+  <message>
+   <source>Snap</source>
+   <translation>Einrasten</translation>
+  </message>
+  <message>
+   <source>Adds the solids and meshes selected in the tree</source>
+   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
+  </message>
+  <message>
+   <source>Take selected</source>
+   <translation>Auswahl nehmen</translation>
+  </message>
+  <message>
+   <source>&amp;Add selected</source>
+   <translation>&amp;Auswahl hinzufügen</translation>
+  </message>
+  <message>
+   <source>&amp;Remove</source>
+   <translation>&amp;Entfernen</translation>
+  </message>
+  <message>
+   <source>Takes the marked parts out of the list</source>
+   <translation>Nimmt die markierten Teile aus der Liste</translation>
+  </message>
+  <message>
+   <source>Seen from a moving part</source>
+   <translation>Von einem bewegten Teil aus gesehen</translation>
+  </message>
+  <message>
+   <source>The envelope is what the moving parts take up for this part</source>
+   <translation>Die Hülle ist der Raum, den die bewegten Teile für dieses Teil einnehmen</translation>
+  </message>
+  <message>
+   <source>Takes the part that is selected in the tree</source>
+   <translation>Nimmt das im Baum gewählte Teil</translation>
+  </message>
+  <message>
+   <source>Own motion</source>
+   <translation>Eigene Bewegung</translation>
+  </message>
+  <message>
+   <source>as below</source>
+   <translation>wie unten</translation>
+  </message>
+  <message>
+   <source>Its motion</source>
+   <translation>Seine Bewegung</translation>
+  </message>
+  <message>
+   <source>Play</source>
+   <translation>Abspielen</translation>
+  </message>
+  <message>
+   <source>Time: the green ghost shows the part there</source>
+   <translation>Zeit: der grüne Schatten zeigt dort das Teil</translation>
+  </message>
+  <message>
+   <source>To the key before</source>
+   <translation>Zur vorigen Stützstelle</translation>
+  </message>
+  <message>
+   <source>&amp;Play</source>
+   <translation>A&amp;bspielen</translation>
+  </message>
+  <message>
+   <source>Plays in real time, or pauses</source>
+   <translation>Spielt in Echtzeit ab oder hält an</translation>
+  </message>
+  <message>
+   <source>To the next key</source>
+   <translation>Zur nächsten Stützstelle</translation>
+  </message>
+  <message>
+   <source>&amp;Pause</source>
+   <translation>&amp;Pause</translation>
+  </message>
+  <message>
+   <source>Volume: {0}</source>
+   <translation>Volumen: {0}</translation>
+  </message>
+  <message>
+   <source>Box: {0}</source>
+   <translation>Hüllquader: {0}</translation>
+  </message>
+  <message>
+   <source>Triangles: {0}, shells: {1}</source>
+   <translation>Dreiecke: {0}, Schalen: {1}</translation>
+  </message>
+  <message>
+   <source>Cell: {0}, simplified by: {1}</source>
+   <translation>Zelle: {0}, vereinfacht um: {1}</translation>
+  </message>
+  <message>
+   <source>Time: {0:.2f} s on {1}</source>
+   <translation>Zeit: {0:.2f} s auf {1}</translation>
+  </message>
+  <message>
+   <source>Warnings: {0}</source>
+   <translation>Warnungen: {0}</translation>
   </message>
   <message>
    <source>Motion from path object</source>
    <translation>Bewegung aus Bahnobjekt</translation>
   </message>
   <message>
-   <source>Poses</source>
-   <translation>Lagen</translation>
+   <source>Motion from driven value</source>
+   <translation>Bewegung aus gesteuertem Wert</translation>
+  </message>
+  <message>
+   <source>Fixed</source>
+   <translation>Fest</translation>
+  </message>
+  <message>
+   <source>Along the path</source>
+   <translation>Entlang des Weges</translation>
+  </message>
+  <message>
+   <source>Towards the second curve</source>
+   <translation>Zur zweiten Kurve hin</translation>
+  </message>
+  <message>
+   <source>Fixed: the part never turns. Along the path: x of the part stays on the tangent, with the least turn. Towards the second curve: z points to it; select both curves, the path first</source>
+   <translation>Fest: das Teil dreht sich nie. Entlang des Weges: x des Teils bleibt auf der Tangente, mit der kleinsten Drehung. Zur zweiten Kurve hin: z zeigt zu ihr; beide Kurven wählen, den Weg zuerst</translation>
   </message>
   <message>
    <source>Orientation</source>
@@ -905,12 +1037,72 @@ Versucht:
    <translation>Zeit je Lage</translation>
   </message>
   <message>
-   <source>Progress</source>
-   <translation>Fortschritt</translation>
+   <source>the tool head</source>
+   <translation>den Werkzeugkopf</translation>
+  </message>
+  <message>
+   <source>the table</source>
+   <translation>den Tisch</translation>
+  </message>
+  <message>
+   <source>Degrees about the fixed axes x, then y, then z. The tool head: X Y Z are in the workpiece. The table: it turns the workpiece with its coordinates, X Y Z are in the machine</source>
+   <translation>Grad um die festen Achsen x, dann y, dann z. Den Werkzeugkopf: X Y Z gelten im Werkstück. Den Tisch: er dreht das Werkstück samt seinen Koordinaten, X Y Z gelten in der Maschine</translation>
+  </message>
+  <message>
+   <source>A B C turn</source>
+   <translation>A B C drehen</translation>
+  </message>
+  <message>
+   <source>Speed of G0</source>
+   <translation>Tempo von G0</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Wert</translation>
+  </message>
+  <message>
+   <source>Poses</source>
+   <translation>Lagen</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>Von</translation>
+  </message>
+  <message>
+   <source>To</source>
+   <translation>Bis</translation>
+  </message>
+  <message>
+   <source>Tangent at the key</source>
+   <translation>Tangente an der Stützstelle</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Selbsttätig</translation>
   </message>
   <message>
    <source>Stop</source>
    <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Corner</source>
+   <translation>Ecke</translation>
+  </message>
+  <message>
+   <source>Given velocity</source>
+   <translation>Gegebene Geschwindigkeit</translation>
+  </message>
+  <message>
+   <source>Automatic: from the neighbouring keys. Stop: the part rests for a moment. Corner: straight on both sides. Given: as typed below</source>
+   <translation>Selbsttätig: aus den Nachbarn. Halt: das Teil ruht einen Augenblick. Ecke: beiderseits gerade. Gegeben: wie unten eingetippt</translation>
+  </message>
+  <message>
+   <source>Velocity along {0} (mm/s)</source>
+   <translation>Geschwindigkeit entlang {0} (mm/s)</translation>
+  </message>
+  <message>
+   <source>Progress</source>
+   <translation>Fortschritt</translation>
   </message>
  </context>
  <context>

@@ -4,17 +4,29 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from driver import App, Gui, QtWidgets, click, find, no_panel, panel_button, run, shot, widen
+from driver import (  # noqa: E402
+    App,
+    Close,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    select,
+    shot,
+)
 
 
 def scenario():
     from sweptvolume.features import clearance, envelope, motion
 
-    Gui.activateWorkbench("SweptVolumeWorkbench")
-    widen()
+    open_workbench()
     yield
-    doc = App.newDocument("Check")
-    doc.UndoMode = 1
+    doc = new_document("Check")
     box = doc.addObject("Part::Box", "Slide")
     box.Length, box.Width, box.Height = 30, 16, 10
 
@@ -43,8 +55,7 @@ def scenario():
     Gui.SendMsgToActiveView("ViewFit")
     yield
     undo = doc.UndoCount
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(swept)
+    select(swept)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
@@ -73,7 +84,7 @@ def scenario():
     assert view.colours.getNumChildren() == 1 and not swept.ViewObject.Visibility
     shot("13_clearance_colours")
     yield 1.0
-    click(panel_button(QtWidgets.QDialogButtonBox.Close))
+    click(panel_button(Close))
     yield no_panel
     assert swept.ViewObject.Visibility and view.colours.getNumChildren() == 0
     doc.getObject("Post").Placement.Base.y = 40

@@ -52,6 +52,88 @@ def shot(name):
         subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
 
 
+Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
+Apply, Close = QtWidgets.QDialogButtonBox.Apply, QtWidgets.QDialogButtonBox.Close
+
+
+def open_workbench():
+    """Our workbench in a roomier window."""
+    Gui.activateWorkbench("SweptVolumeWorkbench")
+    widen()
+
+
+def new_document(name):
+    """An empty document with undo."""
+    document = App.newDocument(name)
+    document.UndoMode = 1
+    return document
+
+
+def select(*items):
+    """Selects objects, or (object, sub path) tuples, and nothing else."""
+    Gui.Selection.clearSelection()
+    for item in items:
+        if isinstance(item, tuple):
+            Gui.Selection.addSelection(item[0].Document.Name, item[0].Name, item[1])
+        else:
+            Gui.Selection.addSelection(item)
+
+
+def press(widget, key, modifiers=QtCore.Qt.NoModifier, text=""):
+    """A key of the keyboard, as the window system sends it: first offered to shortcuts."""
+    for kind in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, key, modifiers, text)
+        QtWidgets.QApplication.sendEvent(widget, event)
+
+
+def choose(name, data):
+    """Chooses an entry of a visible combo box by its data."""
+    box = find(QtWidgets.QComboBox, name)
+    index = box.findData(data)
+    assert index >= 0, "{} has no entry {}".format(name, data)
+    box.setCurrentIndex(index)
+
+
+def viewport():
+    """The widget of the 3D view that takes the mouse."""
+    found = [
+        w
+        for w in Gui.getMainWindow().findChildren(QtWidgets.QWidget)
+        if w.metaObject().className() in ("QOpenGLWidget", "QGLWidget") and w.isVisible()
+    ]
+    assert found, "no 3D view"
+    return found[0]
+
+
+def drag(start, end, steps=8):
+    """Drags the left button in the 3D view between two points of the world; a generator."""
+    view, widget = Gui.activeDocument().activeView(), viewport()
+    # Coin counts pixels of the screen, from below; Qt counts its own, from above.
+    region = view.getViewer().getSoRenderManager().getViewportRegion()
+    ratio = region.getViewportSizePixels()[0] / widget.width()
+    places = []
+    for point in (start, end):
+        x, y = view.getPointOnScreen(point)
+        places.append(QtCore.QPointF(x / ratio, widget.height() - 1 - y / ratio))
+
+    def send(kind, where, button, held):
+        spot = QtCore.QPointF(widget.mapToGlobal(where.toPoint()))
+        event = QtGui.QMouseEvent(kind, where, spot, button, held, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(widget, event)
+
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    send(QtCore.QEvent.MouseMove, places[0], none, none)
+    yield 0.2
+    send(QtCore.QEvent.MouseButtonPress, places[0], left, left)
+    yield 0.2
+    for i in range(1, steps + 1):
+        where = places[0] + (places[1] - places[0]) * (i / steps)
+        send(QtCore.QEvent.MouseMove, where, none, left)
+        yield 0.1
+    send(QtCore.QEvent.MouseButtonRelease, places[1], left, none)
+    yield 0.2
+
+
 def widen():
     """A roomier window: no console, no report view, a wider combo view."""
     window = Gui.getMainWindow()
@@ -133,15 +215,26 @@ def run(scenario):
 
 __all__ = [
     "App",
+    "Apply",
+    "Cancel",
+    "Close",
     "Gaps",
     "Gui",
+    "Ok",
+    "QtCore",
     "QtWidgets",
+    "choose",
     "click",
+    "drag",
     "find",
+    "new_document",
     "no_panel",
+    "open_workbench",
     "panel_button",
+    "press",
     "run",
     "say",
+    "select",
     "shot",
     "widen",
 ]

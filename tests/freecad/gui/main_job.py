@@ -7,30 +7,24 @@ import tempfile
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from driver import (  # noqa: E402
     App,
+    Cancel,
     Gaps,
     Gui,
+    Ok,
     QtWidgets,
     click,
     find,
+    new_document,
     no_panel,
+    open_workbench,
     panel_button,
     run,
     say,
+    select,
     shot,
-    widen,
 )
 
-Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
 CSV = "# t in s\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n2,4,4,0,0,0,0.7071068,0.7071068\n"
-
-
-def select(*items):
-    Gui.Selection.clearSelection()
-    for item in items:
-        if isinstance(item, tuple):
-            Gui.Selection.addSelection(item[0].Document.Name, item[0].Name, item[1])
-        else:
-            Gui.Selection.addSelection(item)
 
 
 def scenario():
@@ -39,11 +33,9 @@ def scenario():
     from sweptvolume.panels import file_dialogs, file_panel
 
     folder = tempfile.mkdtemp()
-    Gui.activateWorkbench("SweptVolumeWorkbench")
-    widen()
+    open_workbench()
     yield
-    doc = App.newDocument("Job")
-    doc.UndoMode = 1
+    doc = new_document("Job")
     part, box = doc.addObject("App::Part", "Assembly"), doc.addObject("Part::Box", "Box")
     part.addObject(box)
     box.Length, box.Width, box.Height = 20, 12, 8
@@ -78,7 +70,7 @@ def scenario():
     select((part, "Box.Face6"), motion)
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.6
-    assert find(QtWidgets.QListWidget, "SweptVolumeParts").count() == 1
+    assert find(QtWidgets.QTableWidget, "SweptVolumeParts").rowCount() == 1
     shot("02_envelope_panel")
     yield 0.5
     gaps = Gaps()

@@ -7,20 +7,25 @@ import time
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from driver import (  # noqa: E402
     App,
+    Cancel,
     Gaps,
     Gui,
+    Ok,
+    QtCore,
     QtWidgets,
+    choose,
     click,
+    drag,
     find,
     no_panel,
+    open_workbench,
     panel_button,
+    press,
     run,
     say,
+    select,
     shot,
-    widen,
 )
-
-Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
 
 
 def button(name):
@@ -35,8 +40,7 @@ def scenario():
     from sweptvolume import demo
     from sweptvolume.panels import motion_panel
 
-    Gui.activateWorkbench("SweptVolumeWorkbench")
-    widen()
+    open_workbench()
     yield
     scene = demo.build()
     doc, starter = scene.document, scene.starter
@@ -44,8 +48,7 @@ def scenario():
     doc.removeObject(scene.motion.Name)
 
     # A new motion: capture here, move the part, capture again, insert one between.
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(starter)
+    select(starter)
     Gui.runCommand("SweptVolume_NewMotion")
     yield
     for place in ((0, 0, 0), (-60, 0, 0), (-66, 30, -60)):
@@ -70,7 +73,7 @@ def scenario():
     # The coarse envelope follows: twenty edits one after the other.
     panel = motion_panel.opened[-1]
     yield lambda: panel.preview.run is None
-    assert panel.ghosts.envelope.getNumChildren() == 1
+    assert panel.coarse.surface.getNumChildren() == 1
     gaps, began, done = Gaps(), time.perf_counter(), panel.preview.updates
     for i in range(20):
         type_into(table, 3, 3, str(-250 - i))
@@ -100,12 +103,10 @@ def scenario():
     # Edit and cancel: nothing changes, the ghosts are gone.
     before, graph = list(motion.Times), Gui.getDocument(doc.Name).activeView().getSceneGraph()
     children = graph.getNumChildren()
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(starter)
-    Gui.Selection.addSelection(motion)
+    select(starter, motion)
     Gui.runCommand("SweptVolume_EditMotion")
     yield
-    assert graph.getNumChildren() == children + 1
+    assert graph.getNumChildren() == children + 3  # ghosts, coarse envelope, dragger
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     table.setCurrentCell(0, 0)
     for name in ("Delete", "Reverse", "Duplicate", "Down", "Up", "Even"):
@@ -120,22 +121,61 @@ def scenario():
     assert graph.getNumChildren() == children and list(motion.Times) == before
     assert abs(starter.Placement.Base.x - place.Base.x) < 1e-9, "the part was not put back"
 
-    # A wire becomes a motion through its panel.
-    import Part
-
-    wire = doc.addObject("Part::Feature", "Wire")
-    wire.Shape = Part.makeLine(App.Vector(0, 200, 0), App.Vector(0, 300, 100))
-    doc.recompute()
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(wire)
-    Gui.runCommand("SweptVolume_MotionFromSource")
+    # The key is dragged by the arrow that points up, in steps of 10 mm, with real mouse events.
+    select(starter, motion)
+    Gui.runCommand("SweptVolume_EditMotion")
     yield
-    shot("13_motion_from_source")
+    panel = motion_panel.opened[-1]
+    panel.preview_box.setChecked(False)
+    panel.snap.setProperty("rawValue", 10.0)
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    table.setCurrentCell(0, 1)
     yield 0.5
+    there = panel.dragger.placement()
+    axes = [there.Rotation.multVec(App.Vector(*v)) for v in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    up = max(axes, key=lambda axis: axis.z)
+    tip = there.Base + up * panel.dragger.arrow
+    before = App.Placement(panel.keys.placements[0])
+    yield from drag(tip, tip + up * 60)
+    moved = panel.keys.placements[0].Base - before.Base
+    say("dragged by {:.3f} {:.3f} {:.3f} mm".format(*moved))
+    way = moved.dot(up)
+    assert (moved - up * way).Length < 1e-3, moved
+    assert way >= 30 and abs(way / 10 - round(way / 10)) < 1e-4, way
+    assert abs(float(table.item(0, 3).text()) - panel.keys.placements[0].Base.z) < 1e-3
+    shot("15_dragged")
+    yield 0.5
+
+    # Smooth, with a tangent of its own; keys of the keyboard; steps of the player.
+    choose("SweptVolumeInterpolation", "Spline")
+    yield
+    table.setCurrentCell(1, 1)
+    choose("SweptVolumeTangent", "Given")
+    find(QtWidgets.QDoubleSpinBox, "SweptVolumeSpeedx").setValue(120)
+    yield
+    shot("16_spline")
+    yield 0.5
+    press(table, QtCore.Qt.Key_Insert)
+    yield
+    assert table.rowCount() == 5 and table.currentRow() == 2, table.rowCount()
+    press(table, QtCore.Qt.Key_Up, QtCore.Qt.ControlModifier)
+    assert table.currentRow() == 1
+    press(table, QtCore.Qt.Key_Down, QtCore.Qt.ControlModifier)
+    press(table, QtCore.Qt.Key_Delete)
+    yield
+    assert table.rowCount() == 4 and doc.getObject(starter.Name) is not None
+    panel.player.slider.setValue(0)
+    click(button("Forth"))
+    assert abs(panel.player.now() - panel.keys.times[1]) < 0.01, panel.player.now()
+    click(button("Back"))
+    assert abs(panel.player.now() - panel.keys.times[0]) < 0.01
     click(panel_button(Ok))
     yield no_panel
-    made = doc.Objects[-1]
-    assert made.SourceType == "Curve" and made.Count == 32, made.Name
+    assert motion.Interpolation == "Spline" and list(motion.Tangents)[1] == "Given"
+    assert abs(motion.Velocities[1].x - 120) < 1e-9
+    assert doc.UndoNames[0] == "Edit motion"
+    shot("17_smooth_path")
+    yield 0.5
     App.closeDocument(doc.Name)
     yield
 

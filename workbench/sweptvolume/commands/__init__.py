@@ -10,6 +10,7 @@ _MODULES = [
     "motion_from_file",
     "motion_from_selection",
     "motion_from_source",
+    "motion_driven",
     "edit_motion",
     "reload_motion",
     "",
@@ -55,14 +56,19 @@ def fill_context_menu(workbench, recipient):
     if recipient not in ("View", "Tree"):
         return
     names = []
+    if selection.motion():
+        names += ["SweptVolume_EditMotion", "SweptVolume_ReloadMotion"]
+    elif selection.parts():
+        names.append("SweptVolume_NewMotion")
     if selection.motion() or selection.parts():
-        names.append("SweptVolume_Envelope")
+        names += ["SweptVolume_Envelope", "SweptVolume_Clearance"]
     if selection.envelope():
         names += [
+            "SweptVolume_EditEnvelope",
             "SweptVolume_Recompute",
             "SweptVolume_Clearance",
             "SweptVolume_Solid",
             "SweptVolume_Export",
         ]
     if names:
-        workbench.appendContextMenu("", ["Separator"] + names)
+        workbench.appendContextMenu("", ["Separator"] + sorted(set(names), key=_names.index))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from path object: wire, sketch, robot trajectory, array, CAM path."""
+"""Motion from path object: wire, sketch, robot trajectory, array, CAM path, assembly simulation."""
 from ..convert import InputProblem
 from ..texts import mark, translate
 from .base import BaseCommand
@@ -11,20 +11,22 @@ class Command(BaseCommand):
     TIP = mark(
         "Commands",
         "Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM "
-        "path. It stays linked to it",
+        "path; from a path and a second curve that orients; from an assembly simulation and a part. It "
+        "stays linked to it",
     )
 
     def run(self, document):
         from ..panels import selection, source_panel
         from ..trajectory import sources
 
-        objects = selection.placed() or selection.plain()
+        objects = selection.plain()
         kind = sources.kind_for(objects)
         if not kind:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "Select one wire, sketch, robot trajectory, link or Draft array, or CAM path.",
+                    "Select one wire, sketch, robot trajectory, link or Draft array, or CAM path; or a path "
+                    "and a second curve; or a simulation of an assembly and the part to watch.",
                 )
             )
         source_panel.show(document, kind, objects)

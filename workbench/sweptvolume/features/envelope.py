@@ -335,6 +335,19 @@ class Plan:
         deflection = max(self.values["MeshDeflection"], 1e-3) * cell
         return [g.body_request(deflection, STRAIGHT * cell, options) for g in groups]
 
+    def coarse_requests(self, cells):
+        """As requests(), of a quick look: `cells` along the longest side, nothing simplified."""
+        values = dict(
+            self.values,
+            Resolution=cells,
+            CellSize=0.0,
+            Tolerance=0.0,
+            KeepCavities=False,
+            MeshDeflection=0.25,
+        )
+        reference = self.reference, self.reference_motion
+        return Plan(self.pairs, self.motion, values, self.motions, *reference).requests()
+
     def union_options(self, requests):
         """Settings of the run that joins the envelopes of several groups."""
         return dict(self.options(), cell=requests[0].options["cell"], offset=0.0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motion: times and placements kept in the document, linked to where they came from."""
+import FreeCAD as App
 import numpy as np
 
 from .. import core
@@ -199,14 +200,23 @@ def is_motion(obj):
 
 def poses_of(obj):
     """Poses of a motion object; raises InputProblem naming it."""
-    tangents = []
-    for k, kind in enumerate(obj.Tangents):
-        given = obj.Velocities[k] if k < len(obj.Velocities) else None
-        tangents.append((kind, given))
     try:
-        return Poses(obj.Times, obj.Placements, tangents)
+        return Poses(obj.Times, obj.Placements, tangents_of(obj))
     except InputProblem as problem:
         raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
+
+
+def tangents_of(obj):
+    """(kind, velocity) for each key that has one (trajectory/spline.py)."""
+    known = list(obj.Velocities)
+    return [(kind, known[k] if k < len(known) else None) for k, kind in enumerate(obj.Tangents)]
+
+
+def set_tangents(obj, tangents):
+    """Stores (kind, velocity) pairs; nothing at all while every key is Auto."""
+    plain = all(kind == "Auto" for kind, _ in tangents)
+    set_changed(obj, "Tangents", [] if plain else [kind for kind, _ in tangents])
+    obj.Velocities = [] if plain else [v or App.Vector() for _, v in tangents]
 
 
 def words(obj):
@@ -325,7 +335,9 @@ __all__ = [
     "motion_from_poses",
     "poses_of",
     "reload_source",
+    "set_tangents",
     "settings_of",
     "store",
+    "tangents_of",
     "words",
 ]

@@ -1,22 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel of an envelope: parts, motion, accuracy, estimate, run. Nothing is written to the
-document before a run has ended well."""
+"""Task panel of an envelope: parts, motion, accuracy, estimate, coarse preview, run, read-outs. Nothing
+is written to the document before a run has ended well."""
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import convert, core, runner, settings
+from .. import core, runner, settings
 from ..convert import InputProblem
-from ..features import motion
-from ..features.base import objects_of_kind
 from ..features.envelope import BACKENDS, COMPONENTS, Plan
 from ..texts import translate
-from . import selection, widgets
+from ..views.ghost import CoarseEnvelope
+from . import widgets
+from .parts_box import PartsBox
+from .preview import Preview
+from .read_outs import ReadOuts
 from .tasks import EnvelopeTask
 from .widgets import QtWidgets
 
-#: ms after the last change before the estimate is made anew.
+#: ms after the last change before estimate and preview are made anew.
 ESTIMATE_DELAY = 250
+#: Steps of the quality slider, in cells along the longest side.
+QUALITIES = [32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024]
 
 DEFAULTS = {
     "Resolution": 128,
@@ -39,6 +43,7 @@ class EnvelopePanel:
         self.obj = obj
         self.run = None
         self.buttons = []
+        self.closed = False
         self.close_when_done = True
         values = dict(
             DEFAULTS,
@@ -46,52 +51,28 @@ class EnvelopePanel:
             Tolerance=settings.tolerance(),
             Backend=settings.backend(),
         )
-        if obj is not None:
-            plan = Plan.of(obj)
-            pairs, motion_obj, values = plan.pairs, plan.motion, plan.values
-        self.pairs = list(pairs)
+        plan = Plan(pairs, motion_obj, values) if obj is None else Plan.of(obj)
+        values = plan.values
         title = translate("Panels", "Swept envelope")
         self.form, self.layout = widgets.window(title, "SweptVolume_Envelope")
         self.box = widgets.RunBox()
         self.message = widgets.message_label()
-        self.layout.addWidget(self.box)  # on top: visible without scrolling
-        self.layout.addWidget(self.message)
-        self._build_inputs(motion_obj)
+        self.read_outs = ReadOuts()
+        for widget in (self.box, self.message, self.read_outs):
+            self.layout.addWidget(widget)  # on top: visible without scrolling
+        self.parts = PartsBox(document, plan, self.layout)
         self._build_accuracy(values)
         self._build_method(values)
         self.layout.addStretch(1)
         self.timer = QtCore.QTimer(self.form)
         self.timer.setSingleShot(True)
-        self.timer.timeout.connect(self.estimate)
+        self.timer.timeout.connect(self.settled)
+        self.coarse = None
+        self.preview = Preview(document, self.show_preview, self.report_preview)
         self._connect()
-        self._show_parts()
+        self.read_outs.show_result(obj)
 
     # --- building
-
-    def _build_inputs(self, motion_obj):
-        rows = widgets.group(translate("Panels", "Moving parts"), self.layout)
-        self.parts = QtWidgets.QListWidget()
-        self.parts.setObjectName("SweptVolumeParts")
-        self.parts.setMaximumHeight(72)
-        self.parts.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
-        self.add = QtWidgets.QPushButton(translate("Panels", "Add selected"))
-        self.remove = QtWidgets.QPushButton(translate("Panels", "Remove"))
-        widgets.hint(
-            self.add, translate("Panels", "Adds the solids and meshes selected in the tree")
-        )
-        buttons = QtWidgets.QHBoxLayout()
-        buttons.addWidget(self.add)
-        buttons.addWidget(self.remove)
-        rows.addRow(self.parts)
-        rows.addRow(buttons)
-        motions = objects_of_kind(self.document, motion.Motion.KIND)
-        self.motions = QtWidgets.QComboBox()
-        self.motions.setObjectName("SweptVolumeMotion")
-        for candidate in motions:
-            self.motions.addItem(candidate.Label, candidate.Name)
-        if motion_obj in motions:
-            self.motions.setCurrentIndex(motions.index(motion_obj))
-        rows.addRow(translate("Panels", "Motion"), self.motions)
 
     def _build_accuracy(self, values):
         rows = widgets.group(translate("Panels", "Accuracy"), self.layout)
@@ -107,6 +88,14 @@ class EnvelopePanel:
         self.resolution.setObjectName("SweptVolumeResolution")
         tip = translate("Panels", "Cells along the longest side of the sweep")
         widgets.hint(self.resolution, tip)
+        self.quality = QtWidgets.QSlider(QtCore.Qt.Horizontal)
+        self.quality.setObjectName("SweptVolumeQuality")
+        self.quality.setRange(0, len(QUALITIES) - 1)
+        self.quality.setPageStep(1)
+        self.quality.setTickPosition(QtWidgets.QSlider.TicksBelow)
+        widgets.hint(
+            self.quality, translate("Panels", "Left coarse and quick, right fine and slow")
+        )
         self.cell = widgets.length(values["CellSize"] or 1.0)
         self.tolerance = widgets.length(values["Tolerance"])
         self.offset = widgets.length(values["Offset"])
@@ -116,6 +105,7 @@ class EnvelopePanel:
         widgets.hint(self.offset, translate("Panels", "Safety distance around the swept volume"))
         rows.addRow(translate("Panels", "Given by"), self.by)
         rows.addRow(translate("Panels", "Cells"), self.resolution)
+        rows.addRow(translate("Panels", "Quality"), self.quality)
         rows.addRow(translate("Panels", "Cell size"), self.cell)
         self.estimate_label = QtWidgets.QLabel()
         self.estimate_label.setWordWrap(True)
@@ -128,6 +118,11 @@ class EnvelopePanel:
         self.cavities.setChecked(values["KeepCavities"])
         rows.addRow(self.conservative)
         rows.addRow(self.cavities)
+        self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
+        self.preview_box.setObjectName("SweptVolumePreview")
+        self.preview_text = widgets.message_label()
+        rows.addRow(self.preview_box)
+        rows.addRow(self.preview_text)
         self.deflection = values["MeshDeflection"]
 
     def _build_method(self, values):
@@ -138,46 +133,30 @@ class EnvelopePanel:
         rows.addRow(translate("Panels", "Backend"), self.backend)
 
     def _connect(self):
-        self.add.clicked.connect(self.add_selected)
-        self.remove.clicked.connect(self.remove_chosen)
         self.by.currentIndexChanged.connect(self._accuracy_changed)
+        self.quality.valueChanged.connect(lambda i: self.resolution.setValue(QUALITIES[i]))
+        self.resolution.valueChanged.connect(self._show_quality)
+        self.preview_box.toggled.connect(self._changed)
+        self.parts.changed.connect(self._changed)
         for signal in (
-            self.motions.currentIndexChanged,
             self.resolution.valueChanged,
             self.backend.currentIndexChanged,
+            self.cell.valueChanged,
+            self.offset.valueChanged,
         ):
             signal.connect(self._changed)
-        self.cell.valueChanged.connect(self._changed)
-        self.offset.valueChanged.connect(self._changed)
+        self._show_quality()
         self._accuracy_changed()
 
-    # --- parts
-
-    def _show_parts(self):
-        self.parts.clear()
-        for root, sub in self.pairs:
-            text = convert.label_of(root, sub)
-            if sub.count(".") >= 1:
-                text += "  ({})".format(root.Label)
-            self.parts.addItem(text)
-        self._changed()
-
-    def add_selected(self):
-        for pair in selection.parts():
-            if pair not in self.pairs:
-                self.pairs.append(pair)
-        self._show_parts()
-
-    def remove_chosen(self):
-        rows = {index.row() for index in self.parts.selectedIndexes()}
-        self.pairs = [pair for i, pair in enumerate(self.pairs) if i not in rows]
-        self._show_parts()
+    def _show_quality(self, *ignored):
+        """The slider stands at the step nearest to the number of cells."""
+        cells = self.resolution.value()
+        nearest = min(range(len(QUALITIES)), key=lambda i: abs(QUALITIES[i] - cells))
+        self.quality.blockSignals(True)
+        self.quality.setValue(nearest)
+        self.quality.blockSignals(False)
 
     # --- values
-
-    def motion_object(self):
-        name = self.motions.currentData()
-        return self.document.getObject(name) if name else None
 
     def values(self):
         by_cell = self.by.currentData() == "CellSize"
@@ -194,23 +173,53 @@ class EnvelopePanel:
         }
 
     def plan(self):
-        return Plan(self.pairs, self.motion_object(), self.values())
+        parts = self.parts
+        return Plan(
+            parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
+        )
 
     def _accuracy_changed(self, *ignored):
         by_cell = self.by.currentData() == "CellSize"
         self.cell.setEnabled(by_cell)
         self.resolution.setEnabled(not by_cell)
+        self.quality.setEnabled(not by_cell)
         self._changed()
 
     def _changed(self, *ignored):
-        if hasattr(self, "timer"):
-            self.timer.start(ESTIMATE_DELAY)
+        self.timer.start(ESTIMATE_DELAY)
+
+    def settled(self):
+        """Nothing was changed for a moment: estimate and preview."""
+        if not widgets.alive(self.document):
+            self._close()
+            return
+        self.estimate()
+        self.ask_preview()
+
+    def ask_preview(self):
+        """Wishes for a coarse envelope with the present inputs, or takes it away."""
+        if not self.preview_box.isChecked() or self.run is not None:
+            self.preview.stop()
+            self._remove_coarse()
+            return
+        plan = self.plan()
+        self.preview.want(plan.coarse_requests)
+
+    def show_preview(self, vertices, triangles):
+        if self.coarse is None:
+            self.coarse = CoarseEnvelope(self.document)
+        self.coarse.show(vertices, triangles)
+
+    def _remove_coarse(self):
+        if self.coarse is not None and widgets.alive(self.document):
+            self.coarse.remove()
+        self.coarse = None
+
+    def report_preview(self, text):
+        widgets.show_message(self.preview_text, text)
 
     def estimate(self):
         """Shows grid, memory and time before anything is started."""
-        if not widgets.alive(self.document):
-            Gui.Control.closeDialog()
-            return
         try:
             e = self.plan().estimate()
         except (InputProblem, core.CoreError, core.CoreMissing) as problem:
@@ -233,6 +242,9 @@ class EnvelopePanel:
         except (InputProblem, core.CoreMissing) as problem:
             widgets.show_message(self.message, str(problem))
             return False
+        self.preview_box.setChecked(False)
+        self.preview.stop()
+        self._remove_coarse()
         self.run = runner.start(task)
         self.box.follow(self.run)
         self._enable(False)
@@ -241,7 +253,7 @@ class EnvelopePanel:
 
     def _enable(self, on):
         for box in self.form.findChildren(QtWidgets.QGroupBox):
-            if box is not self.box:
+            if box not in (self.box, self.read_outs):
                 box.setEnabled(on)
         for button in self.buttons:
             button.setEnabled(on)
@@ -249,8 +261,7 @@ class EnvelopePanel:
     def ended(self, run):
         self.run = None
         if not widgets.alive(self.document):
-            self.timer.stop()
-            Gui.Control.closeDialog()
+            self._close()
             return
         if self.obj is not None and not widgets.alive(self.obj):
             self.obj = None  # deleted meanwhile: OK makes a new one
@@ -260,9 +271,9 @@ class EnvelopePanel:
             self.obj = run.task.obj
             Gui.Selection.clearSelection()
             if self.close_when_done:
-                Gui.Control.closeDialog()
+                self._close()
             else:
-                widgets.show_message(self.message, summary(self.obj))
+                self.read_outs.show_result(self.obj)
             return
         text = run.message
         if run.state == "cancelled":
@@ -295,16 +306,17 @@ class EnvelopePanel:
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()
+        return self._close()
+
+    def _close(self):
+        if self.closed:  # the document went, and a run or the timer told of it first
+            return True
+        self.closed = True
         self.timer.stop()
+        self.preview.stop()
+        self._remove_coarse()
         Gui.Control.closeDialog()
         return True
-
-
-def summary(obj):
-    """One line on a result."""
-    return translate("Panels", "{0}: {1} triangles, {2}, {3:.2f} s").format(
-        obj.Label, obj.Triangles, obj.Volume.UserString, obj.Seconds
-    )
 
 
 def show(document, pairs=(), motion_obj=None, obj=None, start=False):

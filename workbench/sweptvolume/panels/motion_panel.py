@@ -1,29 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: the path editor. Table of keys, capture, play; the part itself is never moved, and the
-document changes only with OK, in one step."""
+"""Task panel: the path editor. Table of keys, capture, drag, play; the document changes only with OK,
+in one step, and Cancel puts the part back."""
 import FreeCAD as App
 import FreeCADGui as Gui
-from PySide import QtCore
 
 from .. import convert, core, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..features.envelope import is_envelope
 from ..texts import translate
-from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from
+from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from, snapped
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, base_of
-from ..views.ghost import Ghosts
-from . import selection, widgets
-from .preview import Preview
+from ..trajectory.spline import Spline
+from ..views.dragger import PoseDragger
+from ..views.ghost import CoarseEnvelope, Ghosts
+from . import key_table, selection, widgets
+from .player import Player
+from .preview import Preview, request_for
+from .tangent_box import TangentBox
 from .widgets import QtWidgets
 
-COLUMNS = ["t", "x", "y", "z", "yaw", "pitch", "roll"]
-UNITS = ["s", "mm", "mm", "mm", "deg", "deg", "deg"]
-#: ms between two pictures while playing; steps of the slider.
-FRAME_TIME, SLIDER = 40, 1000
 #: Ghosts are coarse: deflection as part of the part's box diagonal; most keys that get one.
 GHOST_DEFLECTION, MOST_GHOSTS = 0.01, 60
-
 
 #: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
 opened = []
@@ -35,109 +33,81 @@ class MotionPanel:
     def __init__(self, document, obj=None, pair=None):
         self.document, self.obj = document, obj
         self.pair = pair or _part_of(document, obj)
-        self.keys = Keys(obj.Times, obj.Placements) if obj else Keys()
-        self.before = ([], []) if obj is None else (list(obj.Times), list(obj.Placements))
-        self.ghosts, self.filling = None, False
+        self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
+        self.before = _content(self.keys)
+        self.body, self.ghosts, self.coarse, self.dragger = None, None, None, None
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
         self.home = App.Placement(self.target.Placement) if self.target is not None else None
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
-        self._build_table(layout)
-        self._build_rules(layout)
-        self._build_player(layout)
         self.message = widgets.message_label()
         layout.addWidget(self.message)
+        none = translate("Panels", "none: select it, then open this panel")
+        self.keyboard = key_table.add_to(
+            layout, convert.label_of(*self.pair) if self.pair else none
+        )
+        self.table = self.keyboard.table
+        self._build_rules(layout)
+        self.player = Player()
+        layout.addWidget(self.player)
+        self._build_view(layout)
         layout.addStretch(1)
-        self.body = None
         self.preview = Preview(document, self.show_preview, self.report_preview)
-        self.timer = QtCore.QTimer(self.form)
-        self.timer.timeout.connect(self.advance)
         self._make_ghosts()
+        self._connect()
         self.fill(0)
 
     # --- building
-
-    def _build_table(self, layout):
-        rows = widgets.group(translate("Panels", "Key placements"), layout)
-        part = convert.label_of(*self.pair) if self.pair else translate("Panels", "none selected")
-        rows.addRow(translate("Panels", "Part"), QtWidgets.QLabel(part))
-        self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
-        self.table.setObjectName("SweptVolumeKeys")
-        self.table.setHorizontalHeaderLabels(COLUMNS)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setMinimumHeight(170)
-        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
-        self.table.itemChanged.connect(self.edited)
-        self.table.currentCellChanged.connect(self.chosen)
-        rows.addRow(self.table)
-        grid = QtWidgets.QGridLayout()
-        self.buttons = {}
-        for i, (name, text, tip, action) in enumerate(self._actions()):
-            button = QtWidgets.QPushButton(text)
-            button.setObjectName("SweptVolume" + name)
-            button.setToolTip(tip)
-            button.clicked.connect(lambda checked=False, action=action: self.act(action))
-            grid.addWidget(button, i // 3, i % 3)
-            self.buttons[name] = button
-        rows.addRow(grid)
-
-    def _actions(self):
-        t = lambda text: translate("Panels", text)  # noqa: E731
-        return [
-            ("Capture", t("Capture"), t("Adds the placement that the part has now"), self._capture),
-            (
-                "Update",
-                t("Update"),
-                t("Takes the part's placement of now for this key"),
-                self._update,
-            ),
-            ("Insert", t("Insert"), t("A new key half-way to the next one"), self._insert),
-            (
-                "Duplicate",
-                t("Duplicate"),
-                t("The same placement again"),
-                lambda i: self.keys.duplicate(i),
-            ),
-            ("Delete", t("Delete"), t("Removes the key"), self._delete),
-            ("Reverse", t("Reverse"), t("The way back"), self._reverse),
-            ("Up", t("Up"), t("Earlier"), lambda i: self.keys.move(i, -1)),
-            ("Down", t("Down"), t("Later"), lambda i: self.keys.move(i, 1)),
-            ("Even", t("Even times"), t("One second from key to key"), self._even),
-        ]
 
     def _build_rules(self, layout):
         rows = widgets.group(translate("Panels", "Motion"), layout)
         self.interpolation = widgets.choice(
             list(INTERPOLATIONS), self.obj.Interpolation if self.obj else "Linear"
         )
+        self.interpolation.setObjectName("SweptVolumeInterpolation")
         self.frame = widgets.choice(FRAMES, self.obj.Frame if self.obj else "Absolute")
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
-        self.frame.currentIndexChanged.connect(lambda i: self.show_ghosts())
-        self.interpolation.currentIndexChanged.connect(self.ask_preview)
+        self.tangent = TangentBox()
+        layout.addWidget(self.tangent)
+
+    def _build_view(self, layout):
+        rows = widgets.group(translate("Panels", "In the 3D view"), layout)
+        self.drag_box = QtWidgets.QCheckBox(translate("Panels", "Drag the chosen key"))
+        self.drag_box.setObjectName("SweptVolumeDrag")
+        self.drag_box.setChecked(True)
+        self.snap = widgets.length(1.0, 0.0, 1.0)
+        self.snap_angle = widgets.angle(5.0, 0.0, 5.0)
+        tip = translate("Panels", "Steps in which the arrows and arcs move; 0: freely")
+        round_button = QtWidgets.QPushButton(translate("Panels", "R&ound"))
+        round_button.setObjectName("SweptVolumeRound")
+        round_button.setToolTip(translate("Panels", "Rounds the chosen key to these steps"))
+        round_button.clicked.connect(lambda *ignored: self.act("Round"))
+        line = QtWidgets.QHBoxLayout()
+        for field in (self.snap, self.snap_angle):
+            field.setToolTip(tip)
+            field.setMinimumWidth(70)
+            line.addWidget(field, 1)
+            field.valueChanged.connect(lambda *ignored: self._set_snap())
+        line.addWidget(round_button)
         self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
         self.preview_box.setChecked(settings.preview())
-        self.preview_box.toggled.connect(self.ask_preview)
         self.preview_text = widgets.message_label()
+        rows.addRow(self.drag_box)
+        rows.addRow(translate("Panels", "Snap"), line)
         rows.addRow(self.preview_box)
         rows.addRow(self.preview_text)
 
-    def _build_player(self, layout):
-        rows = widgets.group(translate("Panels", "Play"), layout)
-        self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
-        self.slider.setObjectName("SweptVolumeTime")
-        self.slider.setRange(0, SLIDER)
-        self.slider.valueChanged.connect(lambda value: self.show_moving())
-        self.play = QtWidgets.QPushButton(translate("Panels", "Play"))
-        self.play.setObjectName("SweptVolumePlay")
-        self.play.setCheckable(True)
-        self.play.toggled.connect(self.toggle)
-        self.time = QtWidgets.QLabel()
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.play)
-        line.addWidget(self.slider, 1)
-        line.addWidget(self.time)
-        rows.addRow(line)
+    def _connect(self):
+        self.keyboard.wanted.connect(self.act)
+        self.keyboard.typed.connect(self.edited)
+        self.keyboard.chosen.connect(self.chosen)
+        self.tangent.changed.connect(self._tangent_changed)
+        self.player.moved.connect(self.show_moving)
+        self.frame.currentIndexChanged.connect(lambda *ignored: self.show_all())
+        self.interpolation.currentIndexChanged.connect(lambda *ignored: self.show_all())
+        self.preview_box.toggled.connect(lambda *ignored: self.ask_preview())
+        self.drag_box.toggled.connect(lambda *ignored: self.show_dragger())
 
     # --- keys
 
@@ -152,92 +122,93 @@ class MotionPanel:
             )
         return convert.global_placement(*self.pair)
 
-    def _capture(self, index):
-        if self.frame.currentData() != "Absolute":
+    def _do(self, name, row):
+        """Carries out an action on a row; returns the row that is the current one then."""
+        keys = self.keys
+        if name in ("Capture", "Update") and self.frame.currentData() != "Absolute":
             raise InputProblem(translate("Messages", "only Absolute poses can be captured."))
-        return self.keys.append(self.standing())
+        if name == "Capture":
+            return keys.append(self.standing())
+        if name == "Insert":
+            return keys.insert_after(row, self.interpolation.currentData())
+        if name == "Reverse":
+            keys.reverse()
+            return len(keys) - 1 - row
+        if name == "Even":
+            keys.even(1.0)
+            return row
+        if not 0 <= row < len(keys):
+            raise InputProblem(translate("Messages", "choose a key in the table first."))
+        if name == "Duplicate":
+            return keys.duplicate(row)
+        if name in ("Up", "Down"):
+            return keys.move(row, -1 if name == "Up" else 1)
+        if name == "Update":
+            keys.update(row, self.standing())
+        elif name == "Round":
+            keys.update(row, snapped(keys.placements[row], *self._snap_steps()))
+        elif name == "Delete":
+            keys.delete(row)
+        return min(row, len(keys) - 1)
 
-    def _update(self, index):
-        self.keys.update(index, self.standing())
-        return index
-
-    def _insert(self, index):
-        return self.keys.insert_after(index, self.interpolation.currentData())
-
-    def _delete(self, index):
-        self.keys.delete(index)
-        return min(index, len(self.keys) - 1)
-
-    def _reverse(self, index):
-        self.keys.reverse()
-        return len(self.keys) - 1 - index
-
-    def _even(self, index):
-        self.keys.even(1.0)
-        return index
-
-    def act(self, action):
-        """Runs a button's action on the current row; problems are shown below."""
+    def act(self, name):
+        """An action of a button or a key; problems are shown."""
         widgets.show_message(self.message, "")
-        row = self.table.currentRow()
-        if row < 0 and action not in (self._capture, self._insert, self._reverse, self._even):
-            widgets.show_message(
-                self.message, translate("Messages", "choose a key in the table first.")
-            )
-            return
+        row = self.keyboard.row()
         try:
-            self.fill(action(row if row >= 0 else len(self.keys) - 1))
+            self.fill(self._do(name, row if row >= 0 else len(self.keys) - 1))
         except InputProblem as problem:
             widgets.show_message(self.message, str(problem))
 
     def fill(self, current):
-        """Shows the keys in the table."""
-        self.filling = True
-        self.table.setRowCount(len(self.keys))
-        for row in range(len(self.keys)):
-            self._fill_row(row)
-        self.filling = False
-        if len(self.keys):
-            self.table.setCurrentCell(max(0, min(current, len(self.keys) - 1)), 1)
+        """Shows the keys everywhere."""
+        self.keyboard.fill(self.keys, current)
+        self.player.set_times(self.keys.times)
+        self.chosen(self.keyboard.row())
         self.show_ghosts()
 
-    def _fill_row(self, row):
-        numbers = (self.keys.times[row],) + as_numbers(self.keys.placements[row])
-        for column, number in enumerate(numbers):
-            item = QtWidgets.QTableWidgetItem("{:.6g}".format(number + 0.0))
-            item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
-            self.table.setItem(row, column, item)
-
-    def edited(self, item):
+    def edited(self, row, column, text):
         """A number was typed; units are understood ("2 in")."""
-        if self.filling:
-            return
-        row, column = item.row(), item.column()
         widgets.show_message(self.message, "")
         try:
-            number = number_from(item.text(), UNITS[column])
+            number = number_from(text, key_table.UNITS[column])
             if column == 0:
                 self.keys.set_time(row, number)
+                self.player.set_times(self.keys.times)
             else:
                 numbers = list(as_numbers(self.keys.placements[row]))
                 numbers[column - 1] = number
                 self.keys.update(row, from_numbers(numbers))
         except InputProblem as problem:
             widgets.show_message(self.message, str(problem))
-        self.filling = True
-        self._fill_row(row)
-        self.filling = False
+        self.keyboard.show_row(self.keys, row)
+        self.show_dragger()
         self.show_ghosts()
 
-    def chosen(self, row, *ignored):
-        """The moving ghost jumps to the chosen key."""
-        if self.filling or not 0 <= row < len(self.keys) or len(self.keys) < 2:
-            return
-        first, last = self.keys.times[0], self.keys.times[-1]
-        part = (self.keys.times[row] - first) / (last - first)
-        self.slider.setValue(int(round(part * SLIDER)))
+    def chosen(self, row):
+        """The moving ghost, the dragger and the tangent are those of the chosen key."""
+        if 0 <= row < len(self.keys):
+            self.player.go_to(self.keys.times[row])
+        self.show_dragger()
+        self.show_tangent()
 
-    # --- ghosts and playing
+    def show_tangent(self):
+        row, smooth = self.keyboard.row(), self.interpolation.currentData() == "Spline"
+        self.tangent.setVisible(smooth)
+        self.tangent.setEnabled(0 <= row < len(self.keys) > 1)
+        if smooth and self.tangent.isEnabled():
+            spline = Spline(self.keys.times, self.keys.placements, self.keys.tangents)
+            velocity = spline.velocity(row, after=row + 1 < len(self.keys))[0]
+            self.tangent.show_tangent(self.keys.tangents[row][0], velocity)
+
+    def _tangent_changed(self, kind, velocity):
+        if 0 <= self.keyboard.row() < len(self.keys):
+            self.keys.set_tangent(self.keyboard.row(), kind, velocity)
+            if kind != "Given":
+                self.show_tangent()
+            self.show_ghosts()
+
+    # --- 3D view
 
     def _make_ghosts(self):
         if self.pair is None:
@@ -250,82 +221,122 @@ class MotionPanel:
             widgets.show_message(self.message, str(problem))
             return
         self.body = body
+        middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
+        middle = App.Vector(*(float(x) for x in middle))
+        # The dragger stands in the middle of the part, turned as the part.
+        self.handle = body.placement.inverse().multiply(
+            App.Placement(middle, body.placement.Rotation)
+        )
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
+        self.coarse = CoarseEnvelope(self.document)
+        self._show_own_path(False)  # the edited one is drawn in its place
+        self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
+        self._set_snap()
+
+    def _show_own_path(self, on):
+        if self.obj is not None and widgets.alive(self.obj):
+            self.obj.ViewObject.Visibility = on
+
+    def _snap_steps(self):
+        return float(self.snap.property("rawValue")), float(self.snap_angle.property("rawValue"))
+
+    def _set_snap(self):
+        if self.dragger is not None:
+            self.dragger.snap(*self._snap_steps())
+
+    def base(self):
+        """The frame in which the body stands for the poses (poses.base_of)."""
+        # The ghosts' points are those of the body as it stood when they were made.
+        return base_of(self.keys.poses(), self.frame.currentData(), self.body.placement)
+
+    def show_dragger(self):
+        """The dragger at the chosen key."""
+        row = self.keyboard.row()
+        if self.dragger is None:
+            return
+        if not self.drag_box.isChecked() or not 0 <= row < len(self.keys):
+            self.dragger.hide()
+            return
+        there = self.keys.placements[row].multiply(self.base().inverse())
+        self.dragger.show(there.multiply(self.body.placement).multiply(self.handle))
+
+    def dragged(self, placement):
+        """The dragger moves: the chosen key follows."""
+        row = self.keyboard.row()
+        if not 0 <= row < len(self.keys):
+            return
+        base = self.base()
+        if self.frame.currentData() == "RelativeToFirst" and row == 0:
+            return  # the first pose is where the part stands
+        world = placement.multiply(self.handle.inverse())
+        place = world.multiply(self.body.placement.inverse()).multiply(base)
+        self.keys.update(row, place)
+        self.keyboard.show_row(self.keys, row)
+        self.show_ghosts()
+
+    def dropped(self, placement):
+        self.dragged(placement)
+        self.show_dragger()
 
     def _applied(self, placements):
         """Placements that take the body to each pose."""
-        # The ghosts' points are those of the body as it stood when they were made.
-        base = base_of(self.keys.poses(), self.frame.currentData(), self.body.placement)
-        return [p.multiply(base.inverse()) for p in placements]
+        back = self.base().inverse()
+        return [p.multiply(back) for p in placements]
+
+    def show_all(self):
+        self.show_dragger()
+        self.show_tangent()
+        self.show_ghosts()
 
     def show_ghosts(self):
         if self.ghosts is not None:
             step = max(1, len(self.keys) // MOST_GHOSTS)
             placements = self.keys.placements[::step]
             self.ghosts.show_keys(self._applied(placements) if placements else [])
+            self.ghosts.show_path(self.keys.poses(), self.interpolation.currentData())
         self.show_moving()
         self.ask_preview()
 
-    def ask_preview(self, *ignored):
+    def show_moving(self):
+        if len(self.keys) and self.ghosts is not None:
+            now = self.player.now()
+            here = at_time(self.keys.poses(), self.interpolation.currentData(), now)
+            self.ghosts.show_moving(self._applied([here])[0])
+
+    def ask_preview(self):
         """Wishes for a coarse envelope of the keys as they are now."""
         if self.ghosts is None:
             return
-        if not self.preview_box.isChecked():
+        if not self.preview_box.isChecked() or not len(self.keys):
             self.preview.stop()
-            self.ghosts.show_envelope([], [])
+            self.coarse.show([], [])
             return
         rules = self.frame.currentData(), self.interpolation.currentData()
+        keys = Keys(self.keys.times, self.keys.placements, self.keys.tangents)
         try:
-            self.preview.want(
-                self.body, Keys(self.keys.times, self.keys.placements).poses(), *rules
-            )
+            poses = keys.poses()
+            self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)])
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))
 
     def show_preview(self, vertices, triangles):
-        if self.ghosts is not None and self.ghosts.root is not None:
-            self.ghosts.show_envelope(vertices, triangles)
+        if self.coarse is not None and self.coarse.root is not None:
+            self.coarse.show(vertices, triangles)
 
     def report_preview(self, text):
         self.preview_text.setText(text)
         self.preview_text.setVisible(bool(text))
 
-    def now(self):
-        """Time (s) at the slider."""
-        first, last = self.keys.times[0], self.keys.times[-1]
-        return first + (last - first) * self.slider.value() / SLIDER
-
-    def show_moving(self):
-        if not len(self.keys):
-            return
-        self.time.setText("{:.2f} s".format(self.now()))
-        if self.ghosts is not None:
-            here = at_time(self.keys.poses(), self.interpolation.currentData(), self.now())
-            self.ghosts.show_moving(self._applied([here])[0])
-
-    def toggle(self, on):
-        self.play.setText(translate("Panels", "Pause") if on else translate("Panels", "Play"))
-        if on and len(self.keys) > 1:
-            if self.slider.value() >= SLIDER:
-                self.slider.setValue(0)
-            self.timer.start(FRAME_TIME)
-        else:
-            self.timer.stop()
-
-    def advance(self):
-        span = max(self.keys.times[-1] - self.keys.times[0], 1e-9)
-        step = max(1, int(round(SLIDER * FRAME_TIME / 1000.0 / span)))
-        self.slider.setValue(min(SLIDER, self.slider.value() + step))
-        if self.slider.value() >= SLIDER:
-            self.play.setChecked(False)
-
     # --- task panel
 
     def _close(self):
-        self.timer.stop()
+        self.player.stop()
         self.preview.stop()
-        if self.ghosts is not None and widgets.alive(self.document):
-            self.ghosts.remove()
+        if widgets.alive(self.document):
+            self._show_own_path(True)
+            for drawn in (self.ghosts, self.coarse, self.dragger):
+                if drawn is not None:
+                    drawn.remove()
         Gui.Control.closeDialog()
         return True
 
@@ -334,12 +345,11 @@ class MotionPanel:
         try:
             if self.obj is None:
                 self.obj = motion.make_motion(self.document)
-            times, placements = self.before
-            changed = times != self.keys.times or len(placements) != len(self.keys)
-            changed = changed or any(a != b for a, b in zip(placements, self.keys.placements))
-            if changed:
-                self.obj.SourceType = "Stored"
+            if _content(self.keys)[:2] != self.before[:2]:
+                motion.make_stored(self.obj)
                 motion.store(self.obj, self.keys.poses())
+            if _content(self.keys) != self.before:
+                motion.set_tangents(self.obj, self.keys.tangents)
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.Frame = self.frame.currentData()
             self.document.recompute()
@@ -357,6 +367,13 @@ class MotionPanel:
                 self.target.Placement = self.home
                 self.document.recompute()
         return self._close()
+
+
+def _content(keys):
+    """What can be told apart: times, placements, tangents."""
+    numbers = [tuple(p.toMatrix().A) for p in keys.placements]
+    tangents = [(kind, tuple(v) if v is not None else ()) for kind, v in keys.tangents]
+    return list(keys.times), numbers, tangents
 
 
 def _part_of(document, obj):

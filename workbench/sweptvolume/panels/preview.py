@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The coarse envelope that follows the path editor: computed beside the GUI, newest wish wins, drawn
-in the view only."""
+"""The coarse envelope that follows a panel: computed beside the GUI, newest wish wins, drawn in the
+view only."""
 import numpy as np
 
 from .. import convert, core, runner, settings
+from ..convert import InputProblem
+from ..features import envelope
 from ..runner import Task
 from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
 
@@ -37,28 +39,32 @@ def request_for(body, poses, frame, interpolation, resolution):
 class _PreviewTask(Task):
     writes = False
 
-    def __init__(self, document, request, show):
+    def __init__(self, document, requests, show):
         self.title = "Preview"
         self.document = document
-        self.request = request
+        self.requests = requests
         self.show = show
 
     def work(self, control):
-        return core.compute(self.request, control)
+        return envelope.work(self.requests, self.requests[0].options, control)
 
     def finish(self, value):
         self.show(value.vertices, value.triangles)
 
 
 class Preview:
-    """Keeps at most one run under way; a new wish cancels it and takes its place."""
+    """Keeps at most one run under way; a new wish takes its place.
+
+    A wish is a function: cells along the longest side -> requests for the core. show(vertices,
+    triangles) draws a result, report(text) tells of a failure ("": none).
+    """
 
     def __init__(self, document, show, report):
         self.document, self.show, self.report = document, show, report
         self.run, self.next, self.updates = None, None, 0
 
-    def want(self, body, poses, frame, interpolation):
-        self.next = (body, poses, frame, interpolation)
+    def want(self, wish):
+        self.next = wish
         if self.run is None:
             self._start()
         else:
@@ -66,10 +72,14 @@ class Preview:
 
     def _start(self):
         wish, self.next = self.next, None
-        if wish is None or len(wish[1]) == 0:
+        if wish is None:
             return
-        request = request_for(*wish, settings.preview_resolution())
-        self.run = runner.start(_PreviewTask(self.document, request, self.show))
+        try:
+            requests = wish(settings.preview_resolution())
+            self.run = runner.start(_PreviewTask(self.document, requests, self.show))
+        except (InputProblem, core.CoreMissing) as problem:
+            self.report(str(problem))
+            return
         self.run.ended.connect(self._ended)
 
     def _ended(self, run):

@@ -5,6 +5,8 @@ import FreeCADGui as Gui
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import translate
+from ..trajectory import driven
+from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from . import widgets
@@ -16,23 +18,17 @@ class SourcePanel:
 
     def __init__(self, document, kind, objects):
         self.document, self.kind, self.objects = document, kind, objects
-        title = translate("Panels", "Motion from path object")
-        self.form, layout = widgets.window(title, "SweptVolume_MotionFromSource")
+        self.title = translate("Panels", "Motion from path object")
+        icon_name = "SweptVolume_MotionFromSource"
+        if kind == "Driven":
+            self.title = translate("Panels", "Motion from driven value")
+            icon_name = "SweptVolume_MotionDriven"
+        self.form, layout = widgets.window(self.title, icon_name)
         rows = widgets.group(", ".join(o.Label for o in objects), layout)
         self.values = {}
-        if kind in ("Curve", "Robot"):
-            count = QtWidgets.QSpinBox()
-            count.setRange(2, 100000)
-            count.setValue(32)
-            rows.addRow(translate("Panels", "Poses"), count)
-            self.values["count"] = count.value
-        if kind == "Curve":
-            orientation = widgets.choice(ORIENTATIONS, "Fixed")
-            rows.addRow(translate("Panels", "Orientation"), orientation)
-            self.values["orientation"] = orientation.currentData
-            self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
-        if kind == "Array":
-            self._seconds(rows, "step", translate("Panels", "Time a pose"), 1.0)
+        build = getattr(self, "_build_" + kind.lower(), None)
+        if build is not None:
+            build(rows)
         self.interpolation = widgets.choice(list(INTERPOLATIONS), "Linear")
         self.frame = widgets.choice(FRAMES, "Absolute")
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
@@ -41,6 +37,92 @@ class SourcePanel:
         self.message = widgets.message_label()
         layout.addWidget(self.message)
         layout.addStretch(1)
+
+    # --- what each kind asks for
+
+    def _build_curve(self, rows):
+        self._count(rows, 32)
+        names, now = ORIENTATIONS, "Fixed"
+        if len(self.objects) > 1:
+            names, now = ["SecondCurve"], "SecondCurve"
+        else:
+            names = [n for n in names if n != "SecondCurve"]
+        texts = {
+            "Fixed": translate("Panels", "Fixed"),
+            "Tangent": translate("Panels", "Along the path"),
+            "SecondCurve": translate("Panels", "Towards the second curve"),
+        }
+        orientation = widgets.choice(names, now, [texts[n] for n in names])
+        orientation.setObjectName("SweptVolumeOrientation")
+        widgets.hint(
+            orientation,
+            translate(
+                "Panels",
+                "Fixed: the part never turns. Along the path: x of the part stays on the tangent, with "
+                "the least turn. Towards the second curve: z points to it; select both curves, the path "
+                "first",
+            ),
+        )
+        rows.addRow(translate("Panels", "Orientation"), orientation)
+        self.values["orientation"] = orientation.currentData
+        self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
+
+    def _build_robot(self, rows):
+        self._count(rows, 32)
+
+    def _build_array(self, rows):
+        self._seconds(rows, "step", translate("Panels", "Time a pose"), 1.0)
+
+    def _build_cam(self, rows):
+        texts = [translate("Panels", "the tool head"), translate("Panels", "the table")]
+        convention = widgets.choice(CONVENTIONS, "Head", texts)
+        convention.setObjectName("SweptVolumeConvention")
+        widgets.hint(
+            convention,
+            translate(
+                "Panels",
+                "Degrees about the fixed axes x, then y, then z. The tool head: X Y Z are in the "
+                "workpiece. The table: it turns the workpiece with its coordinates, X Y Z are in the "
+                "machine",
+            ),
+        )
+        rows.addRow(translate("Panels", "A B C turn"), convention)
+        self.values["convention"] = convention.currentData
+        rapid = QtWidgets.QDoubleSpinBox()
+        rapid.setRange(0.001, 1e6)
+        rapid.setSuffix(" mm/s")
+        rapid.setValue(100.0)
+        rows.addRow(translate("Panels", "Speed of G0"), rapid)
+        self.values["rapid"] = rapid.value
+
+    def _build_driven(self, rows):
+        names = driven.names_of(self.objects[0])
+        name = widgets.choice(names, names[0] if names else "")
+        name.setObjectName("SweptVolumeValue")
+        now = driven.Handle(self.objects[0], names[0]).value() if names else 0.0
+        rows.addRow(translate("Panels", "Value"), name)
+        self.values["property"] = name.currentData
+        for key, text, value in (
+            ("start", translate("Panels", "From"), now),
+            ("end", translate("Panels", "To"), now + 90.0),
+        ):
+            field = QtWidgets.QDoubleSpinBox()
+            field.setObjectName("SweptVolume" + key.capitalize())
+            field.setRange(-1e9, 1e9)
+            field.setDecimals(4)
+            field.setValue(value)
+            rows.addRow(text, field)
+            self.values[key] = field.value
+        self._count(rows, 16)
+        self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
+
+    def _count(self, rows, value):
+        count = QtWidgets.QSpinBox()
+        count.setObjectName("SweptVolumeCount")
+        count.setRange(2, 100000)
+        count.setValue(value)
+        rows.addRow(translate("Panels", "Poses"), count)
+        self.values["count"] = count.value
 
     def _seconds(self, rows, name, title, value):
         field = QtWidgets.QDoubleSpinBox()
@@ -51,7 +133,7 @@ class SourcePanel:
         self.values[name] = field.value
 
     def accept(self):
-        self.document.openTransaction(translate("Messages", "Motion from path object"))
+        self.document.openTransaction(self.title)
         try:
             values = {name: read() for name, read in self.values.items()}
             obj = motion.motion_from_source(
@@ -67,6 +149,9 @@ class SourcePanel:
             self.document.abortTransaction()
             widgets.show_message(self.message, str(problem))
             return False
+        except BaseException:
+            self.document.abortTransaction()
+            raise
         self.document.commitTransaction()
         Gui.Control.closeDialog()
         return True

@@ -12,6 +12,10 @@ from .. import icon
 from ..texts import translate
 
 
+#: Left, top, right, bottom inside a titled box: the title stands on the upper border.
+MARGINS = (6, 10, 6, 6)
+
+
 def window(title, icon_name):
     """The form of a task panel."""
     form = QtWidgets.QWidget()
@@ -27,15 +31,24 @@ def group(title, parent_layout):
     box = QtWidgets.QGroupBox(title)
     rows = QtWidgets.QFormLayout(box)
     rows.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
-    rows.setContentsMargins(6, 6, 6, 6)
+    rows.setContentsMargins(*MARGINS)
     parent_layout.addWidget(box)
     return rows
 
 
 def length(value, minimum=0.0, step=None):
     """FreeCAD's own field for lengths: units, expressions."""
+    return _quantity("mm", value, minimum, step)
+
+
+def angle(value, minimum=0.0, step=None):
+    """FreeCAD's own field for angles (degrees)."""
+    return _quantity("deg", value, minimum, step)
+
+
+def _quantity(unit, value, minimum, step):
     field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
-    field.setProperty("unit", "mm")
+    field.setProperty("unit", unit)
     field.setProperty("minimum", float(minimum))
     if step is not None:
         field.setProperty("singleStep", float(step))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Editing a list of key poses: pure operations, undone by not taking the result."""
+import bisect
+
 import FreeCAD as App
 
 from ..convert import InputProblem
@@ -7,24 +9,34 @@ from ..texts import translate
 from .poses import Poses, at_time
 
 
-class Keys:
-    """Times (s) and placements under edit. Indices count from 0; times always grow."""
+AUTO = ("Auto", None)
 
-    def __init__(self, times=(), placements=(), step=1.0):
+
+class Keys:
+    """Times (s), placements and tangents (spline.py) under edit. Indices count from 0; times always
+    grow."""
+
+    def __init__(self, times=(), placements=(), tangents=(), step=1.0):
         self.times = list(times)
         self.placements = [App.Placement(p) for p in placements]
+        self.tangents = (list(tangents) + [AUTO] * len(self.times))[: len(self.times)]
         self.step = step
 
     def __len__(self):
         return len(self.times)
 
     def poses(self):
-        return Poses(self.times, self.placements)
+        return Poses(self.times, self.placements, self.tangents)
+
+    def _put(self, index, time, placement):
+        self.times.insert(index, float(time))
+        self.placements.insert(index, App.Placement(placement))
+        self.tangents.insert(index, AUTO)
+        return index
 
     def append(self, placement):
-        self.times.append(self.times[-1] + self.step if self.times else 0.0)
-        self.placements.append(App.Placement(placement))
-        return len(self) - 1
+        time = self.times[-1] + self.step if self.times else 0.0
+        return self._put(len(self), time, placement)
 
     def insert_after(self, index, interpolation="Linear", placement=None):
         """A key half-way to the next one, where the part then is; behind the last: one step later."""
@@ -35,9 +47,14 @@ class Keys:
         time = 0.5 * (self.times[index] + self.times[index + 1])
         if placement is None:
             placement = at_time(self.poses(), interpolation, time)
-        self.times.insert(index + 1, time)
-        self.placements.insert(index + 1, App.Placement(placement))
-        return index + 1
+        return self._put(index + 1, time, placement)
+
+    def insert_at(self, time, interpolation="Linear"):
+        """A key at a time between two others, where the part then is."""
+        index = bisect.bisect(self.times, time)
+        if not 0 < index < len(self) or time in self.times:
+            raise InputProblem(translate("Messages", "there is a key at this time already."))
+        return self._put(index, time, at_time(self.poses(), interpolation, time))
 
     def duplicate(self, index):
         return self.insert_after(index, placement=self.placements[index])
@@ -45,9 +62,14 @@ class Keys:
     def update(self, index, placement):
         self.placements[index] = App.Placement(placement)
 
+    def set_tangent(self, index, kind, velocity=None):
+        """kind: one of spline.TANGENTS; velocity (mm/s) for Given."""
+        self.tangents[index] = (kind, App.Vector(velocity) if kind == "Given" else None)
+
     def delete(self, index):
         del self.times[index]
         del self.placements[index]
+        del self.tangents[index]
 
     def move(self, index, by):
         """Moves a key up or down; the times keep their order."""
@@ -55,6 +77,7 @@ class Keys:
         if not 0 <= target < len(self):
             return index
         self.placements.insert(target, self.placements.pop(index))
+        self.tangents.insert(target, self.tangents.pop(index))
         return target
 
     def reverse(self):
@@ -64,6 +87,7 @@ class Keys:
         first, last = self.times[0], self.times[-1]
         self.times = [first + last - t for t in reversed(self.times)]
         self.placements.reverse()
+        self.tangents = [(k, -v if v is not None else None) for k, v in reversed(self.tangents)]
 
     def set_time(self, index, time):
         """Changes one time; it must stay between its neighbours."""
@@ -82,6 +106,13 @@ class Keys:
         first = self.times[0] if self.times else 0.0
         self.times = [first + k * step for k in range(len(self))]
         self.step = step
+
+
+def snapped(placement, millimetres, degrees):
+    """A placement rounded to steps of position and of yaw, pitch, roll; a step of 0 leaves them."""
+    numbers = as_numbers(placement)
+    steps = (millimetres,) * 3 + (degrees,) * 3
+    return from_numbers([round(n / s) * s if s > 0 else n for n, s in zip(numbers, steps)])
 
 
 def as_numbers(placement):

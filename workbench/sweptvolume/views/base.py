@@ -7,11 +7,11 @@ from .. import icon, runner
 from ..features.envelope import CANCELLED, FAILED, NOT_COMPUTED, STALE
 
 #: State -> ending of the icon's name.
-_MARKS = {STALE: "_stale", CANCELLED: "_stale", FAILED: "_failed", NOT_COMPUTED: "_empty"}
+_MARKS = {STALE: "_stale", CANCELLED: "_cancelled", FAILED: "_failed", NOT_COMPUTED: "_empty"}
 
 
 def state_icon(name, obj):
-    """Icon of an object with a result: running, stale, failed and never computed are marked."""
+    """Icon of an object with a result: running, stale, cancelled, failed, never computed are marked."""
     if runner.is_running(obj):
         return icon(name + "_running")
     return icon(name + _MARKS.get(getattr(obj, "Status", ""), ""))

@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Transparent copies of a part in the 3D view that belong to no document: at each key and on the way."""
+"""What the panels draw in the 3D view that belongs to no document: the part at each key and on the way,
+the way itself, a coarse envelope."""
 import FreeCADGui as Gui
 import numpy as np
 
 from ..convert import matrix_of
+from . import path
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
 ENVELOPE_COLOUR = (0.35, 0.60, 0.90)
 
 
-class Ghosts:
-    """Draws (vertices, triangles) at placements in the active view of a document until removed."""
+class Overlay:
+    """Nodes in the active view of a document until removed; the mouse does not see them."""
 
-    def __init__(self, document, vertices, triangles):
+    def __init__(self, document):
         from pivy import coin
 
         self.graph = Gui.getDocument(document.Name).activeView().getSceneGraph()
@@ -20,38 +22,11 @@ class Ghosts:
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
         self.root.addChild(pick)
-        shape = self._shape(coin, vertices, triangles)
-        self.copies = coin.SoMultipleCopy()
-        self.copies.addChild(shape)
-        self.moving = coin.SoMatrixTransform()
-        self._add(coin, KEY_COLOUR, 0.75, [self.copies])
-        self._add(coin, MOVING_COLOUR, 0.35, [self.moving, shape])
-        self.envelope = coin.SoGroup()
-        self._add(coin, ENVELOPE_COLOUR, 0.6, [self.envelope])
         self.graph.addChild(self.root)
 
-    def show_envelope(self, vertices, triangles):
-        """The coarse envelope; empty arrays take it away."""
+    def add(self, colour, transparency, *nodes):
         from pivy import coin
 
-        self.envelope.removeAllChildren()
-        if len(triangles):
-            self.envelope.addChild(self._shape(coin, vertices, triangles))
-
-    def _shape(self, coin, vertices, triangles):
-        group = coin.SoGroup()
-        points, faces, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoShapeHints()
-        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-        hints.creaseAngle = 0.5
-        points.point.setValues(0, len(vertices), np.asarray(vertices, dtype=float).tolist())
-        ends = np.full((len(triangles), 1), -1, dtype=np.int64)
-        indices = np.hstack([triangles, ends]).ravel().tolist()
-        faces.coordIndex.setValues(0, len(indices), indices)
-        for node in (hints, points, faces):
-            group.addChild(node)
-        return group
-
-    def _add(self, coin, colour, transparency, nodes):
         part, material = coin.SoSeparator(), coin.SoMaterial()
         material.diffuseColor = colour
         material.transparency = transparency
@@ -60,18 +35,74 @@ class Ghosts:
             part.addChild(node)
         self.root.addChild(part)
 
+    def remove(self):
+        if self.root is not None:
+            self.graph.removeChild(self.root)
+            self.root = None
+
+
+class CoarseEnvelope(Overlay):
+    """One translucent surface."""
+
+    def __init__(self, document):
+        from pivy import coin
+
+        super().__init__(document)
+        self.surface = coin.SoGroup()
+        self.add(ENVELOPE_COLOUR, 0.6, self.surface)
+
+    def show(self, vertices, triangles):
+        """Empty arrays take it away."""
+        self.surface.removeAllChildren()
+        if len(triangles):
+            self.surface.addChild(shape_of(vertices, triangles))
+
+
+class Ghosts(Overlay):
+    """A part (vertices, triangles) at its keys and on the way, and the way with its frames."""
+
+    def __init__(self, document, vertices, triangles):
+        from pivy import coin
+
+        super().__init__(document)
+        shape = shape_of(vertices, triangles)
+        self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
+        self.copies.addChild(shape)
+        self.path = coin.SoAnnotation()  # seen through the parts
+        self.root.addChild(self.path)
+        self.add(KEY_COLOUR, 0.75, self.copies)
+        self.add(MOVING_COLOUR, 0.35, self.moving, shape)
+
     def show_keys(self, placements):
         self.copies.matrix.setNum(len(placements))
         for i, placement in enumerate(placements):
             self.copies.matrix.set1Value(i, _matrix(placement))
 
+    def show_path(self, poses, interpolation):
+        """The way as a line with frames."""
+        self.path.removeAllChildren()
+        self.path.addChild(path.drawn(poses, interpolation))
+
     def show_moving(self, placement):
         self.moving.matrix = _matrix(placement)
 
-    def remove(self):
-        if self.root is not None:
-            self.graph.removeChild(self.root)
-            self.root = None
+
+def shape_of(vertices, triangles):
+    """Coin node of a mesh; arrays go in as they are, which is what takes the time."""
+    from pivy import coin
+
+    group = coin.SoGroup()
+    points, faces, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.creaseAngle = 0.5
+    points.point.setValues(0, len(vertices), np.asarray(vertices, dtype=np.float32))
+    indices = np.full((len(triangles), 4), -1, dtype=np.int32)
+    indices[:, :3] = triangles
+    flat = indices.ravel().tolist()
+    faces.coordIndex.setValues(0, len(flat), flat)
+    for node in (hints, points, faces):
+        group.addChild(node)
+    return group
 
 
 def _matrix(placement):

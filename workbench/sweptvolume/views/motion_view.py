@@ -1,18 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a motion looks: the path of its poses as a line, with a small frame at each pose."""
-import FreeCAD as App
-import numpy as np
-
 from .. import icon
-from ..convert import pose_arrays
+from ..convert import InputProblem
+from ..features.motion import STALE, poses_of
 from ..texts import mark, translate
-from ..trajectory.poses import Poses, at_time
+from . import path
 from .base import View, run_command
-
-LINE = (0.85, 0.45, 0.05)
-AXES = ((0.85, 0.15, 0.15), (0.15, 0.65, 0.15), (0.20, 0.35, 0.90))
-#: Points drawn between two poses, and the most poses that get a frame.
-BETWEEN, MOST_FRAMES = 8, 200
 
 
 class MotionView(View):
@@ -54,7 +47,7 @@ class MotionView(View):
         return mode
 
     def updateData(self, obj, name):
-        if name in ("Times", "Placements", "Interpolation"):
+        if name in ("Times", "Placements", "Interpolation", "Tangents", "Velocities"):
             self.draw(obj)
         super().updateData(obj, name)
 
@@ -68,16 +61,20 @@ class MotionView(View):
         self.root.removeAllChildren()
         if "Placements" not in obj.PropertiesList or not obj.Placements:
             return
+        try:
+            poses = poses_of(obj)
+        except InputProblem:  # times and placements are set one after the other
+            return
         view = obj.ViewObject
-        points = path_points(obj)
-        size = getattr(view, "FrameSize", 0) or frame_size(obj)
-        self.root.addChild(_line(points, LINE, getattr(view, "PathWidth", 3.0)))
-        step = max(1, len(obj.Placements) // MOST_FRAMES)
-        for axis in range(3):
-            self.root.addChild(_axes(obj.Placements[::step], axis, size))
+        width, size = getattr(view, "PathWidth", 3.0), getattr(view, "FrameSize", 0)
+        self.root.addChild(path.drawn(poses, obj.Interpolation, width, size))
 
     def getIcon(self):
-        return icon("SweptVolume_Motion")
+        status = getattr(self.Object, "Status", "")
+        if status == STALE:
+            return icon("SweptVolume_Motion_stale")
+        broken = status and len(self.Object.Placements)
+        return icon("SweptVolume_Motion_failed" if broken else "SweptVolume_Motion")
 
     def doubleClicked(self, view):
         run_command(view.Object, "SweptVolume_EditMotion")
@@ -91,61 +88,3 @@ class MotionView(View):
             (translate("Commands", "Create envelope"), "SweptVolume_Envelope"),
         ):
             self.add_menu(menu, text, name, lambda name=name: run_command(obj, name))
-
-
-def path_points(obj):
-    """Points (n,3) of the path of the poses' origin as the part will move."""
-    places = obj.Placements
-    if len(places) < 2 or len(places) > 2000 or len(obj.Times) != len(places):
-        return pose_arrays(places)[0]
-    poses = Poses(obj.Times, places)
-    fine = []
-    for a, b in zip(poses.times, poses.times[1:]):
-        fine += [a + (b - a) * k / BETWEEN for k in range(BETWEEN)]
-    fine.append(poses.times[-1])
-    return np.array([tuple(at_time(poses, obj.Interpolation, t).Base) for t in fine])
-
-
-def frame_size(obj):
-    points = pose_arrays(obj.Placements)[0]
-    size = float((points.max(axis=0) - points.min(axis=0)).max()) if len(points) else 0.0
-    return max(size * 0.05, 1.0)
-
-
-def _line(points, colour, width):
-    from pivy import coin
-
-    group = coin.SoSeparator()
-    shade, style = coin.SoBaseColor(), coin.SoDrawStyle()
-    shade.rgb = colour
-    style.lineWidth = width
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    where, line = coin.SoCoordinate3(), coin.SoLineSet()
-    where.point.setValues(0, len(points), [tuple(map(float, p)) for p in points])
-    line.numVertices = len(points)
-    for node in (light, shade, style, where, line):
-        group.addChild(node)
-    return group
-
-
-def _axes(placements, axis, size):
-    """One axis of all frames as one line set."""
-    from pivy import coin
-
-    direction = App.Vector(*[size if k == axis else 0.0 for k in range(3)])
-    points = []
-    for placement in placements:
-        points += [tuple(placement.Base), tuple(placement.multVec(direction))]
-    group = coin.SoSeparator()
-    shade, style = coin.SoBaseColor(), coin.SoDrawStyle()
-    shade.rgb = AXES[axis]
-    style.lineWidth = 2.0
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    where, lines = coin.SoCoordinate3(), coin.SoLineSet()
-    where.point.setValues(0, len(points), points)
-    lines.numVertices.setValues(0, len(placements), [2] * len(placements))
-    for node in (light, shade, style, where, lines):
-        group.addChild(node)
-    return group

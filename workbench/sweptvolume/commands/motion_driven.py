@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion from driven value: a property, cell or constraint runs through a range, a part is watched."""
+from ..convert import InputProblem
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_MotionDriven"
+    TEXT = mark("Commands", "Motion from driven value...")
+    TIP = mark(
+        "Commands",
+        "Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch "
+        "dimension, a variable of an assembly. Select the object with the value, then the part",
+    )
+
+    def run(self, document):
+        from ..panels import selection, source_panel
+        from ..trajectory import driven
+
+        objects = selection.plain()
+        if len(objects) != 2 or not driven.is_driver(objects[0]):
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "Select the object whose value is driven (spreadsheet, sketch, variables), then the "
+                    "part that it moves.",
+                )
+            )
+        source_panel.show(document, "Driven", objects)

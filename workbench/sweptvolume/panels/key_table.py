@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Table of key placements with its buttons and keys of the keyboard; what they do is the panel's."""
+from PySide import QtCore
+
+from ..texts import translate
+from ..trajectory.edit import as_numbers
+from . import widgets
+from .widgets import QtWidgets
+
+COLUMNS = ["t", "x", "y", "z", "yaw", "pitch", "roll"]
+UNITS = ["s", "mm", "mm", "mm", "deg", "deg", "deg"]
+#: (key, with Ctrl) -> name of an action.
+KEYS = {
+    (QtCore.Qt.Key_Insert, False): "Insert",
+    (QtCore.Qt.Key_Delete, False): "Delete",
+    (QtCore.Qt.Key_Up, True): "Up",
+    (QtCore.Qt.Key_Down, True): "Down",
+    (QtCore.Qt.Key_D, True): "Duplicate",
+    (QtCore.Qt.Key_Return, True): "Capture",
+}
+
+
+def actions():
+    """(name, text, what it does) of each button, in order."""
+
+    def t(text):
+        return translate("Panels", text)
+
+    return [
+        ("Capture", t("&Capture"), t("Adds the placement that the part has now (Ctrl+Return)")),
+        ("Update", t("U&pdate"), t("Takes the part's placement of now for this key")),
+        ("Insert", t("&Insert"), t("A new key half-way to the next one (Insert)")),
+        ("Duplicate", t("D&uplicate"), t("The same placement again (Ctrl+D)")),
+        ("Delete", t("D&elete"), t("Removes the key (Delete)")),
+        ("Reverse", t("&Reverse"), t("The way back")),
+        ("Up", t("Up"), t("Earlier (Ctrl+Up)")),
+        ("Down", t("Down"), t("Later (Ctrl+Down)")),
+        ("Even", t("E&ven times"), t("One second from key to key")),
+    ]
+
+
+class KeyTable(QtCore.QObject):
+    """`wanted(name)`: an action; `typed(row, column, text)`: a cell; `chosen(row)`: the current key."""
+
+    wanted = QtCore.Signal(str)
+    typed = QtCore.Signal(int, int, str)
+    chosen = QtCore.Signal(int)
+
+    def __init__(self, rows):
+        super().__init__()
+        self.filling = False
+        self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
+        self.table.setObjectName("SweptVolumeKeys")
+        self.table.setHorizontalHeaderLabels(COLUMNS)
+        for column, unit in enumerate(UNITS):
+            self.table.horizontalHeaderItem(column).setToolTip(unit)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setMinimumHeight(150)
+        self.table.setTabKeyNavigation(
+            False
+        )  # Tab leaves the table: the panel works without a mouse
+        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 8)
+        self.table.itemChanged.connect(self._edited)
+        self.table.currentCellChanged.connect(self._current)
+        self.table.installEventFilter(self)
+        rows.addRow(self.table)
+        grid = QtWidgets.QGridLayout()
+        grid.setSpacing(4)
+        self.buttons = {}
+        for i, (name, text, tip) in enumerate(actions()):
+            button = QtWidgets.QPushButton(text)
+            button.setObjectName("SweptVolume" + name)
+            button.setToolTip(tip)
+            button.clicked.connect(lambda checked=False, name=name: self.wanted.emit(name))
+            grid.addWidget(button, i // 3, i % 3)
+            self.buttons[name] = button
+        rows.addRow(grid)
+
+    def row(self):
+        return self.table.currentRow()
+
+    def fill(self, keys, current):
+        """Shows all keys and makes one the current."""
+        self.filling = True
+        self.table.setRowCount(len(keys))
+        for row in range(len(keys)):
+            self._fill(keys, row)
+        if len(keys):
+            self.table.setCurrentCell(max(0, min(current, len(keys) - 1)), 1)
+        self.filling = False
+
+    def show_row(self, keys, row):
+        """Shows one key that changed."""
+        self.filling = True
+        self._fill(keys, row)
+        self.filling = False
+
+    def _fill(self, keys, row):
+        for column, number in enumerate((keys.times[row],) + as_numbers(keys.placements[row])):
+            item = QtWidgets.QTableWidgetItem("{:.6g}".format(round(number, 4) + 0.0))
+            item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
+            item.setToolTip("{:.9g} {}".format(number, UNITS[column]))
+            self.table.setItem(row, column, item)
+
+    def _edited(self, item):
+        if not self.filling:
+            self.typed.emit(item.row(), item.column(), item.text())
+
+    def _current(self, row, *ignored):
+        if not self.filling and row >= 0:
+            self.chosen.emit(row)
+
+    def eventFilter(self, watched, event):  # noqa: N802
+        """Keys that act on the table come before FreeCAD's own shortcuts."""
+        kinds = QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress
+        if event.type() in kinds and self.table.state() != QtWidgets.QTableWidget.EditingState:
+            control = bool(event.modifiers() & QtCore.Qt.ControlModifier)
+            name = KEYS.get((event.key(), control))
+            if name:
+                event.accept()
+                if event.type() == QtCore.QEvent.KeyPress:
+                    self.wanted.emit(name)
+                return True
+        return super().eventFilter(watched, event)
+
+
+def add_to(layout, part):
+    """The table in its titled box, with the name of the part above."""
+    rows = widgets.group(translate("Panels", "Key placements"), layout)
+    label = QtWidgets.QLabel(part)
+    label.setWordWrap(True)
+    rows.addRow(translate("Panels", "Part"), label)
+    return KeyTable(rows)

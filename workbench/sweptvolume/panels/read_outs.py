@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is known of an envelope that was computed: numbers and warnings, to be read and copied."""
+import json
+
+import FreeCAD as App
+from PySide import QtCore
+
+from ..texts import translate
+from . import widgets
+from .widgets import QtWidgets
+
+
+class ReadOuts(QtWidgets.QGroupBox):
+    """Hidden until there is a result."""
+
+    def __init__(self):
+        super().__init__(translate("Panels", "Result"))
+        self.text = QtWidgets.QLabel()
+        self.text.setObjectName("SweptVolumeReadOuts")
+        self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.text.setWordWrap(True)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(*widgets.MARGINS)
+        column.addWidget(self.text)
+        self.hide()
+
+    def show_result(self, obj):
+        """Shows the stored result of an envelope object (or None)."""
+        if obj is None or not obj.Mesh.CountFacets or not obj.Report:
+            self.hide()
+            return
+        self.text.setText("\n".join(lines_of(obj)))
+        self.show()
+
+
+def lines_of(obj):
+    """The read-outs of an envelope, a line each."""
+    report, box = json.loads(obj.Report), obj.Mesh.BoundBox
+
+    def length(value):
+        return App.Units.Quantity(value, App.Units.Length).UserString
+
+    sides = " x ".join(length(v) for v in (box.XLength, box.YLength, box.ZLength))
+    deviation = report.get("simplification_deviation", 0.0)
+    lines = [
+        translate("Panels", "Volume: {0}").format(obj.Volume.UserString),
+        translate("Panels", "Box: {0}").format(sides),
+        translate("Panels", "Triangles: {0}, shells: {1}").format(obj.Triangles, obj.Shells),
+        translate("Panels", "Cell: {0}, simplified by: {1}").format(
+            length(report["cell"]), length(deviation)
+        ),
+        translate("Panels", "Time: {0:.2f} s on {1}").format(obj.Seconds, report["backend"]),
+    ]
+    if obj.Message:
+        lines.append(translate("Panels", "Warnings: {0}").format(obj.Message))
+    return lines

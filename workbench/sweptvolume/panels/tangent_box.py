@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tangent of one key of a smooth motion: how it passes, and with what velocity."""
+import FreeCAD as App
+from PySide import QtCore
+
+from ..texts import translate
+from ..trajectory.spline import TANGENTS
+from . import widgets
+from .widgets import QtWidgets
+
+
+class TangentBox(QtWidgets.QGroupBox):
+    """`changed(kind, velocity)`: somebody chose another tangent for the key shown."""
+
+    changed = QtCore.Signal(str, object)
+
+    def __init__(self):
+        super().__init__(translate("Panels", "Tangent at the key"))
+        texts = {
+            "Auto": translate("Panels", "Automatic"),
+            "Stop": translate("Panels", "Stop"),
+            "Corner": translate("Panels", "Corner"),
+            "Given": translate("Panels", "Given velocity"),
+        }
+        self.kind = widgets.choice(TANGENTS, "Auto", [texts[k] for k in TANGENTS])
+        self.kind.setObjectName("SweptVolumeTangent")
+        self.kind.setToolTip(
+            translate(
+                "Panels",
+                "Automatic: from the neighbouring keys. Stop: the part rests for a moment. Corner: "
+                "straight on both sides. Given: as typed below",
+            )
+        )
+        self.speeds = [QtWidgets.QDoubleSpinBox() for _ in range(3)]
+        line = QtWidgets.QHBoxLayout()
+        for axis, field in zip("xyz", self.speeds):
+            field.setRange(-1e6, 1e6)
+            field.setDecimals(2)
+            field.setObjectName("SweptVolumeSpeed" + axis)
+            field.setToolTip(translate("Panels", "Velocity along {0} (mm/s)").format(axis))
+            field.setButtonSymbols(QtWidgets.QAbstractSpinBox.NoButtons)
+            field.setMinimumWidth(40)
+            line.addWidget(field)
+            field.valueChanged.connect(self._tell)
+        self.unit = QtWidgets.QLabel("mm/s")
+        line.addWidget(self.unit)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(*widgets.MARGINS)
+        column.addWidget(self.kind)
+        column.addLayout(line)
+        self.kind.currentIndexChanged.connect(self._tell)
+        self.showing = False
+        self._enable()
+
+    def show_tangent(self, kind, velocity):
+        """Shows a key's tangent; velocity: the one it has now (mm/s), whatever its kind."""
+        self.showing = True
+        self.kind.setCurrentIndex(TANGENTS.index(kind))
+        for field, value in zip(self.speeds, velocity):
+            field.setValue(value)
+        self._enable()
+        self.showing = False
+
+    def _enable(self):
+        for field in self.speeds:
+            field.setEnabled(self.kind.currentData() == "Given")
+
+    def _tell(self, *ignored):
+        self._enable()
+        if not self.showing:
+            velocity = App.Vector(*[field.value() for field in self.speeds])
+            self.changed.emit(self.kind.currentData(), velocity)
