@@ -1,4 +1,4 @@
-// Rows 28 to 33 of the table of bad events, each provoked on a device that exists nowhere.
+// Rows 28 to 33 of the table of bad input (docs/bad_input.md), each provoked on a device that exists nowhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -104,28 +104,28 @@ TEST_F(GlFault, auto_keeps_to_the_cpu_where_that_is_faster) {
   EXPECT_NE(out.notes[0].text.find("1.7 times"), std::string::npos) << out.notes[0].text;
 }
 
-TEST_F(GlFault, bad_event_28_no_library) {
+TEST_F(GlFault, bad_input_28_no_library) {
   FakeFaults f;
   f.noLibrary = true;
   expectFallback(f, Status::DeviceUnavailable, "libEGL.so.1");
 }
-TEST_F(GlFault, bad_event_28_no_context) {
+TEST_F(GlFault, bad_input_28_no_context) {
   FakeFaults f;
   f.noContext = true;
   expectFallback(f, Status::DeviceUnavailable, "no OpenGL 4.5 core context");
 }
-TEST_F(GlFault, bad_event_28_old_gl) {
+TEST_F(GlFault, bad_input_28_old_gl) {
   FakeFaults f;
   f.minor = 3;
   expectFallback(f, Status::DeviceUnavailable, "older than OpenGL 4.5");
 }
-TEST_F(GlFault, bad_event_28_missing_function) {
+TEST_F(GlFault, bad_input_28_missing_function) {
   FakeFaults f;
   f.missingFunction = "glFenceSync";
   expectFallback(f, Status::DeviceUnavailable, "glFenceSync");
 }
 
-TEST_F(GlFault, bad_event_29_software_only) {
+TEST_F(GlFault, bad_input_29_software_only) {
   FakeFaults f;
   f.renderer = "llvmpipe (imaginary)";
   use(f);
@@ -139,7 +139,7 @@ TEST_F(GlFault, bad_event_29_software_only) {
   EXPECT_NE(chosen.notes[0].text.find("software rasteriser"), std::string::npos);
 }
 
-TEST_F(GlFault, bad_event_30_small_limits_mean_more_bricks) {
+TEST_F(GlFault, bad_input_30_small_limits_mean_more_bricks) {
   FakeFaults f;
   f.texture3d = 9;
   f.storageBytes = 16384;
@@ -148,7 +148,7 @@ TEST_F(GlFault, bad_event_30_small_limits_mean_more_bricks) {
   EXPECT_GT(fakeCounts().markReadbacks, 20);
   expectTruth(out);
 }
-TEST_F(GlFault, bad_event_30_below_the_minimum) {
+TEST_F(GlFault, bad_input_30_below_the_minimum) {
   FakeFaults f;
   f.vertexBlocks = 0;
   expectFallback(f, Status::DeviceUnavailable, "storage blocks in the vertex stage");
@@ -157,7 +157,7 @@ TEST_F(GlFault, bad_event_30_below_the_minimum) {
   expectFallback(f, Status::DeviceUnavailable, "limits are too small");
 }
 
-TEST_F(GlFault, bad_event_31_lost_once_at_any_fence_is_mended) {
+TEST_F(GlFault, bad_input_31_lost_once_at_any_fence_is_mended) {
   use({});
   sample(Backend::Gpu);
   const int fences = fakeCounts().fences;
@@ -183,7 +183,7 @@ TEST_F(GlFault, bad_event_31_lost_once_at_any_fence_is_mended) {
   }
   EXPECT_GE(mended, 3);
 }
-TEST_F(GlFault, bad_event_31_lost_for_good) {
+TEST_F(GlFault, bad_input_31_lost_for_good) {
   use({});
   sample(Backend::Gpu);
   const int fences = fakeCounts().fences;
@@ -193,7 +193,7 @@ TEST_F(GlFault, bad_event_31_lost_for_good) {
     expectFallback(f, Status::DeviceLost, "reset status 0x8253");
   }
 }
-TEST_F(GlFault, bad_event_31_fence_never_signals) {
+TEST_F(GlFault, bad_input_31_fence_never_signals) {
   settings_.fenceTimeoutSeconds = 0.01;
   for (const int n : {1, 12}) {
     FakeFaults f;
@@ -202,7 +202,7 @@ TEST_F(GlFault, bad_event_31_fence_never_signals) {
   }
 }
 
-TEST_F(GlFault, bad_event_32_garbage_in_the_self_test) {
+TEST_F(GlFault, bad_input_32_garbage_in_the_self_test) {
   FakeFaults f;
   f.setOneBitAtReadback = 1;
   expectFallback(f, Status::DeviceLost, "self-test");
@@ -216,7 +216,7 @@ TEST_F(GlFault, bad_event_32_garbage_in_the_self_test) {
   f.wrongWinnerFromReadback = 1;
   expectFallback(f, Status::DeviceLost, "wrong result");
 }
-TEST_F(GlFault, bad_event_32_garbage_after_the_self_test) {
+TEST_F(GlFault, bad_input_32_garbage_after_the_self_test) {
   use({});
   gl::openTested(gl::currentSetup(), run_);
   const int marks = fakeCounts().markReadbacks, winners = fakeCounts().winnerReadbacks;
@@ -236,7 +236,7 @@ TEST_F(GlFault, bad_event_32_garbage_after_the_self_test) {
   expectFallback(f, Status::DeviceLost, "the surface said to cross");
 }
 
-TEST_F(GlFault, bad_event_33_shader_does_not_compile_or_link) {
+TEST_F(GlFault, bad_input_33_shader_does_not_compile_or_link) {
   FakeFaults f;
   f.brokenShader = "imageAtomicOr";
   expectFallback(f, Status::DeviceUnavailable, "mark.frag does not compile");
@@ -247,7 +247,7 @@ TEST_F(GlFault, bad_event_33_shader_does_not_compile_or_link) {
   expectFallback(f, Status::DeviceUnavailable, "does not link");
 }
 
-TEST_F(GlFault, bad_event_24_cancel_at_every_checkpoint) {
+TEST_F(GlFault, bad_input_24_cancel_at_every_checkpoint) {
   use({});
   run_.cancelAtCheckpoint = 0;
   sample(Backend::Gpu);

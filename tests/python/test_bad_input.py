@@ -1,0 +1,429 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of docs/bad_input.md as a user meets it: through the module and through the program."""
+import gzip
+import json
+import re
+import resource
+import subprocess
+import threading
+
+import numpy as np
+import pytest
+
+import _swept
+
+STILL = np.eye(4)[None]
+
+
+def slide(x=50.0, y=0.0, z=0.0):
+    """Two poses, one second apart."""
+    motion = np.tile(np.eye(4), (2, 1, 1))
+    motion[1, :3, 3] = x, y, z
+    return motion
+
+
+@pytest.fixture
+def both(program, tmp_path):
+    """Runs body and motion through the module and through files and the program; both must end
+    alike. Gives the report."""
+
+    program_names = {"memory_limit_mb": "--memory-limit"}
+
+    def run(vertices, triangles, motion, **options):
+        vertices, triangles = np.asarray(vertices, float), np.asarray(triangles, np.int64)
+        try:
+            report = _swept.compute(vertices, triangles, motion, **options).report
+        except _swept.Error as error:  # what is refused while arrays are read has no report
+            report = error.report or {
+                "status": error.status,
+                "code": error.code,
+                "message": str(error),
+            }
+        body = tmp_path / "body.off"
+        lines = ["OFF", f"{len(vertices)} {len(triangles)} 0"]
+        lines += [" ".join(map(repr, map(float, v))) for v in vertices]
+        lines += ["3 " + " ".join(map(str, t)) for t in triangles]
+        body.write_text("\n".join(lines) + "\n")
+        path = tmp_path / "motion.csv"
+        rows = [" ".join(repr(float(x)) for x in matrix.ravel()) for matrix in motion]
+        path.write_text("\n".join(rows) + "\n")
+        words = [
+            word
+            for name, value in options.items()
+            for word in (program_names.get(name, "--" + name), str(value))
+        ]
+        output = tmp_path / "out.ply"
+        output.unlink(missing_ok=True)
+        done = subprocess.run(
+            [
+                program, "envelope", body, "--motion", path, "--output", output,
+                "--report", tmp_path / "report.json", *words,
+            ],
+            capture_output=True, text=True, timeout=120,
+        )  # fmt: skip
+        told = json.loads((tmp_path / "report.json").read_text())
+        assert told["status"] == report["status"], (told["message"], report["message"])
+        assert (done.returncode == 0) == (report["status"] == "Ok") == output.exists()
+        if report["status"] != "Ok":
+            assert done.stderr.count("\n") == 1 and told["message"] in done.stderr
+            assert len(report["message"]) > 30, "what, where, how much, what to do"
+        run.program_code = told["code"]
+        return report
+
+    return run
+
+
+def refused(report, code, *words, status="InvalidInput"):
+    assert (report["status"], report["code"]) == (status, code), report["message"]
+    for word in words:
+        assert word in report["message"], report["message"]
+
+
+def accepted(report, *warnings):
+    assert report["status"] == "Ok", report["message"]
+    assert report["closed"] and report["manifold"] and report["oriented"]
+    found = {w["code"]: w for w in report["warnings"]}
+    for code in warnings:
+        assert code in found and found[code]["count"] > 0 and found[code]["text"], found
+    return found
+
+
+def test_bad_input_01_empty_mesh(both, box):
+    refused(both(np.zeros((0, 3)), np.zeros((0, 3)), STILL), "EmptyMesh")
+    refused(both(box[0], np.zeros((0, 3)), STILL), "EmptyMesh", "8 vertices")
+
+
+def test_bad_input_02_index(both, box):
+    triangles = box[1].copy()
+    triangles[3, 1] = 99
+    refused(both(box[0], triangles, STILL), "BadIndex", "triangle 3", "99")
+    assert both.program_code == "BadFile"
+    triangles[3, 1] = -4
+    refused(both(box[0], triangles, STILL), "BadIndex", "triangle 3", "-4")
+
+
+def test_bad_input_03_not_a_number(both, box):
+    for value in (np.nan, np.inf):
+        vertices = box[0].copy()
+        vertices[[2, 5], 1] = value
+        refused(both(vertices, box[1], STILL), "NonFiniteVertex", "2 vertices", "2, 5")
+
+
+def test_bad_input_04_degenerate_triangles(both, box):
+    triangles = np.vstack([box[1], [[0, 0, 1], [2, 2, 2]]])
+    found = accepted(both(box[0], triangles, slide(), resolution=24), "DegenerateTriangles")
+    assert found["DegenerateTriangles"]["count"] == 2
+    line = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
+    refused(both(line, [[0, 1, 2]], slide()), "NoVolume", "without area")
+
+
+def test_bad_input_05_soup(both, box):
+    soup = box[0][box[1]].reshape(-1, 3)
+    index = np.arange(len(soup)).reshape(-1, 3)
+    welded = both(soup, index, slide(), resolution=24)
+    found = accepted(welded, "Welded")
+    assert "before 36" in found["Welded"]["text"] and "after 8" in found["Welded"]["text"]
+    assert welded["volume"] == both(*box, slide(), resolution=24)["volume"]
+    gap = soup + np.arange(len(soup))[:, None] * 1e-7
+    accepted(both(gap, index, slide(), resolution=24, **{}), "WeldedWithinTolerance")
+
+
+def test_bad_input_06_open_mesh(both, box):
+    refused(both(box[0], box[1][2:], STILL), "OpenMesh", "%", "close its holes")
+    sheet = [[0, 0, 0], [30, 0, 0], [30, 20, 0], [0, 20, 0]]
+    report = both(sheet, [[0, 1, 2], [0, 2, 3]], slide(3, 2, 20), resolution=32)
+    accepted(report, "OpenEdges")
+    assert report["volume"] == pytest.approx(12000, rel=0.05)
+
+
+def test_bad_input_07_inward(both, box):
+    accepted(both(box[0], box[1][:, ::-1], slide(), resolution=24), "Flipped")
+
+
+def test_bad_input_08_mixed_orientation(both, box):
+    triangles = box[1].copy()
+    triangles[[1, 6, 7]] = triangles[[1, 6, 7]][:, ::-1]
+    report = both(box[0], triangles, slide(), resolution=24)
+    accepted(report, "MixedOrientation")
+    assert report["volume"] == pytest.approx(both(*box, slide(), resolution=24)["volume"])
+
+
+def test_bad_input_09_non_manifold(both, box):
+    other = box[0] + [10, 20, 0]  # shares one edge
+    body = np.vstack([box[0], other]), np.vstack([box[1], box[1] + 8])
+    accepted(both(*body, slide(0, 0, 30), resolution=32), "NonManifoldEdges")
+
+
+def test_bad_input_10_overlap(both, box):
+    body = np.vstack([box[0], box[0] + 5]), np.vstack([box[1], box[1] + 8])
+    report = both(*body, STILL, resolution=48)
+    accepted(report)
+    assert report["volume"] == pytest.approx(2 * 6000 - 5 * 15 * 25, rel=0.02)
+
+
+def test_bad_input_11_duplicates(both, box):
+    report = both(box[0], np.vstack([box[1], box[1][:3]]), slide(), resolution=24)
+    assert accepted(report, "DuplicateTriangles")["DuplicateTriangles"]["count"] == 3
+    sheet = np.vstack([box[0], box[0][:3] + [0, 0, 200]])
+    pair = np.vstack([box[1], [[8, 9, 10], [8, 10, 9]]])
+    accepted(both(sheet, pair, slide(), resolution=24), "OppositeTriangles")
+
+
+def test_bad_input_12_cavity(both, box):
+    inner = box[0] * 0.5 + [2.5, 5, 7.5]
+    body = np.vstack([box[0], inner]), np.vstack([box[1], box[1][:, ::-1] + 8])
+    report = both(*body, STILL, resolution=48)
+    accepted(report, "Cavities")
+    assert report["shells"] == 1 and report["volume"] == pytest.approx(6000, rel=0.01)
+
+
+def test_bad_input_13_thin_wall(both, box):
+    report = both(box[0] * [1, 1, 0.001], box[1], slide(), resolution=32)
+    accepted(report)
+    assert report["volume"] < 3 * 60 * 20 * report["cell"]
+
+
+def test_bad_input_14_far_away(both, box):
+    report = both(box[0] + [1e6, -2e6, 3e6], box[1], slide(), resolution=24)
+    accepted(report)
+    assert report["volume"] == pytest.approx(36000, rel=0.01)
+    refused(both(box[0] + 4e9, box[1], slide()), "OutOfRange", "1e9 mm")
+    refused(both(box[0] * 1e-7 + 5e8, box[1], STILL), "PrecisionTooCoarse", "mm")
+
+
+def test_bad_input_15_cell_against_body(both, box):
+    refused(both(*box, STILL, cell=100), "CellTooLarge", "mm")
+    refused(both(*box, STILL, cell=1e-5), "ResourceLimit", "smallest cell", "mm", status="ResourceLimit")
+
+
+@pytest.mark.parametrize("cell", [-1.0, float("nan"), float("inf")])
+def test_bad_input_16_cell(program, box, cell):
+    with pytest.raises(_swept.InvalidInput) as caught:
+        _swept.compute(*box, STILL, cell=cell)
+    assert caught.value.code == "BadOption" and "cellSize" in str(caught.value)
+    done = subprocess.run(
+        [program, "envelope", "a.ply", "--motion", "b.csv", "--output", "c.ply"]
+        + [f"--cell={cell}"],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 2 and "--cell" in done.stderr
+
+
+def test_bad_input_17_no_poses(both, box):
+    refused(both(*box, np.zeros((0, 4, 4))), "EmptyTrajectory")
+
+
+def test_bad_input_18_one_pose(both, box):
+    report = both(*box, STILL, resolution=40)
+    accepted(report)
+    assert report["volume"] == pytest.approx(6000, abs=0.05 * 2200 * report["cell"])
+
+
+def test_bad_input_19_repeated_poses(both, box):
+    motion = slide()[[0, 0, 0, 1, 1]]
+    found = accepted(both(*box, motion, resolution=24), "RepeatedPoses")
+    assert found["RepeatedPoses"]["count"] == 3
+
+
+def test_bad_input_20_small_drift(both, box):
+    motion = slide()
+    motion[1, :3, :3] *= 1 + 2e-5
+    accepted(both(*box, motion, resolution=24))
+    refused(both(*box, slide() * [[[1.01], [1], [1], [1]]]), "NotRigid", "pose 0", "scale", "0.0001")
+
+
+@pytest.mark.parametrize(
+    "change, word",
+    [
+        (np.diag([2, 2, 2, 1.0]), "scale"),
+        (np.diag([1, 1, -1, 1.0]), "mirror"),
+        (np.array([[1, 0.2, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]]), ""),
+        (np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1.0]]), "last row"),
+    ],
+)
+def test_bad_input_21_not_rigid(both, box, change, word):
+    motion = slide()
+    motion[1] = change
+    refused(both(*box, motion), "NotRigid", "pose 1", word)
+
+
+def test_bad_input_22_bad_pose(both, box, program, tmp_path):
+    motion = slide()
+    motion[1, 1, 3] = np.nan
+    refused(both(*box, motion), "BadPose", "pose 1")
+    with pytest.raises(_swept.InvalidInput, match="pose 1.*come after") as caught:
+        _swept.compute(*box, ([1.0, 0.5], slide()))
+    assert caught.value.code == "BadPose"
+
+
+def test_bad_input_23_jump_and_half_turn(both, box):
+    report = both(*box, slide(400), resolution=60)
+    accepted(report)
+    assert report["largest_step_travel"] > report["cell"] and report["chord_error"] >= 0
+    turn = slide(0)
+    turn[1] = np.diag([-1, -1, 1, 1.0])
+    refused(both(*box, turn), "AmbiguousTurn", "pose 0 and pose 1", "180")
+
+
+def test_bad_input_24_and_25_cancel(box):
+    run = _swept.RunContext(1)
+    run.cancel()
+    run.cancel()
+    with pytest.raises(_swept.Cancelled):
+        _swept.compute(*box, slide(), run=run)
+    run = _swept.RunContext(1)
+    run.cancel_at_checkpoint = 7
+    with pytest.raises(_swept.Cancelled):
+        _swept.compute(*box, slide(), run=run, resolution=24)
+    assert _swept.compute(*box, slide(), resolution=24).report["status"] == "Ok"
+
+
+def test_bad_input_26_memory_budget(both, box):
+    report = both(*box, slide(), resolution=4000, memory_limit_mb=1)
+    refused(report, "ResourceLimit", "MB", "smallest cell", status="ResourceLimit")
+
+
+def test_bad_input_27_out_of_memory(program, box, tmp_path):
+    _swept.write_mesh(tmp_path / "b.ply", *box)
+    (tmp_path / "m.csv").write_text("0,0,0,0,0,0,0,1\n1,50,20,10,0,0,0.6,0.8\n")
+
+    def call(resolution, megabytes):
+        return subprocess.run(
+            [
+                program, "envelope", tmp_path / "b.ply", "--motion", tmp_path / "m.csv",
+                "--output", tmp_path / "o.ply", "--report", tmp_path / "r.json", "--backend", "cpu",
+                "--threads", "1", "--memory-limit", "100000", "--resolution", str(resolution),
+            ],
+            capture_output=True, text=True, timeout=120,
+            preexec_fn=lambda: resource.setrlimit(
+                resource.RLIMIT_AS, (megabytes << 20, megabytes << 20)
+            ),
+        )  # fmt: skip
+
+    done = call(1200, 400)
+    assert done.returncode == 1 and "OutOfMemory" in done.stderr, done.stderr
+    assert json.loads((tmp_path / "r.json").read_text())["status"] == "OutOfMemory"
+    assert not (tmp_path / "o.ply").exists()
+    assert call(24, 400).returncode == 0
+
+
+def test_bad_input_28_no_gpu(program, box, tmp_path):
+    """The module never touches GL when it is imported; a GPU that is not there is said once."""
+    maps = "any('libEGL' in line or 'libGL' in line for line in open('/proc/self/maps'))"
+    script = f"import _swept; assert not {maps}"
+    import sys
+
+    folder = re.sub(r"/[^/]*$", "", _swept.__file__)
+    done = subprocess.run([sys.executable, "-c", script], env={"PYTHONPATH": folder})
+    assert done.returncode == 0
+    assert _swept.compute(*box, STILL, resolution=16, backend="auto").report["status"] == "Ok"
+
+
+BROKEN_TABLES = [
+    (b"t,tx,ty,tz,qx,qy,qz,qw\n0,1,2,3,0,0,0\n", "BadFile", "line 2"),
+    (b"0,1,two,3,0,0,0,1\n1,1,2,3,0,0,0,1\n", "BadFile", "line 1, column 3"),
+    (b"0;1,5;2;3;0;0;0;1\n", "BadFile", "comma"),
+    (b"0,0,0,0,0,0,0,1\n1,0,0", "BadFile", "line 2"),
+    (b"0,0,0,0,0,0,0,1\n1,0,\0,0,0,0,0,1\n", "BadFile", "line 2"),
+    ("0,0,0,0,0,0,0,1\n".encode("utf-16"), "BadFile", "UTF-16"),
+    (gzip.compress(b"0,0,0,0,0,0,0,1\n")[:-9], "BadFile", "gzip"),
+]
+
+
+@pytest.mark.parametrize("text, code, says", BROKEN_TABLES)
+def test_bad_input_34_broken_table(tmp_path, text, code, says):
+    (tmp_path / "m.csv").write_bytes(text)
+    with pytest.raises(_swept.InvalidInput, match=says) as caught:
+        _swept.read_trajectory_csv(tmp_path / "m.csv")
+    assert caught.value.code == code
+
+
+@pytest.mark.parametrize("text", [b"", b"t,tx,ty,tz,qx,qy,qz,qw\n", b"\n# nothing\n\n"])
+def test_bad_input_35_empty_table(tmp_path, text):
+    (tmp_path / "m.csv").write_bytes(text)
+    with pytest.raises(_swept.InvalidInput) as caught:
+        _swept.read_trajectory_csv(tmp_path / "m.csv")
+    assert caught.value.code == "EmptyTrajectory"
+
+
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_bad_input_37_solid_that_reads_back_wrong(tmp_path, box):
+    """Somebody damages the file between writing and reading back: it never becomes the target."""
+    result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
+    target = tmp_path / "o.step"
+    target.write_text("old")
+    done = threading.Event()
+
+    def damage():
+        while not done.is_set():
+            for path in tmp_path.iterdir():
+                if path != target and path.exists() and path.stat().st_size > 100:
+                    with open(path, "r+b") as file:
+                        file.write(b"garbage")
+
+    thread = threading.Thread(target=damage)
+    thread.start()
+    try:
+        with pytest.raises(_swept.ExportFailed) as caught:
+            _swept.write_solid(target, result.vertices, result.triangles, max_faces=10**6)
+    finally:
+        done.set()
+        thread.join()
+    assert caught.value.code.startswith("Reread"), caught.value
+    assert target.read_text() == "old" and list(tmp_path.iterdir()) == [target]
+
+
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_bad_input_39_too_many_faces(tmp_path, box):
+    result = _swept.compute(*box, slide(20, 9, 4), resolution=24)
+    with pytest.raises(_swept.ExportFailed, match="MB") as caught:
+        _swept.write_solid(tmp_path / "o.step", result.vertices, result.triangles, max_faces=20)
+    assert caught.value.code == "TooManyFaces" and not list(tmp_path.iterdir())
+
+
+def test_bad_input_40_names(program, box, tmp_path):
+    folder = tmp_path / "Hüllkörper 扫掠 (1)" / ("x" * 120)
+    folder.mkdir(parents=True)
+    _swept.write_mesh(folder / "tělo.ply", *box)
+    (folder / "pohyb ž.csv").write_text("0,0,0,0,0,0,0,1\n1,50,0,0,0,0,0,1\n")
+    done = subprocess.run(
+        [
+            program, "envelope", folder / "tělo.ply", "--motion", folder / "pohyb ž.csv",
+            "--resolution", "16", "--output", folder / "obálka.stl",
+        ],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert len(_swept.read_mesh(folder / "obálka.stl").triangles) > 100
+
+
+def test_bad_input_42_two_runs_at_once(box):
+    expected = [
+        _swept.compute(*box, slide(x), resolution=40, threads=2).vertices.tobytes()
+        for x in (20, 40, 60)
+    ]
+    found = [None] * 3
+    threads = [
+        threading.Thread(
+            target=lambda n=n: found.__setitem__(
+                n, _swept.compute(*box, slide(20 * (n + 1)), resolution=40, threads=n + 1)
+            )
+        )
+        for n in range(3)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert [result.vertices.tobytes() for result in found] == expected
+
+
+def test_bad_input_45_thinner_than_the_cell(both):
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    report = both(corners * [1e-4, 1e-4, 40], triangles, STILL, resolution=16)
+    if report["status"] != "Ok":
+        refused(report, "CellTooLarge", "smaller cell")
+    else:
+        accepted(report)
