@@ -38,12 +38,11 @@ class BadInput(Case):
         return obj
 
     def box_facets(self):
-        return [
-            [tuple(p) for p in facet.Points] for facet in Mesh.createBox(10.0, 10.0, 10.0).Facets
-        ]
+        points, triangles = Part.makeBox(10, 10, 10).tessellate(1.0)
+        return [[tuple(points[i]) for i in triangle] for triangle in triangles]
 
     def test_bad_input_01_empty_mesh(self):
-        self.refused(self.envelope([self.mesh_object([])], self.line()), "Net")
+        self.refused(self.envelope([self.mesh_object([])], self.line()), "empty")
 
     def test_bad_input_06_open_mesh(self):
         part = self.mesh_object(self.box_facets()[2:])

@@ -193,7 +193,9 @@ def test_bad_input_14_far_away(both, box):
 
 def test_bad_input_15_cell_against_body(both, box):
     refused(both(*box, STILL, cell=100), "CellTooLarge", "mm")
-    refused(both(*box, STILL, cell=1e-5), "ResourceLimit", "smallest cell", "mm", status="ResourceLimit")
+    refused(
+        both(*box, STILL, cell=1e-5), "ResourceLimit", "smallest cell", "mm", status="ResourceLimit"
+    )
 
 
 @pytest.mark.parametrize("cell", [-1.0, float("nan"), float("inf")])
@@ -229,7 +231,9 @@ def test_bad_input_20_small_drift(both, box):
     motion = slide()
     motion[1, :3, :3] *= 1 + 2e-5
     accepted(both(*box, motion, resolution=24))
-    refused(both(*box, slide() * [[[1.01], [1], [1], [1]]]), "NotRigid", "pose 0", "scale", "0.0001")
+    refused(
+        both(*box, slide() * [[[1.01], [1], [1], [1]]]), "NotRigid", "pose 0", "scale", "0.0001"
+    )
 
 
 @pytest.mark.parametrize(

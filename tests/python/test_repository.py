@@ -150,3 +150,33 @@ def test_freecad_reads_package_xml(root):
     if done.returncode == 77:
         pytest.skip(f"FreeCAD is not installed: {done.stdout}")
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def named_rows(name):
+    """Rows of the table of bad input that the name of a test stands for."""
+    match = re.match(r"(?:test_)?(?:bad_input_|BadInput)(\d\d)(?:(?:_and_|And)(\d\d))?", name)
+    return [int(number) for number in match.groups() if number] if match else []
+
+
+def test_every_row_of_bad_input_has_its_tests(root):
+    defined = {}
+    for path in (root / "tests").rglob("*"):
+        if path.suffix not in (".cpp", ".py"):
+            continue
+        text = path.read_text(encoding="utf-8")
+        names = re.findall(r"^TEST(?:_[FP])?\(\s*\w+,\s*(\w+)\)", text, re.M)
+        names += re.findall(r"^ *def (test_bad_input_\w+)", text, re.M)
+        for name in names:
+            defined.setdefault(name, path)
+    table = (root / "docs" / "bad_input.md").read_text(encoding="utf-8")
+    rows = {}
+    for line in table.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if cells[0].isdigit():
+            rows[int(cells[0])] = re.findall(r"`(\w+)`", cells[-1])
+    assert sorted(rows) == list(range(1, 46))
+    for number, names in rows.items():
+        assert names, f"row {number} has no test"
+        for name in names:
+            assert name in defined, f"row {number}: no test is called {name}"
+            assert number in named_rows(name), f"row {number}: {name} is another row's"

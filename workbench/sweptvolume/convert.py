@@ -307,5 +307,7 @@ def signature(pairs):
                 if data.Solids:
                     size += tuple(round(s.Volume, 6) for s in data.Solids)
             box = data.BoundBox
-            words.append(repr(size) + repr((round(box.DiagonalLength, 7), tuple(box.Center))))
+            if box.isValid():  # an empty mesh has none
+                size += (round(box.DiagonalLength, 7), tuple(box.Center))
+            words.append(repr(size))
     return "\n".join(words)

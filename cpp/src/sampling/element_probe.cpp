@@ -163,7 +163,8 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
 void ElementProbe::castOne(const std::vector<Piece>& pieces, ProbeLine& line) {
   double first = 2;
   for (const Piece& piece : pieces) {
-    const auto& [a, b, c, d] = piece.corner;
+    const auto &a = piece.corner[0], &b = piece.corner[1], &c = piece.corner[2],
+               &d = piece.corner[3];  // older compilers cannot capture bindings
     const auto take = [&](const Meeting& at, double r, double s) {
       if (at.along >= first) return;
       first = at.along;
