@@ -20,6 +20,19 @@ def _freecad():
     return shutil.which("freecad") or shutil.which("FreeCAD")
 
 
+def _profile(home, dark):
+    """The settings of a fresh FreeCAD that asks nothing at its start."""
+    with open(os.path.join(ROOT, "resources", "demo-user.cfg"), encoding="utf-8") as file:
+        text = file.read()
+    if dark:
+        style = '<FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">Behave-dark.qss</FCText>'
+        group = '<FCParamGroup Name="Preferences">'
+        assert text.count(group) == 1
+        text = text.replace(group, group + style + "</FCParamGroup>")
+    with open(os.path.join(home, "user.cfg"), "w", encoding="utf-8") as out:
+        out.write(text)
+
+
 @pytest.mark.skipif(not shutil.which("xvfb-run"), reason="xvfb-run is not installed")
 @pytest.mark.skipif(not _freecad(), reason="FreeCAD with a window is not installed")
 @pytest.mark.parametrize("scenario", SCENARIOS)
@@ -31,9 +44,7 @@ def test_scenario(scenario):
     with tempfile.TemporaryDirectory() as home:
         os.makedirs(os.path.join(home, "Mod"))
         os.symlink(ROOT, os.path.join(home, "Mod", "SweptVolume"))
-        shutil.copy(
-            os.path.join(ROOT, "resources", "demo-user.cfg"), os.path.join(home, "user.cfg")
-        )
+        _profile(home, dark=scenario == "dark.py")
         environment = dict(os.environ, FREECAD_USER_HOME=home)
         environment.pop("DISPLAY", None)
         environment.pop("PYTHONPATH", None)

@@ -23,22 +23,28 @@ STEP, LIMIT = 150, 60.0
 
 
 class Gaps:
-    """Longest time between two ticks of a 5 ms timer: how long the window stood still."""
+    """Longest time between two ticks of a 5 ms timer: how long the window stood still. `busy` is the
+    longest that the window's own thread computed between two ticks: the rest it waited for a core.
+    """
 
     def __init__(self):
-        self.longest, self._last = 0.0, time.perf_counter()
+        self.longest, self.busy = 0.0, 0.0
+        self._last, self._cpu = time.perf_counter(), time.thread_time()
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._tick)
         self._timer.start(5)
 
     def _tick(self):
-        now = time.perf_counter()
+        now, cpu = time.perf_counter(), time.thread_time()
         self.longest = max(self.longest, now - self._last)
-        self._last = now
+        self.busy = max(self.busy, cpu - self._cpu)
+        self._last, self._cpu = now, cpu
 
     def stop(self):
         self._timer.stop()
-        return self.longest
+        return "{:.0f} ms (of it at most {:.0f} ms of work)".format(
+            1000 * self.longest, 1000 * self.busy
+        )
 
 
 def say(text):
@@ -222,6 +228,7 @@ __all__ = [
     "Gui",
     "Ok",
     "QtCore",
+    "QtGui",
     "QtWidgets",
     "choose",
     "click",

@@ -198,11 +198,10 @@ class ClearancePanel:
     def start(self):
         widgets.show_message(self.message, "")
         try:
-            task = ClearanceTask(self.document, self.plan(), self.obj)
+            self.run = runner.start(ClearanceTask(self.document, self.plan(), self.obj))
         except (InputProblem, core.CoreMissing) as problem:
             widgets.show_message(self.message, str(problem))
             return False
-        self.run = runner.start(task)
         self.box.follow(self.run)
         self.check.setEnabled(False)
         self.run.ended.connect(self.ended)

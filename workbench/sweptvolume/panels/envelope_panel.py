@@ -34,6 +34,9 @@ DEFAULTS = {
     "Backend": "Auto",
 }
 
+#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+opened = []
+
 
 class EnvelopePanel:
     """Makes a new envelope (obj None) or changes one."""
@@ -238,14 +241,14 @@ class EnvelopePanel:
         self.close_when_done = close_when_done
         widgets.show_message(self.message, "")
         try:
-            task = EnvelopeTask(self.document, self.plan(), self.obj)
+            run = runner.start(EnvelopeTask(self.document, self.plan(), self.obj))
         except (InputProblem, core.CoreMissing) as problem:
             widgets.show_message(self.message, str(problem))
             return False
         self.preview_box.setChecked(False)
         self.preview.stop()
         self._remove_coarse()
-        self.run = runner.start(task)
+        self.run = run
         self.box.follow(self.run)
         self._enable(False)
         self.run.ended.connect(self.ended)
@@ -322,6 +325,7 @@ class EnvelopePanel:
 def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     """Opens the panel; `start`: begins at once (Recompute)."""
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
+    opened[:] = [panel]
     Gui.Control.showDialog(panel)
     if start:
         panel.start()

@@ -19,7 +19,8 @@ class PartsBox(QtCore.QObject):
     def __init__(self, document, plan, layout):
         super().__init__()
         self.document, self.pairs = document, list(plan.pairs)
-        self.own = list(plan.motions) or [None] * len(self.pairs)
+        self.own = [None if m is plan.motion else m for m in plan.motions]
+        self.own += [None] * (len(self.pairs) - len(self.own))
         self.reference = plan.reference
         self.known = objects_of_kind(document, motion.Motion.KIND)
         self._build_parts(plan, layout)

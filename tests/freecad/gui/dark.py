@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Our panels under a dark style (set in the profile by test_gui.py): opened, filled, and pictures."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Cancel,
+    Close,
+    Gui,
+    QtGui,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    say,
+    select,
+    shot,
+)
+
+V = App.Vector
+
+
+def scenario():
+    from sweptvolume.features import clearance, envelope, motion
+
+    open_workbench()
+    yield
+    window = Gui.getMainWindow()
+    doc = new_document("Dark")
+    box, wall = doc.addObject("Part::Box", "Slide"), doc.addObject("Part::Box", "Wall")
+    wall.Placement.Base = V(0, 13, 0)
+    places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
+    path = motion.motion_from_poses(doc, [0, 1], places)
+    doc.recompute()
+    hull = envelope.make_envelope(doc, [box], path, Resolution=40)
+    doc.recompute()
+    envelope.compute(hull)
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield
+    for name, items in (
+        ("EditMotion", (box, path)),
+        ("EditEnvelope", (hull,)),
+        ("Clearance", (hull,)),
+    ):
+        select(*items)
+        Gui.runCommand("SweptVolume_" + name)
+        yield 0.8
+        Gui.Selection.clearSelection()
+        if name == "Clearance":
+            click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
+            yield lambda: doc.getObject("Clearance") is not None
+            yield 0.5
+            found = doc.getObject("Clearance")
+            assert found.Status == clearance.UP_TO_DATE, found.Status
+        form = [w for w in window.findChildren(QtWidgets.QGroupBox) if w.isVisible()][0]
+        text = form.palette().color(QtGui.QPalette.WindowText).lightness()
+        say("{}: lightness of the text {}".format(name, text))
+        shot("42_dark_" + name)
+        yield 0.8
+        click(panel_button(Close if name == "Clearance" else Cancel))
+        yield no_panel
+    path.touch()
+    wall.Placement.Base.y = 14
+    doc.recompute()
+    shot("43_dark_tree")
+    yield 0.8
+    App.closeDocument(doc.Name)
+    yield
+
+
+run(scenario)
