@@ -22,6 +22,7 @@
 #include "pipeline/backend.h"
 #include "pipeline/grown_sweep.h"
 #include "sampling/body_topology.h"
+#include "sampling/cavities.h"
 #include "sampling/element_probe.h"
 #include "sampling/grid_plan.h"
 #include "sampling/hermite.h"
@@ -159,13 +160,6 @@ class Run {
   void compute(const TriMesh& body, const Trajectory& trajectory) {
     checkOptions(options_);
     refuseUnbuilt();
-    if (options_.keepCavities) {
-      report_.warnings.push_back({"CavitiesFilled",
-                                  1,
-                                  {},
-                                  "sealed-off hollow spaces are filled: keeping them as inner "
-                                  "shells is not built yet"});
-    }
     run_.checkpoint(Phase::Input);
     prepared_.body = checkBody(body, options_, run_);
     prepared_.trajectory = checkTrajectory(trajectory);
@@ -259,13 +253,13 @@ class Run {
     stage("cover");
     if (!options_.conservative) {
       report_.warnings.push_back(offsetFinding(sweep.cover(), fromMesh));
-      growTo(sweep, wanted);
+      growTo(sweep, input, wanted);
       return;
     }
     const double chord = sweep.cover().chord;
     offset::Containment proof;
     for (const double margin : kMarginCells) {
-      growTo(sweep, wanted + margin + options_.tolerance / cell);
+      growTo(sweep, input, wanted + margin + options_.tolerance / cell);
       proof = sweep.prove(result_.mesh, wanted + chord, run_);
       stage("proof");
       if (!proof.holds) continue;
@@ -280,8 +274,13 @@ class Run {
                     std::to_string(proof.outside) + " pieces outside; use a smaller cell");
   }
 
-  void growTo(const GrownSweep& sweep, double distance) {
-    HermiteGrid hermite = sweep.hermite(distance, run_);
+  void growTo(const GrownSweep& sweep, const SamplerInput& input, double distance) {
+    HermiteGrid hermite = sweep.hermite(
+        distance,
+        [&](const MarkedEdges& marks, const SolidPoint& isSolid) {
+          return signs(input, marks, isSolid);
+        },
+        run_);
     stage("offset");
     report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
     requireCrossings(hermite);
@@ -323,7 +322,7 @@ class Run {
         input, options_.backend, cpuSeconds_,
         [&](const MarkedEdges& marks) {
           stage("sampling");
-          SignRuns found = findOutside(marks, prepared_.grid, run_);
+          SignRuns found = signs(input, marks, {});
           stage("signs");
           return found;
         },
@@ -344,6 +343,30 @@ class Run {
     report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
     requireEnclosed(hermite);
     return hermite;
+  }
+
+  /// The outside, and where cavities are kept the hollow spaces that it does not reach.
+  SignRuns signs(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid) {
+    if (!options_.keepCavities) return findOutside(marks, prepared_.grid, run_);
+    const auto note = [&](const char* code, std::int64_t count, const std::string& text) {
+      auto& notes = report_.warnings;  // signs may be asked for again
+      notes.erase(std::remove_if(notes.begin(), notes.end(),
+                                 [&](const Finding& f) { return f.code == code; }),
+                  notes.end());
+      notes.push_back({code, count, {}, text});
+    };
+    if (!prepared_.body.closed) {
+      note("CavitiesFilled", 1,
+           "the body is open, so inside has no meaning: sealed-off hollow spaces are filled; close "
+           "its holes to keep them");
+      return findOutside(marks, prepared_.grid, run_);
+    }
+    std::vector<std::uint32_t> component;
+    SignRuns found = findOutside(marks, prepared_.grid, run_, &component);
+    const std::int64_t opened = openCavities(found, component, marks, input, isSolid, run_);
+    note("CavitiesKept", opened,
+         std::to_string(opened) + " sealed-off hollow spaces are kept as inner shells");
+    return found;
   }
 
   static void requireCrossings(const HermiteGrid& hermite) {

@@ -3,14 +3,16 @@
 
 #include "sampling/hermite.h"
 #include "sampling/offset/offset_surface.h"
-#include "sampling/signs.h"
 
 namespace swept {
 
-HermiteGrid GrownSweep::hermite(double distance, RunContext& run) const {
+HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
+                                RunContext& run) const {
   const offset::OffsetField field(tree_, distance, grid_, run);
   const MarkedEdges marked = offset::markOffset(field, tree_, grid_, run);
-  const SignRuns signs = findOutside(marked, grid_, run);
+  const SignRuns signs = findSigns(marked, [&](std::int32_t i, std::int32_t j, std::int32_t k) {
+    return field.gap(i, j, k) <= 0;
+  });
   return buildHermiteGrid(
       grid_, marked, signs,
       [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge, bool fromLow) {

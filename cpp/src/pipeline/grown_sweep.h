@@ -7,6 +7,7 @@
 #pragma once
 
 #include "data/hermite_grid.h"
+#include "sampling/cavities.h"
 #include "sampling/offset/containment.h"
 
 namespace swept {
@@ -19,7 +20,9 @@ class GrownSweep {
   GrownSweep& operator=(const GrownSweep&) = delete;
 
   const offset::Cover& cover() const { return cover_; }
-  HermiteGrid hermite(double distance, RunContext& run) const;
+  /// Which lattice points the outside reaches; those within the distance are solid.
+  using FindSigns = std::function<SignRuns(const MarkedEdges&, const SolidPoint&)>;
+  HermiteGrid hermite(double distance, const FindSigns& findSigns, RunContext& run) const;
   offset::Containment prove(const TriMesh& mesh, double least, RunContext& run) const {
     return offset::proveContainment(cover_, tree_, mesh, grid_, least, run);
   }

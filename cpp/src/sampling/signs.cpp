@@ -67,7 +67,8 @@ void joinLines(Edges a, std::uint32_t runA, Edges b, std::uint32_t runB, Edges b
 
 }  // namespace
 
-SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run) {
+SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
+                     std::vector<std::uint32_t>* component) {
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   SignRuns signs;
   signs.columns = ny;
@@ -122,6 +123,12 @@ SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext
   signs.outside.resize(runs);
   for (std::uint64_t r = 0; r < runs; ++r) {
     signs.outside[r] = sets.find(static_cast<std::uint32_t>(r)) == 0;
+  }
+  if (component != nullptr) {
+    component->resize(runs);
+    for (std::uint64_t r = 0; r < runs; ++r) {
+      (*component)[r] = sets.find(static_cast<std::uint32_t>(r));
+    }
   }
   return signs;
 }

@@ -27,6 +27,8 @@ struct SignRuns {
   }
 };
 
-SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run);
+/// component: if given, a number per run, the same for runs that are joined.
+SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
+                     std::vector<std::uint32_t>* component = nullptr);
 
 }  // namespace swept
