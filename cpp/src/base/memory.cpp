@@ -3,6 +3,9 @@
 
 #include <fstream>
 #include <string>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace swept {
 namespace {
@@ -26,6 +29,11 @@ void resetPeakMemory() {
   file << "5";
 }
 std::uint64_t peakMemoryBytes() { return lineOf("/proc/self/status", "VmHWM:"); }
+void returnFreeMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 std::uint64_t availableMemoryBytes() { return lineOf("/proc/meminfo", "MemAvailable:"); }
 
 }  // namespace swept

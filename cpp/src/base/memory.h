@@ -13,4 +13,8 @@ std::uint64_t peakMemoryBytes();
 /// Memory that could be taken without swapping, bytes; 0 where the system does not tell.
 std::uint64_t availableMemoryBytes();
 
+/// Hands free memory back to the system: the allocator keeps what many threads have freed, several
+/// times what a run needs, until somebody asks. Milliseconds; nothing where there is no such call.
+void returnFreeMemory();
+
 }  // namespace swept

@@ -543,6 +543,7 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
   const auto close = [&] {
     result.report.seconds.push_back({"total", total.seconds()});
     result.report.peakMemoryBytes = peakMemoryBytes();
+    returnFreeMemory();
   };
   if (result.report.status == Status::Ok) {
     guarded(result, close);
