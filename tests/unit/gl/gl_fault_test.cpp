@@ -1,4 +1,5 @@
-// Rows 28 to 33 of the table of bad input (docs/bad_input.md), each provoked on a device that exists nowhere.
+// Rows 28 to 33 of the table of bad input (docs/bad_input.md), each provoked on a device that
+// exists nowhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
