@@ -46,6 +46,17 @@ chord=0.02 (cells); weld=1e-6 (of the box diagonal); threads=0; memory_limit_mb=
 Raises Error with .status, .code and .report: InvalidInput, ResourceLimit, OutOfMemory, Cancelled,
 DeviceUnavailable, DeviceLost, InternalError. Wrong shapes raise ValueError, wrong types TypeError.)";
 
+constexpr const char* kPreviewSessionDoc =
+    R"(PreviewSession(vertices, triangles, **options)
+
+Quick, coarse envelopes of one body while its motion is edited: the checked body stays warm between
+calls. Options as those of compute(), for all calls; chord is at least 0.1, tolerance is left out.)";
+
+constexpr const char* kPreviewDoc =
+    R"(compute(motion, interpolation='linear', run=None) -> Result
+
+Arguments, result and errors as those of the module's compute(). From one thread at a time.)";
+
 constexpr const char* kEstimateDoc =
     R"(estimate(vertices, triangles, motion, interpolation='linear', **options) -> dict
 

@@ -14,6 +14,7 @@
 #include "job.h"
 #include "swept/compute.h"
 #include "swept/io.h"
+#include "swept/preview.h"
 #ifdef HAVE_SWEPT_STEP
 #include "swept/step_export.h"
 #endif
@@ -120,6 +121,14 @@ Options optionsFrom(const py::kwargs& keywords, RunContext& run) {
   return options;
 }
 
+ComputeResult resultOrRaise(const std::shared_ptr<const Result>& result) {
+  const py::object report = parseJson(toJson(result->report));
+  if (result->report.status != Status::Ok) {
+    raise(result->report.status, result->report.code, result->report.message, report);
+  }
+  return {result, report};
+}
+
 ComputeResult pyCompute(const py::object& vertices, const py::object& triangles,
                         const py::object& motion, const std::string& interpolation,
                         const py::object& run, const py::kwargs& keywords) {
@@ -129,11 +138,25 @@ ComputeResult pyCompute(const py::object& vertices, const py::object& triangles,
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
   auto result = std::make_shared<Result>(
       runWithoutLock(*context, [&] { return compute(body, trajectory, options, *context); }));
-  const py::object report = parseJson(toJson(result->report));
-  if (result->report.status != Status::Ok) {
-    raise(result->report.status, result->report.code, result->report.message, report);
-  }
-  return {result, report};
+  return resultOrRaise(result);
+}
+
+std::unique_ptr<PreviewSession> pyPreviewSession(const py::object& vertices,
+                                                 const py::object& triangles,
+                                                 const py::kwargs& keywords) {
+  RunContext run;
+  const Options options = optionsFrom(keywords, run);
+  const TriMesh body = meshFromArrays(vertices, triangles);
+  const py::gil_scoped_release release;
+  return std::make_unique<PreviewSession>(body, options, run);
+}
+
+ComputeResult pyPreview(PreviewSession& session, const py::object& motion,
+                        const std::string& interpolation, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
+  return resultOrRaise(std::make_shared<Result>(
+      runWithoutLock(*context, [&] { return session.compute(trajectory, *context); })));
 }
 
 py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
@@ -268,6 +291,15 @@ void bindClasses(py::module_& module) {
                              "int32 (E, 2): vertex pairs along creases; may be empty");
 }
 
+void bindPreview(py::module_& module) {
+  py::class_<PreviewSession>(module, "PreviewSession", kPreviewSessionDoc)
+      .def(py::init(&pyPreviewSession), py::arg("vertices"), py::arg("triangles"))
+      .def("compute", &pyPreview, kPreviewDoc, py::arg("motion"),
+           py::arg("interpolation") = "linear", py::arg("run") = py::none())
+      .def_property_readonly("steps_kept", &PreviewSession::stepsKept,
+                             "Steps so far that were those of the call before.");
+}
+
 void bindFunctions(py::module_& module) {
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none());
@@ -301,6 +333,7 @@ PYBIND11_MODULE(_swept, module) {
 #endif
   bindErrors(module);
   bindClasses(module);
+  bindPreview(module);
   bindFunctions(module);
 #ifdef HAVE_SWEPT_CLEARANCE
   bindClearance(module);

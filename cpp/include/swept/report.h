@@ -59,6 +59,7 @@ struct Report {
   std::array<std::int64_t, 3> grid{0, 0, 0};             ///< cells along x, y, z
   std::int64_t placements = 0;
   std::int64_t refinedPlacements = 0;
+  double positionFilterDistance = 0;  ///< mm: farthest a dropped pose was from a kept one
   std::int64_t sweptFaces = 0;    ///< face copies sampled after culling
   std::int64_t sweptPatches = 0;  ///< side patches sampled after culling
   std::int64_t crossings = 0;     ///< contributing crossings

@@ -55,6 +55,7 @@ void writeReportFields(const Report& report, JsonWriter& json) {
   json.endArray();
   json.field("placements", report.placements);
   json.field("refined_placements", report.refinedPlacements);
+  json.field("position_filter_distance", report.positionFilterDistance);
   json.field("swept_faces", report.sweptFaces);
   json.field("swept_patches", report.sweptPatches);
   json.field("crossings", report.crossings);

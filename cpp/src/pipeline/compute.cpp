@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -21,105 +22,23 @@
 #include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
 #include "pipeline/grown_sweep.h"
+#include "pipeline/plan.h"
 #include "sampling/body_topology.h"
 #include "sampling/cavities.h"
+#include "sampling/cpu/sample_cache.h"
 #include "sampling/element_probe.h"
-#include "sampling/grid_plan.h"
+#include "sampling/face_clusters.h"
 #include "sampling/hermite.h"
-#include "sampling/refine_motion.h"
 #include "sampling/sampler.h"
 #include "simplify/feature_edges.h"
 #include "simplify/simplify.h"
+#include "swept/preview.h"
 
 namespace swept {
 namespace {
 
-/// A conservative surface is looked for at these distances (cells) until one is proven.
-constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
-constexpr double kMostMarginCells = kMarginCells.back();
 /// Copies of triangles up to which an offset is measured from the copies themselves.
 constexpr std::size_t kMostCopies = 8'000'000;
-
-struct Prepared {
-  CheckedBody body;
-  CheckedTrajectory trajectory;
-  Motion motion;
-  GridPlan grid;
-};
-
-Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& v : mesh.vertices) box.extend(v);
-  return box;
-}
-
-/// The box of the sweep with the room that an offset or a conservative surface takes.
-Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
-  const double cells = options.conservative ? kMostMarginCells : 0;
-  const double room =
-      options.offset + cells * cell + (options.conservative ? options.tolerance : 0);
-  box.min().array() -= room;
-  box.max().array() += room;
-  return box;
-}
-
-/// Motion and grid depend on each other through the cell: a first, coarse motion gives the cell.
-void planRun(Prepared& p, const Options& options, RunContext& run) {
-  const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
-  const double size = bodyBox.diagonal().norm();
-  double cell = options.cellSize;
-  if (!(cell > 0)) {
-    const Motion coarse = refineMotion(p.body.mesh, p.trajectory.trajectory, size / 50, run);
-    const Eigen::AlignedBox3d box = sweptBox(p.body.mesh, coarse);
-    for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
-  }
-  if (options.offset > 0 || options.conservative) {
-    // The cover (sampling/offset) flattens side patches by itself: only points need to be followed.
-    // Offsets are measured from the chords, envelopes from the true motion beside them.
-    TriMesh points;
-    points.vertices = p.body.mesh.vertices;
-    p.motion =
-        refineMotion(points, p.trajectory.trajectory, options.chordTolerance / 2 * cell, run);
-  } else {
-    p.motion =
-        refineMotion(p.body.mesh, p.trajectory.trajectory, options.chordTolerance * cell, run);
-  }
-  p.grid = planGrid(grownBox(sweptBox(p.body.mesh, p.motion), cell, options), bodyBox, options);
-}
-
-/// Rough: the sweep's surface is taken as one and a half times that of its box.
-Estimate estimateOf(const Prepared& p) {
-  Estimate e;
-  e.grid = p.grid.cells();
-  e.cellSize = p.grid.cell;
-  const double x = static_cast<double>(e.grid[0]), y = static_cast<double>(e.grid[1]),
-               z = static_cast<double>(e.grid[2]);
-  const double crossings = 1.5 * 2 * (x * y + y * z + z * x) * 1.5;
-  const double faces = static_cast<double>(p.body.mesh.triangles.size());
-  const double placements = static_cast<double>(p.motion.placements.size());
-  e.triangles = static_cast<std::int64_t>(2 * crossings);
-  // Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
-  e.memoryBytes = static_cast<std::uint64_t>(crossings * 180 + faces * 200 + placements * 300 +
-                                             (x + 1) * (y + 1) * 24);
-  const double elements =
-      p.motion.continuous ? faces * placements * 5e-9 : faces * placements * 8e-8;
-  e.seconds = 0.02 + crossings * 0.6e-6 + elements;
-  return e;
-}
-
-void requireMemory(const Estimate& e, const RunContext& run) {
-  const std::uint64_t available = availableMemoryBytes();
-  const std::uint64_t limit = run.memoryLimitBytes != 0 ? run.memoryLimitBytes : available / 4 * 3;
-  if (limit == 0 || e.memoryBytes <= limit) return;
-  const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
-  std::ostringstream text;
-  text.precision(4);
-  text << "the run would take about " << e.memoryBytes / 1'000'000 << " MB for a grid of "
-       << e.grid[0] << " x " << e.grid[1] << " x " << e.grid[2] << " cells, the limit is "
-       << limit / 1'000'000 << " MB; the smallest cell that fits is about " << e.cellSize * ratio
-       << " mm";
-  throw Error(Status::ResourceLimit, "ResourceLimit", text.str());
-}
 
 void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -152,28 +71,61 @@ void cutKept(Result& result, double tolerance, RunContext& run) {
   }
 }
 
+/// What a preview session keeps between calls.
+struct WarmBody {
+  CheckedBody body;
+  BodyTopology topology;
+  FaceClusters clusters;
+  std::optional<GridPlan> grid;
+  SampleCache cache;
+};
+
 class Run {
  public:
   Run(const Options& options, RunContext& context, Result& result)
       : options_(options), run_(context), result_(result), report_(result.report) {}
 
   void compute(const TriMesh& body, const Trajectory& trajectory) {
-    checkOptions(options_);
-    refuseUnbuilt();
-    run_.checkpoint(Phase::Input);
+    begin();
     prepared_.body = checkBody(body, options_, run_);
-    prepared_.trajectory = checkTrajectory(trajectory);
+    sweep(trajectory);
+  }
+
+  /// The same for a body that has been checked before.
+  void compute(WarmBody& warm, const Trajectory& trajectory) {
+    begin();
+    prepared_.body = warm.body;
+    prepared_.keepRoom = true;
+    if (warm.grid) prepared_.lastGrid = &*warm.grid;
+    topologyOfBody_ = &warm.topology;
+    clusters_ = &warm.clusters;
+    cache_ = &warm.cache;
+    sweep(trajectory);
+    warm.grid = prepared_.grid;
+  }
+
+ private:
+  void begin() {
+    checkOptions(options_);
+    refuseCombinations();
+    run_.checkpoint(Phase::Input);
+  }
+
+  void sweep(const Trajectory& trajectory) {
+    prepareTrajectory(prepared_, trajectory, options_);
     add(report_.warnings, prepared_.body.findings);
     add(report_.warnings, prepared_.trajectory.findings);
     stage("input");
 
     planRun(prepared_, options_, run_);
     describePlan();
-    const Estimate e = estimateOf(prepared_);
+    const Estimate e = estimateOf(prepared_, options_);
     report_.estimatedMemoryBytes = e.memoryBytes;
     cpuSeconds_ = e.seconds;
     requireMemory(e, run_);
-    const BodyTopology topology = buildTopology(prepared_.body.mesh);
+    BodyTopology own;
+    if (topologyOfBody_ == nullptr) own = buildTopology(prepared_.body.mesh);
+    const BodyTopology& topology = topologyOfBody_ != nullptr ? *topologyOfBody_ : own;
     stage("motion");
 
     if (options_.offset > 0 || options_.conservative) {
@@ -190,12 +142,12 @@ class Run {
     stage("features");
   }
 
- private:
-  /// Options that the interface already names are refused, never ignored.
-  void refuseUnbuilt() const {
-    if (options_.positionFilter <= 0) return;
-    throw Error(Status::InvalidInput, "BadOption",
-                "the option 'position filter' is not built yet; leave it out (0)");
+  void refuseCombinations() const {
+    if (!(options_.positionFilter > 0) || !options_.conservative) return;
+    throw Error(
+        Status::InvalidInput, "BadOption",
+        "a conservative envelope holds every pose: it cannot be had with a position filter; "
+        "leave one of them out");
   }
   void stage(const char* name) { report_.seconds.push_back({name, timer_.lap()}); }
 
@@ -203,7 +155,8 @@ class Run {
     report_.cellSize = prepared_.grid.cell;
     report_.gridOrigin = prepared_.grid.origin;
     report_.grid = prepared_.grid.cells();
-    report_.placements = static_cast<std::int64_t>(prepared_.trajectory.trajectory.poses.size());
+    report_.placements = static_cast<std::int64_t>(prepared_.givenPoses);
+    report_.positionFilterDistance = prepared_.positionFilterDistance;
     report_.refinedPlacements = static_cast<std::int64_t>(prepared_.motion.placements.size());
     report_.largestStepTravel = prepared_.motion.largestStepTravel;
     report_.chordError = prepared_.motion.chordError;
@@ -211,7 +164,8 @@ class Run {
 
   SamplerInput samplerInput(const BodyTopology& topology, bool cull) const {
     return {prepared_.body.mesh, topology, prepared_.motion,
-            prepared_.grid,      cull,     prepared_.body.orientable};
+            prepared_.grid,      cull,     prepared_.body.orientable,
+            clusters_,           cache_};
   }
 
   /// The swept volume as it is: result_.mesh.
@@ -485,6 +439,9 @@ class Run {
   Result& result_;
   Report& report_;
   Prepared prepared_;
+  const BodyTopology* topologyOfBody_ = nullptr;  ///< null: not known yet
+  const FaceClusters* clusters_ = nullptr;
+  SampleCache* cache_ = nullptr;
   MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
   std::vector<SweptElement> elements_;  // while the contouring may ask for them
   Timer timer_;
@@ -523,10 +480,9 @@ void guarded(Result& result, const Body& body) {
   }
 }
 
-}  // namespace
-
-Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
-               RunContext& run) {
+/// Runs work(run) in an arena of the wanted number of threads and puts how it went in the report.
+template <class Work>
+Result runWith(const Options& options, RunContext& run, const Work& work) {
   Result result;
   const Timer total;
   const int threads = run.threads > 0
@@ -537,7 +493,10 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
     resetPeakMemory();
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(threads);
-    arena.execute([&] { Run(options, run, result).compute(body, trajectory); });
+    arena.execute([&] {
+      Run one(options, run, result);
+      work(one);
+    });
     run.checkpoint(Phase::Done);
   });
   const auto close = [&] {
@@ -555,6 +514,38 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
   }
   return result;
 }
+
+}  // namespace
+
+Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
+               RunContext& run) {
+  return runWith(options, run, [&](Run& one) { one.compute(body, trajectory); });
+}
+
+struct PreviewSession::Warm : WarmBody {
+  Options options;
+};
+
+PreviewSession::PreviewSession(const TriMesh& body, const Options& options, RunContext& run) {
+  auto warm = std::make_unique<Warm>();
+  warm->options = options;
+  warm->options.chordTolerance = std::max(options.chordTolerance, kPreviewChord);
+  warm->options.tolerance = 0;
+  checkOptions(warm->options);
+  warm->body = checkBody(body, warm->options, run);
+  warm->topology = buildTopology(warm->body.mesh);
+  warm->clusters = buildClusters(warm->body.mesh, warm->topology);
+  warm_ = std::move(warm);
+}
+PreviewSession::~PreviewSession() = default;
+PreviewSession::PreviewSession(PreviewSession&&) noexcept = default;
+PreviewSession& PreviewSession::operator=(PreviewSession&&) noexcept = default;
+
+Result PreviewSession::compute(const Trajectory& trajectory, RunContext& run) {
+  return runWith(warm_->options, run, [&](Run& one) { one.compute(*warm_, trajectory); });
+}
+
+std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }
 
 void recut(Result& result, double tolerance, RunContext& run) {
   if (!(tolerance >= 0)) {
@@ -574,16 +565,6 @@ void recut(Result& result, double tolerance, RunContext& run) {
   tbb::task_arena arena(threads);
   arena.execute([&] { cutKept(next, tolerance, run); });
   result = std::move(next);
-}
-
-Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {
-  checkOptions(options);
-  RunContext run;
-  Prepared prepared;
-  prepared.body.mesh = body;
-  prepared.trajectory = checkTrajectory(trajectory);
-  planRun(prepared, options, run);
-  return estimateOf(prepared);
 }
 
 }  // namespace swept

@@ -4,18 +4,67 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
+
+#include "base/parallel.h"
 
 namespace swept {
 namespace {
-
-constexpr double kMarginCells =
-    1.37;  ///< empty cells to each side; odd, so that planes of the body miss it
 
 std::string number(double value) {
   std::ostringstream text;
   text.precision(4);
   text << value;
   return text.str();
+}
+
+/// Vertices that can be the farthest along a world axis at any placement. With d the axis in the
+/// body's frame: all d lie within `turn` of the first one's, so a vertex that falls behind there by
+/// more than twice what a turn can make up is never in front.
+std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
+                                   const Motion& motion, int axis, double side) {
+  const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
+  double turn = 0, radius = 0, most = -HUGE_VAL;
+  for (const Placement& p : motion.placements) {
+    turn = std::max(turn, (side * p.rotation.row(axis) - d).norm());
+  }
+  for (const auto& v : body.vertices) {
+    radius = std::max(radius, (v - centre).norm());
+    most = std::max(most, d.dot(v - centre));
+  }
+  std::vector<std::int32_t> out;
+  for (std::size_t v = 0; v < body.vertices.size(); ++v) {
+    if (d.dot(body.vertices[v] - centre) >= most - 2 * radius * turn - 1e-9 * radius) {
+      out.push_back(static_cast<std::int32_t>(v));
+    }
+  }
+  return out;
+}
+
+/// The box of very many placements that differ little; an empty one if they differ much.
+Eigen::AlignedBox3d boxOfLikePlacements(const TriMesh& body, const Eigen::Vector3d& centre,
+                                        const Motion& motion) {
+  Eigen::AlignedBox3d box;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const std::vector<std::int32_t> front = foremost(body, centre, motion, axis, side);
+      if (front.size() > body.vertices.size() / 16) return {};
+      constexpr std::size_t kBlock = 4096;
+      const std::size_t n = motion.placements.size();
+      std::vector<double> parts(n / kBlock + 1, -HUGE_VAL);
+      parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+        double& most = parts[begin / kBlock];
+        for (std::size_t k = begin; k < end; ++k) {
+          for (const std::int32_t v : front) {
+            most = std::max(most, side * motion.placements[k].apply(body.vertices[v])[axis]);
+          }
+        }
+      });
+      const double most = side * *std::max_element(parts.begin(), parts.end());
+      (side < 0 ? box.min() : box.max())[axis] = most;
+    }
+  }
+  return box;
 }
 
 }  // namespace
@@ -27,6 +76,11 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion) {
   Eigen::AlignedBox3d box;
   // Placements in order of their own centre's extremes would prune more; a stride order is enough.
   const std::size_t n = motion.placements.size();
+  constexpr std::size_t kMany = 1024;
+  if (n >= kMany) {
+    box = boxOfLikePlacements(body, centre, motion);
+    if (!box.isEmpty()) return box;
+  }
   const std::size_t stride = n > 64 ? n / 64 : 1;
   const auto add = [&](const Placement& p) {
     const Eigen::Vector3d c = p.apply(centre), reach = p.rotation.cwiseAbs() * half;
@@ -53,7 +107,7 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion) {
 
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options) {
   if (options.cellSize > 0) return options.cellSize;
-  return box.sizes().maxCoeff() / (options.resolution - 2 * kMarginCells);
+  return box.sizes().maxCoeff() / (options.resolution - 2 * kGridMarginCells);
 }
 
 GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bodyBox,
@@ -79,7 +133,7 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
                     number(8 * precision) + " mm");
   }
   for (int axis = 0; axis < 3; ++axis) {
-    const double cells = std::ceil(box.sizes()[axis] / plan.cell + 2 * kMarginCells - 1e-9);
+    const double cells = std::ceil(box.sizes()[axis] / plan.cell + 2 * kGridMarginCells - 1e-9);
     if (!(cells + 1 <= kMaxPointsPerSide)) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
                   "the grid would have " + number(cells) + " cells along one side, the limit is " +

@@ -12,6 +12,9 @@
 
 namespace swept {
 
+constexpr double kGridMarginCells =
+    1.37;  ///< empty cells to each side; odd, so that planes of the body miss it
+
 /// Exact box of all posed vertices, mm.
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion);
 

@@ -11,6 +11,9 @@
 
 namespace swept {
 
+struct FaceClusters;
+class SampleCache;
+
 struct SamplerInput {
   const TriMesh& body;
   const BodyTopology& topology;
@@ -18,6 +21,8 @@ struct SamplerInput {
   const GridPlan& grid;
   bool cull = true;        ///< drop provably enclosed faces and patches
   bool orientable = true;  ///< closed and consistently oriented outward: culling by direction holds
+  const FaceClusters* clusters = nullptr;  ///< of the body, where they are known already
+  SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
 };
 
 /// The reference sampler, native, on all cores. Exact: vertices are snapped to odd multiples of

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "sampling/cpu/sample_cache.h"
 #include "sampling/crossing_records.h"
 #include "sampling/kept_elements.h"
 #include "sampling/rasterise.h"
@@ -140,15 +141,30 @@ class SweepSampler {
 MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const std::vector<WorkItem> items = workItems(input);
   std::vector<RecordChunk> chunks(items.size());
-  FaceClusters clusters;
-  if (input.motion.continuous) clusters = buildClusters(input.body, input.topology);
+  FaceClusters own;
+  if (input.motion.continuous && input.clusters == nullptr) {
+    own = buildClusters(input.body, input.topology);
+  }
+  const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
+  // Steps that the last run sampled as well; only items of one placement are kept.
+  std::vector<SampleCache::Key> keys;
+  std::vector<std::uint8_t> known(items.size(), 0);
+  if (input.cache != nullptr && input.motion.continuous && items.front().end == 1) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      keys.push_back(SampleCache::keyOf(input, items[i].begin));
+      known[i] = input.cache->find(keys[i], items[i].begin, chunks[i]);
+      if (known[i] != 0) input.cache->countHit();
+    }
+  }
   parallelFor(items.size(), [&](std::size_t i) {
+    if (known[i] != 0) return;
     if (input.motion.continuous) {
       SweepSampler(input, clusters, chunks[i]).sample(items[i], run);
     } else {
       sampleUnion(input, items[i], chunks[i], run);
     }
   });
+  if (!keys.empty()) input.cache->replace(keys, chunks);
   run.checkpoint(Phase::Sampling, 8, 10);
   return sortRecords(chunks, input.grid, run);
 }

@@ -72,10 +72,11 @@ class DenseRun {
     sampler_.flush();
     const double margin = settings_.marginCells * cell + 0.25 * space_.remainder();
     LeakSearch leaks;
+    ClearPoints clear;
     int round = 0;
     for (;; ++round) {
       const SignRuns signs = findOutside(sampler_.marked(), input_.grid, run_);
-      leaks = findLeaks(input_, space_, sampler_.marked(), signs, margin, run_);
+      leaks = findLeaks(input_, space_, sampler_.marked(), signs, margin, clear, run_);
       if (leaks.missing.empty() || round == settings_.rounds) break;
       close(leaks);
     }
@@ -148,19 +149,25 @@ class DenseRun {
 
 }  // namespace
 
+bool suits(const TriMesh& body, const Motion& motion, double cell, bool cull, bool orientable,
+           const DenseSettings& settings) {
+  const double pairs =
+      static_cast<double>(body.triangles.size()) * static_cast<double>(motion.placements.size());
+  if (motion.continuous || !cull || !orientable || pairs < settings.leastPairs) return false;
+  const PlacementSpace space(body, motion.placements, PlacementSpace::kExtentOnly);
+  return space.turn() <= settings.mostTurn &&
+         space.reach() <= settings.mostReach * bodyRadius(body) &&
+         space.remainder() <= settings.mostRemainder * cell;
+}
+
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run) {
-  const double pairs = static_cast<double>(input.body.triangles.size()) *
-                       static_cast<double>(input.motion.placements.size());
-  if (input.motion.continuous || !input.cull || !input.orientable || pairs < settings.leastPairs) {
+  if (!suits(input.body, input.motion, input.grid.cell, input.cull, input.orientable, settings)) {
     return std::nullopt;
   }
   const PlacementSpace space(input.body, input.motion.placements);
-  if (space.turn() > settings.mostTurn ||
-      space.reach() > settings.mostReach * bodyRadius(input.body) ||
-      space.remainder() > settings.mostRemainder * input.grid.cell) {
-    return std::nullopt;
-  }
+  const double pairs = static_cast<double>(input.body.triangles.size()) *
+                       static_cast<double>(input.motion.placements.size());
   return DenseRun(input, space, settings, run).sample(pairs <= settings.bruteForcePairs);
 }
 

@@ -41,4 +41,8 @@ struct DenseSurface {
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
 
+/// Would sampleDense() take this on? O(placements), without building anything.
+bool suits(const TriMesh& body, const Motion& motion, double cell, bool cull, bool orientable,
+           const DenseSettings& settings);
+
 }  // namespace swept::dense

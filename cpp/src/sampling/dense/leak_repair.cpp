@@ -21,12 +21,13 @@ using Lattice = std::array<std::int32_t, 3>;
 class LeakFinder {
  public:
   LeakFinder(const SamplerInput& input, const PlacementSpace& space, const MarkedEdges& marked,
-             const SignRuns& signs, double margin, RunContext& run)
+             const SignRuns& signs, double margin, ClearPoints& clear, RunContext& run)
       : input_(input),
         space_(space),
         marked_(marked),
         signs_(signs),
         margin_(margin),
+        clear_(clear),
         run_(run),
         rays_(input.body),
         segments_(input.body, input.grid.cell) {}
@@ -59,6 +60,11 @@ class LeakFinder {
   static std::uint64_t pack(const Lattice& g) {
     return static_cast<std::uint64_t>(g[0]) << 26 | static_cast<std::uint64_t>(g[1]) << 13 |
            static_cast<std::uint64_t>(g[2]);
+  }
+  /// Rises in the order in which a layer's edges are visited.
+  static std::uint64_t orderOf(int axis, std::int32_t j, std::int32_t k, std::uint64_t side) {
+    return static_cast<std::uint64_t>(axis) << 32 | static_cast<std::uint64_t>(j) << 17 |
+           static_cast<std::uint64_t>(k) << 1 | side;
   }
   static Lattice unpack(std::uint64_t key) {
     return {static_cast<std::int32_t>(key >> 26), static_cast<std::int32_t>(key >> 13 & 0x1fff),
@@ -111,26 +117,39 @@ class LeakFinder {
     const auto layers = static_cast<std::size_t>(input_.grid.points[0]);
     std::vector<std::vector<Covered>> found(layers);
     std::vector<std::int64_t> asked(layers, 0);
+    clear_.layers.resize(layers);
     parallelFor(layers, [&](std::size_t layer) {
       run_.checkpoint(Phase::Signs, layer, layers);
       Scratch scratch;
+      // Both lists rise by place, so one walk over the old one finds what is known.
+      std::vector<ClearPoints::Point> known = std::move(clear_.layers[layer]);
+      std::vector<ClearPoints::Point>& clear = clear_.layers[layer];
+      clear.clear();
+      auto at = known.begin();
       const auto i = static_cast<std::int32_t>(layer);
       for (int axis = 0; axis < 3; ++axis) {
-        forContributing(marked_, signs_, input_.grid, i, axis,
-                        [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t sides) {
-                          Lattice g{i, j, edge.k};
-                          Covered cover{};
-                          const auto test = [&](std::uint32_t element) {
-                            const SweptElement& e = marked_.elements[element];
-                            ++asked[layer];
-                            if (findCover(g, e.index(), e.placement, scratch, cover)) {
-                              found[layer].push_back(cover);
-                            }
-                          };
-                          if (sides & HermiteEdge::kLow) test(edge.lowElement);
-                          ++g[axis];
-                          if (sides & HermiteEdge::kHigh) test(edge.highElement);
-                        });
+        forContributing(
+            marked_, signs_, input_.grid, i, axis,
+            [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t sides) {
+              Lattice g{i, j, edge.k};
+              Covered cover{};
+              const auto test = [&](std::uint32_t element, std::uint64_t side) {
+                const SweptElement& e = marked_.elements[element];
+                const ClearPoints::Point point{orderOf(axis, j, edge.k, side), e.index(),
+                                               e.placement};
+                ++asked[layer];
+                while (at != known.end() && at->place < point.place) ++at;
+                const bool isKnown = at != known.end() && *at == point;
+                if (!isKnown && findCover(g, point.face, point.placement, scratch, cover)) {
+                  found[layer].push_back(cover);
+                } else {
+                  clear.push_back(point);
+                }
+              };
+              if (sides & HermiteEdge::kLow) test(edge.lowElement, 0);
+              ++g[axis];
+              if (sides & HermiteEdge::kHigh) test(edge.highElement, 1);
+            });
       }
     });
     std::vector<Covered> all;
@@ -217,6 +236,7 @@ class LeakFinder {
   const MarkedEdges& marked_;
   const SignRuns& signs_;
   double margin_;
+  ClearPoints& clear_;
   RunContext& run_;
   RayColumns rays_;
   SegmentGrid segments_;
@@ -229,8 +249,8 @@ class LeakFinder {
 
 LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
-                     RunContext& run) {
-  return LeakFinder(input, space, marked, signs, margin, run).find();
+                     ClearPoints& clear, RunContext& run) {
+  return LeakFinder(input, space, marked, signs, margin, clear, run).find();
 }
 
 }  // namespace swept::dense

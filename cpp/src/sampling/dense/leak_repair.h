@@ -5,7 +5,8 @@
 // that pushes the surface there farthest (support query) is tested exactly, body against point.
 // Covered points that were called outside are followed through unmarked edges to where the
 // covering body ends: an unmarked edge that its surface crosses is a hole, and the triangle there
-// at that placement is what was missing. SPDX-License-Identifier: LGPL-2.1-or-later
+// at that placement is what was missing.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>
@@ -29,9 +30,22 @@ struct LeakSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };
 
-/// margin: mm, by which a placement must reach beyond a point before it counts as missed.
+/// Surface points that no placement covers, by layer, in the order in which they were asked.
+/// Whether a point is covered does not depend on what has been sampled, so the next round need not
+/// ask again.
+struct ClearPoints {
+  struct Point {
+    std::uint64_t place;  ///< lattice point and the axis and side of the edge it was asked for
+    std::uint32_t face, placement;
+    bool operator==(const Point&) const = default;
+  };
+  std::vector<std::vector<Point>> layers;
+};
+
+/// margin: mm, by which a placement must reach beyond a point before it counts as missed; the same
+/// for all calls that share `clear`.
 LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
-                     RunContext& run);
+                     ClearPoints& clear, RunContext& run);
 
 }  // namespace swept::dense

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <numeric>
-#include <unordered_map>
 
 #include "base/parallel.h"
 #include "sampling/rasterise.h"
@@ -84,12 +83,18 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   chunks.resize(first + (layers + kLayers - 1) / kLayers);
   parallelBlocks(layers, kLayers, [&](std::size_t begin, std::size_t end) {
     RecordChunk& chunk = chunks[first + begin / kLayers];
-    std::unordered_map<std::uint32_t, std::uint32_t> carried;
+    // Neighbouring edges are often won by one element: those met lately are not written again.
+    struct Carried {
+      std::uint32_t from = 0xffffffffu, to = 0;
+    };
+    std::vector<Carried> lately(1024);
     const auto elementOf = [&](std::uint32_t element) {
-      const auto next = static_cast<std::uint32_t>(chunk.elements.size());
-      const auto [at, isNew] = carried.emplace(element, next);
-      if (isNew) chunk.elements.push_back(marked_.elements[element]);
-      return at->second;
+      Carried& slot = lately[element % lately.size()];
+      if (slot.from != element) {
+        slot = {element, static_cast<std::uint32_t>(chunk.elements.size())};
+        chunk.elements.push_back(marked_.elements[element]);
+      }
+      return slot.to;
     };
     // Back to the same fixed-point fraction: in the middle of its step, so that rounding is safe.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);

@@ -27,7 +27,8 @@ Placement meanOf(const std::vector<Placement>& placements, const Eigen::Vector3d
 
 }  // namespace
 
-PlacementSpace::PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements) {
+PlacementSpace::PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements,
+                               Wanted wanted) {
   Eigen::AlignedBox3d box;
   for (const auto& v : body.vertices) box.extend(v);
   centre_ = box.center();
@@ -48,6 +49,7 @@ PlacementSpace::PlacementSpace(const TriMesh& body, const std::vector<Placement>
     }
   }
   remainder_ = radius_ * turn_ * turn_ / 2;
+  if (wanted == kExtentOnly) return;
   order_.resize(points_.size());
   std::iota(order_.begin(), order_.end(), 0u);
   build(0, static_cast<std::uint32_t>(order_.size()));
@@ -101,12 +103,6 @@ Point6 PlacementSpace::gradient(const Eigen::Vector3d& x, const Eigen::Vector3d&
   return g;
 }
 
-float PlacementSpace::bound(const Node& node, const Point6& g) {
-  float sum = 0;
-  for (std::size_t a = 0; a < 6; ++a) sum += std::max(g[a] * node.low[a], g[a] * node.high[a]);
-  return sum;
-}
-
 PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t guess) const {
   constexpr float kRounding = 1e-5f;  // mm: bounds and dot products add in different order
   Best best{guess, dot(g, points_[guess])};
@@ -116,7 +112,8 @@ PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t gues
   };
   std::array<Open, 64> stack;
   std::size_t open = 0;
-  stack[open++] = {0, bound(nodes_[0], g)};
+  const Split split(g);
+  stack[open++] = {0, bound(nodes_[0], split)};
   while (open > 0) {
     const Open top = stack[--open];
     if (top.bound + kRounding < best.advance) continue;
@@ -130,8 +127,8 @@ PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t gues
       }
       continue;
     }
-    const Open left{top.node + 1, bound(nodes_[top.node + 1], g)};
-    const Open right{node.right, bound(nodes_[node.right], g)};
+    const Open left{top.node + 1, bound(nodes_[top.node + 1], split)};
+    const Open right{node.right, bound(nodes_[node.right], split)};
     const bool leftFirst = left.bound >= right.bound;
     stack[open++] = leftFirst ? right : left;
     stack[open++] = leftFirst ? left : right;
@@ -148,7 +145,8 @@ void PlacementSpace::above(const Point6& g, float least, std::size_t most,
   };
   std::array<Open, 64> stack;
   std::size_t open = 0;
-  stack[open++] = {0, bound(nodes_[0], g)};
+  const Split split(g);
+  stack[open++] = {0, bound(nodes_[0], split)};
   while (open > 0 && out.size() < most) {
     const Open top = stack[--open];
     if (top.bound < least) continue;
@@ -160,8 +158,8 @@ void PlacementSpace::above(const Point6& g, float least, std::size_t most,
       }
       continue;
     }
-    const Open left{top.node + 1, bound(nodes_[top.node + 1], g)};
-    const Open right{node.right, bound(nodes_[node.right], g)};
+    const Open left{top.node + 1, bound(nodes_[top.node + 1], split)};
+    const Open right{node.right, bound(nodes_[node.right], split)};
     const bool leftFirst = left.bound >= right.bound;
     stack[open++] = leftFirst ? right : left;
     stack[open++] = leftFirst ? left : right;

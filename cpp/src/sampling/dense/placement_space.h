@@ -35,7 +35,10 @@ class PlacementSpace {
     float advance = -1e30f;
   };
 
-  PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements);
+  enum Wanted { kAll, kExtentOnly };
+  /// kExtentOnly: no tree and no questions, only how far the placements differ.
+  PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements,
+                 Wanted wanted = kAll);
 
   /// Advance along n (unit, body frame) at body point x is dot(gradient(x, n), point(placement)).
   Point6 gradient(const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
@@ -57,7 +60,19 @@ class PlacementSpace {
     std::uint32_t right = 0;  ///< index of the second child, the first follows; 0: leaf
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
-  static float bound(const Node& node, const Point6& g);
+  /// A gradient as the boxes are asked: its positive part meets their high sides, the rest the low.
+  struct Split {
+    Point6 up, down;
+    explicit Split(const Point6& g) {
+      for (std::size_t a = 0; a < 6; ++a) {
+        up[a] = g[a] > 0 ? g[a] : 0;
+        down[a] = g[a] > 0 ? 0 : g[a];
+      }
+    }
+  };
+  static float bound(const Node& node, const Split& g) {
+    return dot(g.up, node.high) + dot(g.down, node.low);
+  }
 
   Placement mean_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // body frame

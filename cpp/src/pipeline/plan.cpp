@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/plan.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "base/memory.h"
+#include "input/position_filter.h"
+#include "sampling/dense/dense_sampler.h"
+#include "sampling/grid_plan.h"
+#include "sampling/refine_motion.h"
+
+namespace swept {
+namespace {
+
+Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& v : mesh.vertices) box.extend(v);
+  return box;
+}
+
+/// The box of the sweep with the room that an offset or a conservative surface takes.
+Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
+  const double cells = options.conservative ? kMostMarginCells : 0;
+  const double room =
+      options.offset + cells * cell + (options.conservative ? options.tolerance : 0);
+  box.min().array() -= room;
+  box.max().array() += room;
+  return box;
+}
+
+/// Of the longest side, on every side: for the sweeps that a preview session sees next.
+constexpr double kRoom = 0.03;
+
+Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
+  const double room = kRoom * box.sizes().maxCoeff();
+  box.min().array() -= room;
+  box.max().array() += room;
+  return box;
+}
+
+Motion refined(const Prepared& p, const Options& options, double cell, RunContext& run) {
+  const Trajectory& trajectory = p.trajectory.trajectory;
+  if (!(options.offset > 0 || options.conservative)) {
+    return refineMotion(p.body.mesh, trajectory, options.chordTolerance * cell, run);
+  }
+  // The cover (sampling/offset) flattens side patches by itself: only points need to be followed.
+  // Offsets are measured from the chords, envelopes from the true motion beside them.
+  TriMesh points;
+  points.vertices = p.body.mesh.vertices;
+  return refineMotion(points, trajectory, options.chordTolerance / 2 * cell, run);
+}
+
+/// False if the sweep leaves the last grid or fills too little of it.
+bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
+  const GridPlan& last = *p.lastGrid;
+  Motion motion = refined(p, options, last.cell, run);
+  const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, motion), last.cell, options);
+  constexpr double kLeastFilled = 0.75;
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double side = last.cell * (last.points[axis] - 1), margin = last.cell * kGridMarginCells;
+    longest = std::max(longest, side);
+    if (box.min()[axis] < last.origin[axis] + margin) return false;
+    if (box.max()[axis] > last.origin[axis] + side - margin) return false;
+  }
+  if (box.sizes().maxCoeff() < kLeastFilled * longest) return false;
+  p.motion = std::move(motion);
+  p.grid = last;
+  return true;
+}
+
+}  // namespace
+
+void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options& options) {
+  p.trajectory = checkTrajectory(trajectory);
+  p.givenPoses = p.trajectory.trajectory.poses.size();
+  if (!(options.positionFilter > 0)) return;
+  FilteredTrajectory filtered =
+      filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), options.positionFilter);
+  std::ostringstream text;
+  text.precision(4);
+  text << filtered.dropped << " of " << p.givenPoses
+       << " poses were left out; no point of the body was farther than " << filtered.distance
+       << " mm from where it is at the kept pose before";
+  p.trajectory.findings.push_back({"PositionFiltered", filtered.dropped, {}, text.str()});
+  p.trajectory.trajectory = std::move(filtered.trajectory);
+  p.positionFilterDistance = filtered.distance;
+}
+
+// Motion and grid depend on each other through the cell: a first, coarse motion gives the cell.
+void planRun(Prepared& p, const Options& options, RunContext& run) {
+  if (p.lastGrid != nullptr && planOnLastGrid(p, options, run)) return;
+  const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
+  const double size = bodyBox.diagonal().norm();
+  double cell = options.cellSize;
+  if (!(cell > 0)) {
+    const Motion coarse = refineMotion(p.body.mesh, p.trajectory.trajectory, size / 50, run);
+    Eigen::AlignedBox3d box = sweptBox(p.body.mesh, coarse);
+    if (p.keepRoom) box = withRoom(box);
+    for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
+  }
+  p.motion = refined(p, options, cell, run);
+  const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, p.motion), cell, options);
+  Options fixed = options;
+  if (p.keepRoom) fixed.cellSize = cell;
+  p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
+}
+
+// Rough: the sweep's surface is taken as one and a half times that of its box.
+Estimate estimateOf(const Prepared& p, const Options& options) {
+  Estimate e;
+  e.grid = p.grid.cells();
+  e.cellSize = p.grid.cell;
+  const double x = static_cast<double>(e.grid[0]), y = static_cast<double>(e.grid[1]),
+               z = static_cast<double>(e.grid[2]);
+  const double crossings = 1.5 * 2 * (x * y + y * z + z * x) * 1.5;
+  const double faces = static_cast<double>(p.body.mesh.triangles.size());
+  const double placements = static_cast<double>(p.motion.placements.size());
+  e.triangles = static_cast<std::int64_t>(2 * crossings);
+  // Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
+  e.memoryBytes = static_cast<std::uint64_t>(crossings * 180 + faces * 200 + placements * 300 +
+                                             (x + 1) * (y + 1) * 24);
+  double elements = faces * placements * (p.motion.continuous ? 5e-9 : 8e-8);
+  if (options.backend != Backend::Gpu &&
+      dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
+    // The best placements of every vertex are searched, and some tens of copies of each face
+    // sampled, in batches.
+    elements = 0.4 + placements * 2e-6 + faces * 1.1e-4 + crossings * 1e-6;
+    e.memoryBytes += 250'000'000 + static_cast<std::uint64_t>(faces * 3200);
+  }
+  e.seconds = 0.02 + crossings * 0.4e-6 + elements;
+  return e;
+}
+
+void requireMemory(const Estimate& e, const RunContext& run) {
+  const std::uint64_t available = availableMemoryBytes();
+  const std::uint64_t limit = run.memoryLimitBytes != 0 ? run.memoryLimitBytes : available / 4 * 3;
+  if (limit == 0 || e.memoryBytes <= limit) return;
+  const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
+  std::ostringstream text;
+  text.precision(4);
+  text << "the run would take about " << e.memoryBytes / 1'000'000 << " MB for a grid of "
+       << e.grid[0] << " x " << e.grid[1] << " x " << e.grid[2] << " cells, the limit is "
+       << limit / 1'000'000 << " MB; the smallest cell that fits is about " << e.cellSize * ratio
+       << " mm";
+  throw Error(Status::ResourceLimit, "ResourceLimit", text.str());
+}
+
+Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {
+  checkOptions(options);
+  RunContext run;
+  Prepared prepared;
+  prepared.body.mesh = body;
+  prepareTrajectory(prepared, trajectory, options);
+  planRun(prepared, options, run);
+  return estimateOf(prepared, options);
+}
+
+}  // namespace swept

@@ -1,0 +1,48 @@
+// What a run needs to know before it samples: checked inputs, placements, grid, and what it takes.
+// In:    checked body, any trajectory, options. Out: motion refined to the chord of the options,
+// grid
+//        with room for an offset, estimate of memory and time; refuses what does not fit.
+// Cost:  O(placements), but for the box of the sweep.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "data/grid_plan.h"
+#include "data/motion.h"
+#include "input/body_check.h"
+#include "input/trajectory_check.h"
+#include "swept/compute.h"
+
+namespace swept {
+
+/// A conservative surface is looked for at these distances (cells) until one is proven.
+constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
+constexpr double kMostMarginCells = kMarginCells.back();
+
+struct Prepared {
+  CheckedBody body;
+  CheckedTrajectory trajectory;
+  std::size_t givenPoses = 0;         ///< before the position filter
+  double positionFilterDistance = 0;  ///< mm
+  /// Grid of the run before, to be used again if the sweep still suits it; a new one then gets some
+  /// room for sweeps to come.
+  const GridPlan* lastGrid = nullptr;
+  bool keepRoom = false;
+  Motion motion;
+  GridPlan grid;
+};
+
+/// Checks the trajectory and leaves out what the position filter drops. Needs the body.
+void prepareTrajectory(Prepared& prepared, const Trajectory& trajectory, const Options& options);
+
+/// Motion and grid. Needs body and trajectory.
+void planRun(Prepared& prepared, const Options& options, RunContext& run);
+
+Estimate estimateOf(const Prepared& prepared, const Options& options);
+
+/// Throws Error(ResourceLimit) if the run would take more memory than it may.
+void requireMemory(const Estimate& estimate, const RunContext& run);
+
+}  // namespace swept
