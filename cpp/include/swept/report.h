@@ -60,11 +60,11 @@ struct Report {
   std::int64_t placements = 0;
   std::int64_t refinedPlacements = 0;
   double positionFilterDistance = 0;  ///< mm: farthest a dropped pose was from a kept one
-  std::int64_t sweptFaces = 0;    ///< face copies sampled after culling
-  std::int64_t sweptPatches = 0;  ///< side patches sampled after culling
-  std::int64_t crossings = 0;     ///< contributing crossings
-  double largestStepTravel = 0;   ///< mm
-  double chordError = 0;          ///< mm: bound on how far the refined motion leaves the true one
+  std::int64_t sweptFaces = 0;        ///< face copies sampled after culling
+  std::int64_t sweptPatches = 0;      ///< side patches sampled after culling
+  std::int64_t crossings = 0;         ///< contributing crossings
+  double largestStepTravel = 0;       ///< mm
+  double chordError = 0;  ///< mm: bound on how far the refined motion leaves the true one
   double simplificationDeviation = 0;  ///< mm, measured both ways; 0: not simplified
   double conservativeBound = 0;        ///< mm: 0 unless conservative
   std::string backend = "cpu";
