@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Conservative envelopes of the shared meshes and motions against 2,000 random points of each sweep.
+
+Points of the body's surface at random times, posed as the trajectory says (slerp and straight line);
+none may lie outside, and the bound of the report must be at most three cells.
+Usage: conservative_suite.py BUILD [RESOLUTION] [MESH...]     ends with 1 if a case fails
+"""
+import pathlib
+import sys
+
+import numpy as np
+
+POINTS = 2000
+
+
+def rotate(q, x):
+    """Unit quaternions (N, 4), scalar last, applied to points (N, 3)."""
+    u, w = q[:, :3], q[:, 3:]
+    return x + 2 * np.cross(u, np.cross(u, x) + w * x)
+
+
+def slerp(a, b, s):
+    """Between rows of a and b, the short way."""
+    dot = np.sum(a * b, axis=1, keepdims=True)
+    b = np.where(dot < 0, -b, b)
+    angle = np.arccos(np.clip(np.abs(dot), 0, 1))
+    sine = np.sin(angle)
+    near = sine < 1e-9
+    safe = np.where(near, 1, sine)
+    first = np.where(near, 1 - s, np.sin((1 - s) * angle) / safe)
+    second = np.where(near, s, np.sin(s * angle) / safe)
+    q = first * a + second * b
+    return q / np.linalg.norm(q, axis=1, keepdims=True)
+
+
+def sweep_points(body, q, t, random):
+    """Random points of the true sweep."""
+    vertices, triangles = np.asarray(body.vertices), np.asarray(body.triangles)
+    chosen = triangles[random.integers(0, len(triangles), POINTS)]
+    weights = random.dirichlet((1, 1, 1), POINTS)
+    weights[::5] = (1, 0, 0)  # corners are what gets lost first
+    x = np.einsum("nk,nkd->nd", weights, vertices[chosen])
+    k = random.integers(0, max(len(q) - 1, 1), POINTS)
+    s = random.random((POINTS, 1)) if len(q) > 1 else np.zeros((POINTS, 1))
+    after = np.minimum(k + 1, len(q) - 1)
+    return rotate(slerp(q[k], q[after], s), x) + (1 - s) * t[k] + s * t[after]
+
+
+def main():
+    build = pathlib.Path(sys.argv[1])
+    resolution = int(sys.argv[2]) if len(sys.argv) > 2 else 64
+    sys.path.insert(0, str(build / "python"))
+    import _swept
+
+    data = pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data"
+    if not data.exists():
+        print("shared test data not found: {}".format(data))
+        return 0
+    still = [str(data / "motions" / "static_1_pose.csv")]
+    motions = still + [
+        str(data / "motions" / name)
+        for name in ("keyposes_16_from_tum_fr2_desk.csv", "installation_34_from_baxter_left.csv")
+    ]
+    failed = 0
+    for mesh in sorted((data / "meshes").glob("*.ply")):
+        if len(sys.argv) > 3 and not any(word in mesh.name for word in sys.argv[3:]):
+            continue
+        body = _swept.read_mesh(str(mesh))
+        size = np.ptp(np.asarray(body.vertices), axis=0).max()
+        for path in motions:
+            _, quaternions, translations = map(np.asarray, _swept.read_trajectory_csv(path))
+            extent = np.ptp(translations, axis=0).max()
+            # Recorded paths span a room: scaled to twice the part.
+            translations = translations * (2 * size / extent if extent > 0 else 1.0)
+            poses = np.tile(np.eye(4), (len(quaternions), 1, 1))
+            for column in range(3):
+                axis = np.tile(np.eye(3)[column], (len(quaternions), 1))
+                poses[:, :3, column] = rotate(quaternions, axis)
+            poses[:, :3, 3] = translations
+            name = "{} {}".format(mesh.stem, pathlib.Path(path).stem[:12])
+            try:
+                result = _swept.compute(
+                    body.vertices, body.triangles, poses, resolution=resolution, conservative=True
+                )
+            except _swept.Error as error:
+                print("{}: {} {}".format(name, error.code, error), flush=True)
+                failed += error.code not in ("OpenMesh", "AmbiguousTurn")
+                continue
+            random = np.random.default_rng(3)
+            points = sweep_points(body, quaternions, translations, random)
+            distance = _swept.distance_to_mesh(points, result.vertices, result.triangles)
+            outside = int(np.sum(np.asarray(distance) >= 0))
+            cells = result.report["conservative_bound"] / result.report["cell"]
+            bad = outside > 0 or not 0 < cells <= 3
+            failed += bad
+            print(
+                "{}: {} of {} points outside, bound {:.2f} cells, {:.1f} s{}".format(
+                    name,
+                    outside,
+                    POINTS,
+                    cells,
+                    result.report["seconds"]["total"],
+                    "   BAD" if bad else "",
+                ),
+                flush=True,
+            )
+    print("conservative: {} bad cases".format(failed))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
