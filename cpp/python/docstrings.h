@@ -90,11 +90,21 @@ times in s, quaternions x, y, z, w, translations in mm. Raises InvalidInput (cod
 EmptyTrajectory, NotRigid, BadPose) with line and column.)";
 
 constexpr const char* kWriteSolidDoc =
-    R"(write_solid(path, vertices, triangles, merge_coplanar=True, planar_tolerance=1e-6,
-            max_faces=120000, product_name='Swept envelope', schema='AP214IS', run=None) -> dict
+    R"(write_solid(path, vertices, triangles, run=None, **options) -> dict
 
 Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked before
-it replaces an old one. Returns solids, faces, edges, valid, volume, mesh_volume, file_bytes and
-seconds. Raises ExportFailed, Cancelled.)";
+it replaces an old one. Returns solids, faces, faces_by_kind, edges, valid, tolerance, deviation,
+note, volume, mesh_volume, file_bytes and seconds. Raises ExportFailed, Cancelled.
+
+Options: tolerance (mm, 0: exact, unless a limit asks for more), recognise=True, max_faces=20000,
+max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214' or
+'ap242', product_name='Swept envelope', author, organization, colour=(r, g, b). Without a tolerance
+the solid gets the smallest one that meets the limits.)";
+
+constexpr const char* kEstimateSolidDoc =
+    R"(estimate_solid(vertices, triangles, run=None, **options) -> dict
+
+What write_solid with the same options would take: triangles, faces (an upper bound), megabytes,
+seconds. Raises ExportFailed where no solid can be made of the mesh.)";
 
 }  // namespace swept::python

@@ -7,10 +7,10 @@
 
 #include "arrays.h"
 #include "base/report_json.h"
+#include "base/safe_file.h"
 #include "clearance_bindings.h"
 #include "docstrings.h"
 #include "errors.h"
-#include "io/safe_file.h"
 #include "job.h"
 #include "swept/compute.h"
 #include "swept/io.h"
@@ -214,33 +214,52 @@ py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
   return trajectoryToArrays(trajectory);
 }
 
-py::dict pyWriteSolid([[maybe_unused]] const py::object& path,
-                      [[maybe_unused]] const py::object& vertices,
-                      [[maybe_unused]] const py::object& triangles,
-                      [[maybe_unused]] bool mergeCoplanar, [[maybe_unused]] double planarTolerance,
-                      [[maybe_unused]] std::int64_t maxFaces,
-                      [[maybe_unused]] const std::string& productName,
-                      [[maybe_unused]] const std::string& schema,
-                      [[maybe_unused]] const py::object& run) {
 #ifdef HAVE_SWEPT_STEP
-  const RunPointer context = runFromObject(run);
-  const std::string name = pathFromObject(path);
-  const TriMesh mesh = meshFromArrays(vertices, triangles);
+StepOptions solidOptions(const py::dict& keywords) {
   StepOptions options;
-  options.mergeCoplanar = mergeCoplanar;
-  options.planarTolerance = planarTolerance;
-  options.maxFaces = maxFaces;
-  options.productName = productName;
-  options.schema = schema;
-  const StepReport report = runWithoutLock(*context, [&] {
-    checkTarget(name);
-    return writeSolid(mesh, name, options, *context);
-  });
-  py::dict result;
+  for (const auto& [key, value] : keywords) {
+    const std::string name = py::cast<std::string>(key);
+    if (name == "merge_coplanar") {
+      options.mergeCoplanar = py::cast<bool>(value);
+    } else if (name == "planar_tolerance") {
+      options.planarTolerance = py::cast<double>(value);
+    } else if (name == "tolerance") {
+      options.tolerance = py::cast<double>(value);
+    } else if (name == "recognise") {
+      options.recognise = py::cast<bool>(value);
+    } else if (name == "max_faces") {
+      options.maxFaces = py::cast<std::int64_t>(value);
+    } else if (name == "max_megabytes") {
+      options.maxMegabytes = py::cast<double>(value);
+    } else if (name == "product_name") {
+      options.productName = py::cast<std::string>(value);
+    } else if (name == "schema") {
+      options.schema = parseStepSchema(py::cast<std::string>(value));
+    } else if (name == "author") {
+      options.author = py::cast<std::string>(value);
+    } else if (name == "organization") {
+      options.organization = py::cast<std::string>(value);
+    } else if (name == "colour") {
+      options.colour = py::cast<std::array<double, 3>>(value);
+    } else {
+      throw Error(Status::InvalidInput, "BadOption",
+                  "unknown option '" + name + "'; see help(_swept.write_solid)");
+    }
+  }
+  return options;
+}
+
+py::dict solidReport(const StepReport& report) {
+  py::dict result, kinds;
+  for (const auto& [kind, count] : report.facesByKind) kinds[kind.c_str()] = count;
   result["solids"] = report.solids;
   result["faces"] = report.faces;
+  result["faces_by_kind"] = kinds;
   result["edges"] = report.edges;
   result["valid"] = report.valid;
+  result["tolerance"] = report.tolerance;
+  result["deviation"] = report.deviation;
+  result["note"] = report.note;
   result["volume"] = report.volume;
   result["mesh_volume"] = report.meshVolume;
   result["file_bytes"] = report.fileBytes;
@@ -248,11 +267,41 @@ py::dict pyWriteSolid([[maybe_unused]] const py::object& path,
   result["seconds_write"] = report.secondsWrite;
   result["seconds_reread"] = report.secondsReread;
   return result;
+}
+
+py::dict pyWriteSolid(const py::object& path, const py::object& vertices,
+                      const py::object& triangles, const py::object& run,
+                      const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const StepOptions options = solidOptions(keywords);
+  return solidReport(runWithoutLock(*context, [&] {
+    checkTarget(name);
+    return writeSolid(mesh, name, options, *context);
+  }));
+}
+
+py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles,
+                         const py::object& run, const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const StepOptions options = solidOptions(keywords);
+  const SolidEstimate found =
+      runWithoutLock(*context, [&] { return estimateSolid(mesh, options, *context); });
+  py::dict result;
+  result["triangles"] = found.triangles;
+  result["faces"] = found.faces;
+  result["megabytes"] = found.megabytes;
+  result["seconds"] = found.seconds;
+  return result;
+}
 #else
+[[noreturn]] void refuseSolids(const py::args&, const py::kwargs&) {
   throw Error(Status::ExportFailed, "BadFormat",
               "this module was built without OpenCASCADE and cannot write solids");
-#endif
 }
+#endif
 
 void bindClasses(py::module_& module) {
   py::class_<RunContext, RunPointer>(module, "RunContext", kRunContextDoc)
@@ -312,11 +361,15 @@ void bindFunctions(py::module_& module) {
              py::arg("triangles"));
   module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),
              py::arg("unit") = "mm");
+#ifdef HAVE_SWEPT_STEP
   module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
-             py::arg("triangles"), py::arg("merge_coplanar") = true,
-             py::arg("planar_tolerance") = 1e-6, py::arg("max_faces") = std::int64_t{120000},
-             py::arg("product_name") = "Swept envelope", py::arg("schema") = "AP214IS",
-             py::arg("run") = py::none());
+             py::arg("triangles"), py::arg("run") = py::none());
+  module.def("estimate_solid", &pyEstimateSolid, kEstimateSolidDoc, py::arg("vertices"),
+             py::arg("triangles"), py::arg("run") = py::none());
+#else
+  module.def("write_solid", &refuseSolids);
+  module.def("estimate_solid", &refuseSolids);
+#endif
 }
 
 }  // namespace

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepCheck_Shell.hxx>
-#include <BRepGProp_Domain.hxx>
-#include <BRepGProp_Face.hxx>
-#include <BRepGProp_Vinert.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -25,9 +17,6 @@
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
@@ -37,7 +26,6 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <gp_Ax3.hxx>
 #include <gp_Vec2d.hxx>
@@ -226,81 +214,8 @@ class BrepBuilder {
   std::vector<TopoDS_Edge> edges_;
 };
 
-// Volume of the cone from `base` over the face; over all faces of a solid they add up to its
-// volume.
-double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
-  BRepGProp_Face surface(face);
-  BRepGProp_Domain domain(face);
-  BRepGProp_Vinert inertia;
-  inertia.SetLocation(base);
-  inertia.Perform(surface, domain);
-  return inertia.Mass();
-}
-
-// Runs `work` over [0, count) on all cores, with checkpoints on this thread's share.
-template <class Work>
-void parallelFaces(std::size_t count, RunContext& run, double from, double to, const Work& work) {
-  std::atomic<std::size_t> done{0};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 32), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
-    const double part = static_cast<double>(done += range.size()) / static_cast<double>(count);
-    run.checkpoint(Phase::Export, static_cast<std::uint64_t>(1e6 * (from + (to - from) * part)),
-                   1000000);
-  });
-}
-
 }  // namespace
 
 Brep buildBrep(const Model& model, RunContext& run) { return BrepBuilder(model, run).build(); }
-
-std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
-                                       double from, double to) {
-  std::vector<char> bad(faces.size(), 0);
-  parallelFaces(faces.size(), run, from, to, [&](std::size_t i) {
-    const BRepCheck_Analyzer analyzer(faces[i]);
-    bad[i] = !analyzer.IsValid();
-  });
-  std::vector<std::int32_t> result;
-  for (std::size_t i = 0; i < bad.size(); ++i) {
-    if (bad[i]) result.push_back(static_cast<std::int32_t>(i));
-  }
-  return result;
-}
-
-ShapeCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to) {
-  ShapeCheck check;
-  if (shape.IsNull()) {
-    check.complaint = "no shape";
-    return check;
-  }
-  TopTools_IndexedMapOfShape faceMap, edgeMap;
-  TopExp::MapShapes(shape, TopAbs_FACE, faceMap);
-  TopExp::MapShapes(shape, TopAbs_EDGE, edgeMap);
-  check.faces = faceMap.Extent();
-  check.edges = edgeMap.Extent();
-  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) ++check.solids;
-  std::vector<TopoDS_Shape> faces;
-  for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next()) {
-    ++check.shells;
-    BRepCheck_Shell shellCheck(TopoDS::Shell(it.Current()));
-    if (shellCheck.Closed() != BRepCheck_NoError) check.complaint = "a shell is not closed";
-    if (shellCheck.Orientation() != BRepCheck_NoError) check.complaint = "a shell is not oriented";
-    // With the orientation it has in the solid, which the volume needs.
-    for (TopExp_Explorer f(it.Current(), TopAbs_FACE); f.More(); f.Next())
-      faces.push_back(f.Current());
-  }
-  const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
-  if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // About a point of the shape: volumes far from the origin would lose digits.
-  gp_Pnt base;
-  if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));
-  std::vector<double> volumes(faces.size());
-  parallelFaces(faces.size(), run, (from + to) / 2, to,
-                [&](std::size_t i) { volumes[i] = volumeUnder(TopoDS::Face(faces[i]), base); });
-  for (const double v : volumes) check.volume += v;
-  check.valid = check.complaint.empty() && check.solids > 0;
-  if (check.solids == 0 && check.complaint.empty()) check.complaint = "no solid";
-  return check;
-}
 
 }  // namespace swept::step

@@ -1,5 +1,4 @@
-// Model -> kernel shape, and what is checked on a shape.
-// Each function assumes that the caller holds a KernelSession.
+// Model -> kernel shape. It is assumed that the caller holds a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,19 +20,5 @@ struct Brep {
 };
 
 Brep buildBrep(const Model& model, RunContext& run);
-
-/// Indices of faces that the kernel's checker refuses. Parallel. from, to: share of the export's
-/// progress.
-std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
-                                       double from, double to);
-
-struct ShapeCheck {
-  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
-  bool valid = false;     ///< every face valid, every shell closed and consistently oriented
-  std::string complaint;  ///< empty when valid
-  double volume = 0;      ///< mm^3
-};
-
-ShapeCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to);
 
 }  // namespace swept::step

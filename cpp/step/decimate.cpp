@@ -7,6 +7,8 @@
 #include <cmath>
 #include <queue>
 
+#include "simplify/nearest_triangle.h"
+
 namespace swept::step {
 namespace {
 
@@ -26,29 +28,6 @@ struct Quadric {
   Quadric operator+(const Quadric& o) const { return {a + o.a, b + o.b, c + o.c}; }
   double at(const Vector3d& p) const { return p.dot(a * p) + 2 * b.dot(p) + c; }
 };
-
-double squaredDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const Vector3d ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return ap.squaredNorm();
-  const Vector3d bp = p - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return bp.squaredNorm();
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - d1 / (d1 - d3) * ab).squaredNorm();
-  const Vector3d cp = p - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return cp.squaredNorm();
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - d2 / (d2 - d6) * ac).squaredNorm();
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
-  }
-  const Vector3d n = ab.cross(ac);
-  const double d = n.dot(ap);
-  return d * d / n.squaredNorm();
-}
 
 struct Entry {
   double cost;

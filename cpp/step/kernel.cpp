@@ -6,6 +6,12 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <STEPControl_Controller.hxx>
+#include <Standard_Version.hxx>
+#include <TopoDS_Shape.hxx>
+#if OCC_VERSION_HEX < 0x070900
+#include <XSAlgo.hxx>
+#include <XSAlgo_AlgoContainer.hxx>
+#endif
 #include <functional>
 #include <map>
 #include <mutex>
@@ -51,6 +57,25 @@ class Collector : public Message_Printer {
   mutable std::string text_;
 };
 
+#if OCC_VERSION_HEX < 0x070900
+// Leaves what this thread reads as it stands in the file; what other threads read is mended.
+class AsItStands : public XSAlgo_AlgoContainer {
+ public:
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision,
+                            const Standard_Real largest, const Standard_CString resource,
+                            const Standard_CString sequence, Handle(Standard_Transient) & info,
+                            const Message_ProgressRange& progress,
+                            const Standard_Boolean nonManifold) const override {
+    if (std::this_thread::get_id() == owner_) return shape;
+    return XSAlgo_AlgoContainer::ProcessShape(shape, precision, largest, resource, sequence, info,
+                                              progress, nonManifold);
+  }
+
+ private:
+  std::thread::id owner_ = std::this_thread::get_id();
+};
+#endif
+
 }  // namespace
 
 struct KernelSession::State {
@@ -87,6 +112,13 @@ void KernelSession::setReal(const char* name, double value) {
   state_->undo.push_back(
       [name, old = Interface_Static::RVal(name)] { Interface_Static::SetRVal(name, old); });
   Interface_Static::SetRVal(name, value);
+}
+
+void KernelSession::skipHealing() {
+#if OCC_VERSION_HEX < 0x070900
+  state_->undo.push_back([old = XSAlgo::AlgoContainer()] { XSAlgo::SetAlgoContainer(old); });
+  XSAlgo::SetAlgoContainer(new AsItStands);
+#endif
 }
 
 std::string KernelSession::messages() const { return state_->collector->text(); }

@@ -220,9 +220,11 @@ class Builder {
     return best;
   }
 
-  // Each kept vertex goes where the surfaces of its chains meet, if that is near.
+  // Each kept vertex goes where the surfaces of its chains meet, if that is near. Beside a facet it
+  // takes the facet's corner along, so there the tolerance itself is the limit.
   void placeVertices() {
     place_ = mesh_.points;
+    findFacetCorners();
     std::vector<std::vector<const Surface*>> at(mesh_.points.size());
     std::vector<double> reach(mesh_.points.size(), 0);
     for (const Chain& chain : chains_) {
@@ -241,9 +243,19 @@ class Builder {
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (at[v].empty()) continue;
       if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
-      const double limit = std::max(10 * tolerance_, 4 * reach[v]);
+      // Elsewhere it slides along its surfaces, from a jagged border to the line where they meet.
+      const double limit = isFacetCorner_[v] ? tolerance_ : std::max(10 * tolerance_, 4 * reach[v]);
       const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) place_[v] = moved;
+    }
+  }
+
+  void findFacetCorners() {
+    isFacetCorner_.assign(mesh_.points.size(), 0);
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const auto half = static_cast<std::int32_t>(h);
+      if (partition_.patches[patchOf(half)].surface.kind == SurfaceKind::Facet)
+        isFacetCorner_[mesh_.origin(half)] = 1;
     }
   }
 
@@ -257,25 +269,20 @@ class Builder {
   void dropShrunkChains() {
     same_.resize(mesh_.points.size());
     for (std::size_t v = 0; v < same_.size(); ++v) same_[v] = static_cast<std::int32_t>(v);
-    std::vector<char> beside(mesh_.points.size(), 0);
-    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
-      const auto half = static_cast<std::int32_t>(h);
-      if (partition_.patches[patchOf(half)].surface.kind == SurfaceKind::Facet)
-        beside[mesh_.origin(half)] = 1;
-    }
     const double eps = std::max(1e-6, 0.02 * tolerance_);
     auto coincide = [&](std::int32_t a, std::int32_t b) {
       return a != b && (place_[a] - place_[b]).norm() <= eps;
     };
     for (Chain& chain : chains_) {
       const std::int32_t a = vertexAt(chain, 0), b = vertexAt(chain, chain.halfEdges.size());
-      if (!coincide(a, b) || chain.surfaces.size() < 2 || beside[a] || beside[b]) continue;
+      if (!coincide(a, b) || chain.surfaces.size() < 2 || isFacetCorner_[a] || isFacetCorner_[b])
+        continue;
       if (chain.halfEdges.size() > 12) continue;
       chain.dropped = true;
       same_[root(a)] = root(b);
     }
-    for (std::size_t v = 0; v < beside.size(); ++v) {
-      if (!beside[v]) continue;
+    for (std::size_t v = 0; v < isFacetCorner_.size(); ++v) {
+      if (!isFacetCorner_[v]) continue;
       model_.facetShift = std::max(model_.facetShift, (place_[v] - mesh_.points[v]).norm());
     }
     // What is left needs its corners apart: these stay where the mesh has them.
@@ -486,6 +493,7 @@ class Builder {
   Model model_;
   std::vector<std::int32_t> degree_;  // boundary edges per mesh vertex
   std::vector<char> kept_;            // mesh vertices that become model vertices
+  std::vector<char> isFacetCorner_;   // mesh vertices that a facet uses
   std::vector<Chain> chains_;
   std::vector<std::int32_t> vertexId_;  // mesh vertex -> model vertex
   std::vector<std::int32_t> edgeOf_;    // half-edge -> model edge

@@ -8,16 +8,17 @@
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopTools_FormatVersion.hxx>
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
-#include <ostream>
-#include <streambuf>
 #include <system_error>
+#include <typeinfo>
+
+#include "swept/types.h"
 
 namespace swept::step {
 namespace {
@@ -34,47 +35,6 @@ std::string systemReason(int error) {
 Handle(TCollection_HAsciiString) text(const std::string& utf8) {
   return new TCollection_HAsciiString(utf8.c_str());
 }
-
-// Plain C file output under a stream: the library's own file buffer throws from close() when the
-// disk is full, and hides the reason.
-class FileBuffer : public std::streambuf {
- public:
-  FileBuffer(const std::string& path, RunContext& run)
-      : run_(run), file_(std::fopen(path.c_str(), "wb")), error_(errno) {}
-  ~FileBuffer() override { close(); }
-  FileBuffer(const FileBuffer&) = delete;
-  FileBuffer& operator=(const FileBuffer&) = delete;
-  bool isGood() const { return file_ != nullptr && !failed_; }
-  /// False if anything since opening has failed; error() says why.
-  bool close() {
-    if (file_ == nullptr) return false;
-    if (std::fclose(file_) != 0) note();
-    file_ = nullptr;
-    return !failed_;
-  }
-  int error() const { return error_; }
-
- private:
-  int overflow(int c) override {
-    if (c != traits_type::eof() && std::fputc(c, file_) == EOF) return note();
-    return traits_type::not_eof(c);
-  }
-  std::streamsize xsputn(const char* data, std::streamsize count) override {
-    if (run_.isCancelled()) return note();
-    const auto written = std::fwrite(data, 1, static_cast<std::size_t>(count), file_);
-    if (written != static_cast<std::size_t>(count)) note();
-    return static_cast<std::streamsize>(written);
-  }
-  int note() {
-    if (!failed_) error_ = errno;
-    failed_ = true;
-    return traits_type::eof();
-  }
-  RunContext& run_;
-  std::FILE* file_;
-  int error_;
-  bool failed_ = false;
-};
 
 // Ends early when the run is cancelled. (The kernel's own way prints to the console then.)
 class CancellableInput : public std::filebuf {
@@ -114,7 +74,7 @@ void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run) {
-  kernel.set("write.step.schema", options.schema);
+  kernel.set("write.step.schema", options.schema == StepSchema::Ap242 ? "AP242DIS" : "AP214IS");
   kernel.set("write.step.unit", "MM");
   kernel.set("xstep.cascade.unit", "MM");
   kernel.set("write.step.assembly", "0");
@@ -154,18 +114,24 @@ TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunCon
   return shape;
 }
 
-void writeBrepFile(const TopoDS_Shape& shape, const std::string& path, RunContext& run) {
-  errno = 0;
-  FileBuffer buffer(path, run);
-  if (buffer.isGood()) {
-    std::ostream stream(&buffer);
-    BRepTools::Write(shape, stream, Standard_False, Standard_False,
-                     TopTools_FormatVersion_VERSION_1);
+TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
+                              RunContext& run) {
+  kernel.skipHealing();
+  const TopoDS_Shape shape = readStepFile(path, kernel, run);
+  ShapeFix_ShapeTolerance().LimitTolerance(shape, tolerance);
+  return shape;
+}
+
+void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run) {
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.3, 0.45);
+  try {
+    BRepTools::Write(shape, out, Standard_False, Standard_False, TopTools_FormatVersion_VERSION_1,
+                     progress->Start());
+  } catch (const std::bad_cast&) {
+    // What the library's file buffer throws into the kernel when the disk is full.
+    out.setstate(std::ios::badbit);
   }
-  const bool good = buffer.close();
   throwIfCancelled(run);
-  if (!good)
-    fail("WriteFailed", "writing the BREP file failed" + systemReason(buffer.error()), nullptr);
 }
 
 TopoDS_Shape readBrepFile(const std::string& path, RunContext& run) {

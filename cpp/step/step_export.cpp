@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/step_export.h"
 
+#include <Eigen/Geometry>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
@@ -12,7 +13,10 @@
 #include <ios>
 #include <map>
 #include <new>
+#include <optional>
 
+#include "base/parallel.h"
+#include "base/safe_file.h"
 #include "brep.h"
 #include "decimate.h"
 #include "half_edge.h"
@@ -20,8 +24,11 @@
 #include "model.h"
 #include "patches.h"
 #include "recognise.h"
+#include "shape_check.h"
+#include "simplify/nearest_triangle.h"
 #include "solid_file.h"
-#include "target_file.h"
+#include "step_text.h"
+#include "thin.h"
 
 namespace swept {
 namespace {
@@ -40,12 +47,15 @@ Format formatOf(const std::string& path) {
 }
 
 void checkOptions(const StepOptions& options) {
-  if (options.schema != "AP214IS" && options.schema != "AP242DIS" && options.schema != "AP203") {
-    throw Error(Status::ExportFailed, "BadOption",
-                "schema is '" + options.schema + "'; allowed: AP214IS, AP242DIS, AP203");
-  }
   if (!(options.planarTolerance >= 0) || !std::isfinite(options.planarTolerance)) {
     throw Error(Status::ExportFailed, "BadOption", "planarTolerance must be 0 mm or more");
+  }
+  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
+    throw Error(Status::ExportFailed, "BadOption", "the solid's tolerance must be 0 mm or more");
+  }
+  if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
+    throw Error(Status::ExportFailed, "BadOption",
+                "a solid has 4 faces at least, and a file more than 0 MB");
   }
 }
 
@@ -55,24 +65,31 @@ std::string number(const char* format, double value) {
   return buffer;
 }
 
-// Rough figures of this kernel, measured on triangulated bodies: bytes and seconds a face.
-constexpr double kStepBytesPerFace = 2450, kBrepBytesPerFace = 700;
-constexpr double kStepSecondsPerFace = 1.5e-3, kBrepSecondsPerFace = 3e-4;
+// Rough figures of one core, measured on triangulated bodies.
+constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700;
+constexpr double kSecondsPerFace = 3e-4, kSecondsPerTriangle = 8e-6;
 
-void refuseTooMany(std::int64_t faces, std::int64_t limit, Format format) {
-  if (faces <= limit) return;
-  const bool isStep = format == Format::Step;
-  const double bytes =
-      static_cast<double>(faces) * (isStep ? kStepBytesPerFace : kBrepBytesPerFace);
-  const double seconds =
-      static_cast<double>(faces) * (isStep ? kStepSecondsPerFace : kBrepSecondsPerFace);
-  throw Error(
-      Status::ExportFailed, "TooManyFaces",
-      "the solid would have " + std::to_string(faces) + " faces, the limit is " +
-          std::to_string(limit) + "; the file would take about " + number("%.0f", bytes / 1e6) +
-          " MB and " + number("%.0f", seconds) +
-          " s. Simplify the envelope (a tolerance in mm), raise the limit, or export a mesh "
-          "file: PLY, STL, OBJ, OFF or 3MF hold it easily");
+double megabytesOf(std::int64_t faces, Format format) {
+  return 1e-6 * static_cast<double>(faces) *
+         (format == Format::Step ? kStepBytesPerFace : kBrepBytesPerFace);
+}
+
+bool isWithinLimits(std::int64_t faces, const StepOptions& options, Format format) {
+  return faces <= options.maxFaces &&
+         (options.maxMegabytes <= 0 || megabytesOf(faces, format) <= options.maxMegabytes);
+}
+
+[[noreturn]] void refuseTooMany(std::int64_t faces, const StepOptions& options, Format format) {
+  std::string limit = "the limit is " + std::to_string(options.maxFaces) + " faces";
+  if (options.maxMegabytes > 0) limit += " and " + number("%.3g", options.maxMegabytes) + " MB";
+  throw Error(Status::ExportFailed, "TooManyFaces",
+              "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
+                  number("%.3g", options.tolerance) + " mm; " + limit +
+                  "; the file would take about " + number("%.1f", megabytesOf(faces, format)) +
+                  " MB and " +
+                  number("%.0f", std::ceil(kSecondsPerFace * static_cast<double>(faces))) +
+                  " s. Allow a larger tolerance, raise the limit, or export a mesh file: PLY, STL, "
+                  "OBJ, OFF or 3MF hold it easily");
 }
 
 class Stopwatch {
@@ -89,17 +106,38 @@ class Stopwatch {
 };
 
 struct Built {
+  Model model;
   Brep brep;
   std::map<std::string, std::int64_t> facesByKind;
   double deviation = 0;  // mm, of the mesh's vertices from their faces
 };
 
-Built describe(Brep brep, const Model& model, const Decimated& small) {
-  Built built{std::move(brep), {}, small.deviation + model.facetShift};
-  for (const ModelFace& face : model.faces) {
+// Largest distance of a vertex of the whole mesh from the triangles of the small one.
+double distanceBetween(const HalfEdgeMesh& whole, const HalfEdgeMesh& small, double tolerance) {
+  if (whole.triangles.size() == small.triangles.size()) return 0;
+  const NearestTriangle nearest(small.points, small.triangles);
+  constexpr std::size_t kBlock = 2048;
+  std::vector<double> largest((whole.points.size() + kBlock - 1) / kBlock, 0);
+  // What lies this near is not looked at more closely.
+  const double near = 0.2 * tolerance;
+  parallelBlocks(whole.points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      double& most = largest[begin / kBlock];
+      most = std::max(most, nearest.query(whole.points[v], 1e300, std::max(most, near * near)));
+    }
+  });
+  return std::sqrt(*std::max_element(largest.begin(), largest.end()));
+}
+
+Built describe(Model model, Brep brep, const HalfEdgeMesh& whole, const Decimated& small,
+               double tolerance) {
+  Built built{std::move(model), std::move(brep), {}, 0};
+  double off = built.model.facetShift;
+  for (const ModelFace& face : built.model.faces) {
     ++built.facesByKind[surfaceKindName(face.surface.kind)];
-    built.deviation = std::max(built.deviation, small.partition.patches[face.patch].deviation);
+    off = std::max(off, small.partition.patches[face.patch].deviation);
   }
+  built.deviation = distanceBetween(whole, small.mesh, tolerance) + off;
   return built;
 }
 
@@ -131,54 +169,98 @@ void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t kno
   } while (h != first);
 }
 
-// Builds the shape. Faces that the kernel refuses lose their surface and are built of facets.
-Built buildValidBrep(const HalfEdgeMesh& whole, const StepOptions& options, Format format,
-                     RunContext& run) {
+// Of the tolerance: for the thinning before surfaces are looked for, and for facets after it.
+constexpr double kThinShare = 0.15, kFacetShare = 0.8;
+constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
+
+// Faces that the kernel refuses, as patches: recognised ones lose their surface, flat regions fall
+// into facets. True if something was changed in `small` alone.
+bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
+              Decimated& small, std::vector<std::int32_t>& refused) {
+  bool again = false;
+  for (const std::int32_t face : bad) {
+    const std::int32_t patch = model.faces[face].patch;
+    if (patch < known) {
+      refused.push_back(patch);
+    } else if (small.partition.patches[patch].triangles.size() > 1) {
+      dissolvePatch(small.mesh, patch, small.partition);
+      again = true;
+    } else {
+      // A facet fails because of what its neighbours made of its corners.
+      const std::int32_t t = small.partition.patches[patch].triangles[0];
+      for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
+    }
+  }
+  std::sort(refused.begin(), refused.end());
+  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+  return again;
+}
+
+// Builds the shape; nothing if it would have too many faces, whose number is then in `faces`.
+// `dense` is the mesh, `whole` the mesh that the deviation is measured from.
+std::optional<Built> tryBuild(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
+                              const StepOptions& options, Format format, std::int64_t& faces,
+                              RunContext& run) {
   constexpr int kRounds = 5;
   const double tolerance = std::max(options.planarTolerance, options.tolerance);
-  Partition recognised = partitionOf(whole, options, run);
-  for (int round = 0;; ++round) {
-    Decimated small{whole, recognised, 0};
-    if (options.tolerance > 0) small = decimate(whole, recognised, options.tolerance, run);
-    const auto known = static_cast<std::int32_t>(recognised.patches.size());
+  Partition recognised = partitionOf(dense, options, run);
+  const auto known = static_cast<std::int32_t>(recognised.patches.size());
+  for (int round = 0; round <= kRounds; ++round) {
+    Decimated small{dense, recognised, 0};
+    if (options.tolerance > 0) {
+      small = decimate(dense, recognised, kFacetShare * options.tolerance, run);
+    }
     if (options.mergeCoplanar)
       growPlanes(small.mesh, options.planarTolerance, small.partition, run);
     addFacets(small.mesh, small.partition);
-    refuseTooMany(static_cast<std::int64_t>(small.partition.patches.size()), options.maxFaces,
-                  format);
+    faces = std::count_if(small.partition.patches.begin(), small.partition.patches.end(),
+                          [](const Patch& patch) { return !patch.triangles.empty(); });
+    if (!isWithinLimits(faces, options, format)) return std::nullopt;
     std::vector<std::int32_t> refused;
     for (int inner = 0; inner < 3; ++inner) {
-      const Model model = buildModel(small.mesh, small.partition, tolerance, run);
+      Model model = buildModel(small.mesh, small.partition, tolerance, run);
       Brep brep = buildBrep(model, run);
       std::vector<std::int32_t> bad = brep.failed;
       if (bad.empty()) bad = findBadFaces(brep.faces, run, 0.1, 0.3);
-      if (bad.empty()) return describe(std::move(brep), model, small);
-      refused.clear();
-      bool again = false;
-      for (const std::int32_t face : bad) {
-        const std::int32_t patch = model.faces[face].patch;
-        if (patch < known) {
-          refused.push_back(patch);
-        } else if (small.partition.patches[patch].triangles.size() > 1) {
-          dissolvePatch(small.mesh, patch, small.partition);
-          again = true;
-        } else {
-          // A facet fails because of what its neighbours made of its corners.
-          const std::int32_t t = small.partition.patches[patch].triangles[0];
-          for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
-        }
-      }
-      if (!refused.empty() || !again) break;
+      if (bad.empty()) return describe(std::move(model), std::move(brep), whole, small, tolerance);
+      if (!takeBack(bad, model, known, small, refused) || !refused.empty()) break;
     }
-    std::sort(refused.begin(), refused.end());
-    refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
-    if (refused.empty() || round == kRounds) {
-      throw Error(
-          Status::ExportFailed, "InvalidFaces",
-          "some faces are not accepted by the kernel; the mesh may have needle triangles or "
-          "intersect itself: simplify or repair it, or export a mesh file");
-    }
+    if (refused.empty()) break;
     forgetPatches(refused, recognised);
+  }
+  throw Error(Status::ExportFailed, "InvalidFaces",
+              "some faces are not accepted by the kernel; the mesh may have needle triangles or "
+              "intersect itself: simplify or repair it, or export a mesh file");
+}
+
+double diagonalOf(const HalfEdgeMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.points) box.extend(p);
+  return box.diagonal().norm();
+}
+
+// With the tolerance given, or with the smallest of a series that meets the limits; `options` then
+// says which.
+Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format format,
+                        RunContext& run) {
+  constexpr double kFirst = 1.0 / 4000, kMost = 1.0 / 100;  // of the diagonal
+  const bool given = options.tolerance > 0;
+  std::int64_t faces = 0;
+  if (!given) {
+    if (auto built = tryBuild(mesh, mesh, options, format, faces, run)) return std::move(*built);
+  }
+  const double diagonal = diagonalOf(mesh);
+  HalfEdgeMesh thin;
+  const HalfEdgeMesh* dense = &mesh;
+  if (!given) options.tolerance = kFirst * diagonal;
+  for (;; options.tolerance *= 2) {
+    if (dense->triangles.size() > kDense) {
+      // From what the last round left: its part of the tolerance was half as large.
+      thin = thinOut(*dense, kThinShare * options.tolerance, run);
+      dense = &thin;
+    }
+    if (auto built = tryBuild(mesh, *dense, options, format, faces, run)) return std::move(*built);
+    if (given || 2 * options.tolerance > kMost * diagonal) refuseTooMany(faces, options, format);
   }
 }
 
@@ -209,40 +291,51 @@ void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOption
   }
 }
 
+constexpr double kExact =
+    1e-5;  // mm: plane faces that meet this well need no mending by the kernel
+
 bool isWorthFacets(const Error& error) {
   return error.status() == Status::ExportFailed &&
          (error.code() == "InvalidFaces" || error.code() == "RereadDiffers" ||
           error.code() == "RereadFailed" || error.code() == "KernelFailure");
 }
 
-StepReport writeChecked(const TriMesh& input, const std::string& path, const StepOptions& options,
+StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
                         RunContext& run) {
   const Format format = formatOf(path);
   checkOptions(options);
-  TargetFile file(path);
+  SafeFile file(path);
   Stopwatch watch;
   StepReport report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   KernelSession kernel;
   try {
     OCC_CATCH_SIGNALS
-    const Built built = buildValidBrep(mesh, options, format, run);
+    const Built built = buildWithinLimits(mesh, options, format, run);
     report.secondsBuild = watch.lap();
-    TopoDS_Shape back;
-    if (format == Format::Step) {
-      const auto name = std::filesystem::path(file.target()).filename().string();
-      writeStepFile(built.brep.shape, file.temporary(), name, options, kernel, run);
-      report.secondsWrite = watch.lap();
-      back = readStepFile(file.temporary(), kernel, run);
-    } else {
-      writeBrepFile(built.brep.shape, file.temporary(), run);
-      report.secondsWrite = watch.lap();
-      back = readBrepFile(file.temporary(), run);
+    const bool flat = std::all_of(built.model.faces.begin(), built.model.faces.end(),
+                                  [](const ModelFace& f) { return f.surface.isPlanar(); });
+    const std::string name = utf8FromPath(pathFromUtf8(file.target()).filename());
+    if (format == Format::Brep) {
+      writeBrep(built.brep.shape, file.stream(), run);
+    } else if (flat) {
+      writeStepText(built.model, file.stream(), name, options, run);
     }
+    file.close();
+    if (format == Format::Step && !flat) {
+      writeStepFile(built.brep.shape, file.temporary(), name, options, kernel, run);
+    }
+    report.secondsWrite = watch.lap();
+    const double accuracy = statedAccuracy(built.model);
+    const bool exact = flat && accuracy <= kExact;
+    const TopoDS_Shape back = format == Format::Brep ? readBrepFile(file.temporary(), run)
+                              : exact ? readFlatStepFile(file.temporary(), accuracy, kernel, run)
+                                      : readStepFile(file.temporary(), kernel, run);
     const ShapeCheck check = checkShape(back, run, 0.8, 1.0);
     compare(check, mesh, options);
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
+    report.tolerance = options.tolerance;
     report.faces = check.faces;
     report.edges = check.edges;
     report.solids = check.solids;
@@ -273,16 +366,43 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, const Ste
 
 }  // namespace
 
+StepSchema parseStepSchema(const std::string& text) {
+  if (text == "ap214") return StepSchema::Ap214;
+  if (text == "ap242") return StepSchema::Ap242;
+  throw Error(Status::InvalidInput, "BadOption", "schema is '" + text + "'; allowed: ap214, ap242");
+}
+
+SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, RunContext& run) {
+  const HalfEdgeMesh whole = buildHalfEdges(mesh, run);
+  SolidEstimate estimate;
+  estimate.triangles = static_cast<std::int64_t>(whole.triangles.size());
+  if (options.tolerance > 0) {
+    estimate.faces =
+        static_cast<std::int64_t>(thinOut(whole, options.tolerance, run).triangles.size());
+  } else {
+    Partition partition;
+    partition.patchOf.assign(whole.triangles.size(), -1);
+    if (options.mergeCoplanar) growPlanes(whole, options.planarTolerance, partition, run);
+    estimate.faces =
+        static_cast<std::int64_t>(partition.patches.size()) +
+        std::count(partition.patchOf.begin(), partition.patchOf.end(), std::int32_t{-1});
+  }
+  estimate.megabytes = megabytesOf(estimate.faces, Format::Step);
+  estimate.seconds = kSecondsPerFace * static_cast<double>(estimate.faces) +
+                     kSecondsPerTriangle * static_cast<double>(estimate.triangles);
+  return estimate;
+}
+
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run) {
+  StepOptions used = options;
   try {
-    return writeChecked(mesh, path, options, run);
+    return writeChecked(mesh, path, used, run);
   } catch (const Error& error) {
-    if (options.tolerance <= 0 || !options.recognise || !isWorthFacets(error)) throw;
+    if (used.tolerance <= 0 || !options.recognise || !isWorthFacets(error)) throw;
     // Never a failed export for the sake of nicer surfaces: once more with simplified facets only.
-    StepOptions plain = options;
-    plain.recognise = false;
-    StepReport report = writeChecked(mesh, path, plain, run);
+    used.recognise = false;
+    StepReport report = writeChecked(mesh, path, used, run);
     report.note = std::string("no surfaces were recognised, because with them ") + error.what();
     return report;
   }

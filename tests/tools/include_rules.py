@@ -24,7 +24,7 @@ MAY_INCLUDE = {
     # A consumer beside the pipeline: it checks its own inputs with the same two functions.
     "clearance": {"base", "data", "input"},
     "pipeline": {"base", "data", "mend"} | STAGES,
-    "step": {"base", "data"},
+    "step": {"base", "data", "simplify"},
     "python": {"base", "io"},
     "tools": {"base", "io"},
     "include": set(),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,17 +12,28 @@
 
 namespace swept {
 
+/// Application protocols of STEP: automotive design, and its successor.
+enum class StepSchema { Ap214, Ap242 };
+/// ap214 | ap242; throws Error(InvalidInput, "BadOption") listing the allowed names.
+StepSchema parseStepSchema(const std::string& text);
+
 struct StepOptions {
   bool mergeCoplanar = true;      ///< flat regions become single planar faces with holes
   double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off its region's plane
-  double tolerance = 0;   ///< mm; > 0: the solid may leave the mesh by this. Then surfaces are
-                          ///< recognised and what is left is simplified before it becomes facets
+  /// mm; above 0: the solid may leave the mesh by this. Then surfaces are recognised and what is
+  /// left is simplified. 0: exact, unless a limit asks for more (see below).
+  double tolerance = 0;
   bool recognise = true;  ///< with a tolerance: planes, cylinders, cones, spheres and tori
-  std::int64_t maxFaces = 120000;  ///< above: Error(ExportFailed, "TooManyFaces") with numbers
+  /// Limits. Without a tolerance of its own the solid gets the smallest one that meets them, up to
+  /// 1 % of the box diagonal; what still exceeds them is refused as Error(ExportFailed,
+  /// "TooManyFaces") with numbers.
+  std::int64_t maxFaces = 20000;
+  double maxMegabytes = 0;  ///< of the file; 0: no limit
   std::string productName = "Swept envelope";
-  std::string schema = "AP214IS";  ///< AP214IS | AP242DIS | AP203
-  std::string author;              ///< file header; empty: not stated
-  std::string organization;        ///< file header; empty: not stated
+  StepSchema schema = StepSchema::Ap214;
+  std::string author;                              ///< file header; empty: not stated
+  std::string organization;                        ///< file header; empty: not stated
+  std::array<double, 3> colour{0.93, 0.78, 0.20};  ///< red, green, blue, 0 to 1
 };
 
 struct StepReport {
@@ -30,14 +42,27 @@ struct StepReport {
   std::int64_t solids = 0;
   std::vector<std::pair<std::string, std::int64_t>>
       facesByKind;       ///< "plane", "cylinder", ..., "facet"
+  double tolerance = 0;  ///< mm: the one given, or the one that the limits asked for
   double deviation = 0;  ///< mm: largest distance of a mesh vertex from the face that stands for it
   std::string note;      ///< what was given up to get a valid solid; empty: nothing
-  bool valid = false;    ///< BRepCheck on what was read back
+  bool valid = false;    ///< the kernel's check of what was read back
   double volume = 0;     ///< mm^3 of what was read back
   double meshVolume = 0;  ///< mm^3
   std::uint64_t fileBytes = 0;
   double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;
 };
+
+/// What a solid would take, from a look at the mesh; faces is an upper bound.
+struct SolidEstimate {
+  std::int64_t triangles = 0;
+  std::int64_t faces = 0;
+  double megabytes = 0;
+  double seconds = 0;
+};
+
+/// Cost: some microseconds a triangle. Throws Error(ExportFailed) where no solid can be made of the
+/// mesh at all.
+SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, RunContext& run);
 
 /// Format by suffix: .step/.stp or .brep/.brp. Written beside the target, re-read, checked (one
 /// solid per outer shell, valid, same volume), then renamed; on any failure the old file survives

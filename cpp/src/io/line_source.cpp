@@ -10,7 +10,7 @@
 #include <fstream>
 #include <vector>
 
-#include "io/safe_file.h"
+#include "base/safe_file.h"
 #include "swept/types.h"
 
 namespace swept {

@@ -16,7 +16,7 @@
 #include "io/openmesh_bridge.h"
 #include "io/ply_header.h"
 #include "io/polygon_split.h"
-#include "io/safe_file.h"
+#include "base/safe_file.h"
 #include "swept/io.h"
 
 namespace swept {

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "arguments.h"
+#include "base/safe_file.h"
 #include "commands.h"
-#include "io/safe_file.h"
 #include "report_file.h"
 #include "runner.h"
 #include "swept/clearance.h"

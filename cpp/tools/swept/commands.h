@@ -10,9 +10,11 @@ namespace swept::cli {
 int envelopeCommand(const std::vector<std::string>& words);
 int checkCommand(const std::vector<std::string>& words);
 int clearanceCommand(const std::vector<std::string>& words);
+int solidCommand(const std::vector<std::string>& words);
 
 extern const char* const kEnvelopeHelp;
 extern const char* const kCheckHelp;
 extern const char* const kClearanceHelp;
+extern const char* const kSolidHelp;
 
 }  // namespace swept::cli

@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "arguments.h"
+#include "base/safe_file.h"
 #include "commands.h"
-#include "io/safe_file.h"
 #include "report_file.h"
 #include "runner.h"
 #include "swept/compute.h"
 #include "swept/io.h"
 #ifdef HAVE_SWEPT_STEP
-#include "swept/step_export.h"
+#include "solid_options.h"
 #endif
 
 namespace swept::cli {
@@ -41,6 +41,8 @@ const char* const kEnvelopeHelp =
   --threads N             threads to use (default: all cores)
   --memory-limit MB       refuse what would take more (default: 3/4 of what is free)
   --report FILE.json      write the report, also of a failure; - for standard output
+  --solid-tolerance MM, --max-faces N, --max-megabytes N, --schema S ...
+                          for step and brep, see swept --help
   --quiet                 no progress bar, no summary
 )";
 
@@ -58,6 +60,9 @@ struct EnvelopeJob {
   std::int64_t threads = 0;
   std::int64_t memoryLimitMegabytes = 0;
   bool quiet = false;
+#ifdef HAVE_SWEPT_STEP
+  StepOptions solid;
+#endif
 };
 
 bool isSolidSuffix(const std::string& suffix) {
@@ -91,6 +96,9 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
   a.integer("--threads", job.threads, 0, 4096);
   a.integer("--memory-limit", job.memoryLimitMegabytes, 1, kMostMegabytes);
   a.flag("--quiet", job.quiet);
+#ifdef HAVE_SWEPT_STEP
+  addSolidOptions(a, job.solid);
+#endif
   const std::vector<std::string> positional = a.parse(words);
   const auto bad = [](const std::string& text) {
     throw Error(Status::InvalidInput, "BadOption", text + "; see swept envelope --help");
@@ -147,32 +155,14 @@ using SolidResult = std::optional<StepReport>;
 using SolidResult = std::optional<int>;
 #endif
 
-SolidResult writeOutput(const TriMesh& mesh, const std::string& path, RunContext& run) {
+SolidResult writeOutput(const TriMesh& mesh, const EnvelopeJob& job, RunContext& run) {
   run.checkpoint(Phase::Export);
 #ifdef HAVE_SWEPT_STEP
-  if (isSolidSuffix(suffixOf(path))) return writeSolid(mesh, path, StepOptions{}, run);
+  if (isSolidSuffix(suffixOf(job.outputPath)))
+    return writeSolid(mesh, job.outputPath, job.solid, run);
 #endif
-  writeMesh(mesh, path);
+  writeMesh(mesh, job.outputPath);
   return std::nullopt;
-}
-
-void writeSolidFields([[maybe_unused]] const SolidResult& solid,
-                      [[maybe_unused]] JsonWriter& json) {
-#ifdef HAVE_SWEPT_STEP
-  if (!solid) return;
-  json.key("solid").beginObject();
-  json.field("solids", solid->solids);
-  json.field("faces", solid->faces);
-  json.field("edges", solid->edges);
-  json.field("valid", solid->valid);
-  json.field("volume", solid->volume);
-  json.field("mesh_volume", solid->meshVolume);
-  json.field("file_bytes", solid->fileBytes);
-  json.field("seconds_build", solid->secondsBuild);
-  json.field("seconds_write", solid->secondsWrite);
-  json.field("seconds_reread", solid->secondsReread);
-  json.endObject();
-#endif
 }
 
 void printSummary(const Report& report, const std::string& path) {
@@ -199,7 +189,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
   addStage(report, "read", reading);
   if (report.status != Status::Ok) return {};
   const auto writing = Clock::now();
-  SolidResult solid = writeOutput(result.mesh, job.outputPath, run);
+  SolidResult solid = writeOutput(result.mesh, job, run);
   addStage(report, "write", since(writing));
   return solid;
 }
@@ -233,9 +223,16 @@ int envelopeCommand(const std::vector<std::string>& words) {
   if (!ok) printError(report.status, report.code, report.message);
   writeReport(report, job.reportPath, [&](JsonWriter& json) {
     json.field("output", ok ? job.outputPath : std::string());
-    writeSolidFields(solid, json);
+#ifdef HAVE_SWEPT_STEP
+    if (solid) writeSolidFields(*solid, json);
+#endif
   });
-  if (ok && !job.quiet && job.reportPath != "-") printSummary(report, job.outputPath);
+  if (ok && !job.quiet && job.reportPath != "-") {
+    printSummary(report, job.outputPath);
+#ifdef HAVE_SWEPT_STEP
+    if (solid) printSolid(*solid, job.outputPath);
+#endif
+  }
   return exitStatus(report.status);
 }
 

@@ -6,6 +6,9 @@
 
 #include "commands.h"
 #include "runner.h"
+#ifdef HAVE_SWEPT_STEP
+#include "solid_options.h"
+#endif
 #include "swept/types.h"
 
 #ifndef SWEPT_VERSION
@@ -24,6 +27,9 @@ struct Command {
 constexpr Command kCommands[] = {
     {"envelope", envelopeCommand, &kEnvelopeHelp},
     {"check", checkCommand, &kCheckHelp},
+#ifdef HAVE_SWEPT_STEP
+    {"solid", solidCommand, &kSolidHelp},
+#endif
 #ifdef HAVE_SWEPT_CLEARANCE
     {"clearance", clearanceCommand, &kClearanceHelp},
 #endif
@@ -32,6 +38,10 @@ constexpr Command kCommands[] = {
 void printHelp() {
   std::puts("swept: envelopes of moving bodies\n\nusage: swept COMMAND ...\n");
   for (const Command& command : kCommands) std::puts(*command.help);
+#ifdef HAVE_SWEPT_STEP
+  std::printf("options of solids (swept envelope to a step or brep file, swept solid)\n%s\n",
+              kSolidOptionsHelp);
+#endif
   std::puts(
       "swept --help, swept --version\n\nExit status: 0 done, 1 failed, 2 wrong usage, "
       "130 cancelled. Lengths are in mm.");

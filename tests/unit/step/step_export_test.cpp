@@ -186,14 +186,16 @@ TEST_F(StepExport, SchemaUnitNamesAndAuthorStandInTheFile) {
   const std::string a = text("a.step");
   EXPECT_NE(a.find("AUTOMOTIVE_DESIGN"), std::string::npos);
   EXPECT_NE(a.find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
-  EXPECT_NE(a.find("M. M\xC3\xBCller"), std::string::npos);
-  EXPECT_NE(a.find("PRODUCT('H\xC3\xBClle ''A\\\\B'' \xE6\x8E\x83',"), std::string::npos)
+  EXPECT_NE(a.find("M. M\\X2\\00FC\\X0\\ller"), std::string::npos);
+  EXPECT_NE(a.find("PRODUCT('H\\X2\\00FC\\X0\\lle ''A\\\\B'' \\X2\\6383\\X0\\',"),
+            std::string::npos)
       << a.substr(0, 1500);
-  options.schema = "AP242DIS";
+  EXPECT_NE(a.find("COLOUR_RGB('',0.93,0.78,0.2)"), std::string::npos);
+  options.schema = parseStepSchema("ap242");
   write(boxMesh(1, 1, 1), "b.step", options);
   EXPECT_NE(text("b.step").find("AP242"), std::string::npos);
-  options.schema = "AP999";
-  EXPECT_EQ(failure(boxMesh(1, 1, 1), path("c.step"), options), "BadOption");
+  EXPECT_EQ(text("b.step").find("AUTOMOTIVE_DESIGN"), std::string::npos);
+  EXPECT_THROW(parseStepSchema("ap999"), Error);
 }
 
 TEST_F(StepExport, BrokenMeshesAreRefusedByName) {
@@ -243,7 +245,7 @@ TEST_F(StepExport, BadInput36FullDeviceIsNotATarget) {
   const auto before = filesIn("/dev");
   EXPECT_EQ(failure(boxMesh(1, 1, 1), "/dev/full"), "BadSuffix");
   fs::create_symlink("/dev/full", path("full.step"));
-  EXPECT_EQ(failure(boxMesh(1, 1, 1), path("full.step")), "NotAFile");
+  EXPECT_EQ(failure(boxMesh(1, 1, 1), path("full.step")), "BadTarget");
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
   EXPECT_EQ(filesIn("/dev"), before);
 }
@@ -252,36 +254,73 @@ TEST_F(StepExport, BadInput38FoldersThatCannotTakeTheFile) {
   EXPECT_EQ(failure(boxMesh(1, 1, 1), path("missing/x.step")), "MissingFolder");
   EXPECT_NE(message_.find("missing"), std::string::npos);
   fs::create_directories(path("folder.step"));
-  EXPECT_EQ(failure(boxMesh(1, 1, 1), path("folder.step")), "NotAFile");
+  EXPECT_EQ(failure(boxMesh(1, 1, 1), path("folder.step")), "BadTarget");
   put("file.txt", "x");
   EXPECT_EQ(failure(boxMesh(1, 1, 1), path("file.txt/x.step")), "MissingFolder");
   EXPECT_EQ(failure(boxMesh(1, 1, 1), path("x.iges")), "BadSuffix");
   if (::geteuid() == 0) {
     // Permissions do not stop the superuser: a folder of the kernel that takes no files stands in.
     if (fs::exists("/proc/self")) {
-      EXPECT_EQ(failure(boxMesh(1, 1, 1), "/proc/self/x.step"), "NotWritable");
+      EXPECT_EQ(failure(boxMesh(1, 1, 1), "/proc/self/x.step"), "ReadOnly");
     }
   } else {
     fs::create_directories(path("closed"));
     fs::permissions(path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_EQ(failure(boxMesh(1, 1, 1), path("closed/x.step")), "NotWritable");
+    EXPECT_EQ(failure(boxMesh(1, 1, 1), path("closed/x.step")), "ReadOnly");
     put("fixed.step", "old");
     fs::permissions(path("fixed.step"), fs::perms::owner_read);
-    EXPECT_EQ(failure(boxMesh(1, 1, 1), path("fixed.step")), "NotWritable");
+    EXPECT_EQ(failure(boxMesh(1, 1, 1), path("fixed.step")), "ReadOnly");
     EXPECT_EQ(text("fixed.step"), "old");
   }
 }
 
 TEST_F(StepExport, BadInput39TooManyFaces) {
   StepOptions options;
+  options.tolerance = 0.001;
+  options.recognise = false;
   options.maxFaces = 100;
   put("x.step", "old");
   EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
-  for (const char* word : {"limit is 100", "MB", " s.", "PLY", "STL"}) {
+  for (const char* word : {"limit is 100 faces", "MB", " s.", "PLY", "STL"}) {
     EXPECT_NE(message_.find(word), std::string::npos) << word << " in " << message_;
   }
+  options.maxFaces = 100000;
+  options.maxMegabytes = 0.05;
+  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
+  EXPECT_NE(message_.find("0.05 MB"), std::string::npos) << message_;
   EXPECT_EQ(text("x.step"), "old");
   EXPECT_EQ(filesIn(folder_), 1U);
+}
+
+// A limit without a tolerance: the smallest tolerance of a series that meets it is taken and said.
+TEST_F(StepExport, LimitsChooseTheTolerance) {
+  TriMesh mesh = torusMesh(20, 6, 60, 24);
+  for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
+  const StepReport exact = write(mesh, "exact.step");
+  EXPECT_EQ(exact.tolerance, 0);
+  EXPECT_GT(exact.faces, 1500);
+  StepOptions options;
+  options.maxFaces = 700;
+  const StepReport faces = write(mesh, "faces.step", options);
+  EXPECT_LE(faces.faces, 700);
+  EXPECT_GT(faces.tolerance, 0);
+  EXPECT_NEAR(faces.volume, exact.volume, 2600 * 2 * faces.tolerance);
+  options.maxFaces = 20000;
+  options.maxMegabytes = 0.5;
+  const StepReport bytes = write(mesh, "bytes.step", options);
+  EXPECT_GT(bytes.tolerance, 0);
+  EXPECT_LE(bytes.fileBytes, 500000U);
+}
+
+TEST_F(StepExport, EstimateIsOfTheRightSize) {
+  const TriMesh mesh = torusMesh(20, 6, 60, 24);
+  RunContext run;
+  const SolidEstimate estimate = estimateSolid(mesh, {}, run);
+  EXPECT_EQ(estimate.triangles, 2880);
+  const StepReport report = write(mesh, "torus.step");
+  EXPECT_EQ(estimate.faces, report.faces);
+  EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(report.fileBytes),
+              0.5 * estimate.megabytes);
 }
 
 TEST_F(StepExport, BadInput40SpacesLettersAndLongNames) {
@@ -347,7 +386,7 @@ TEST_F(StepExport, TwoThreadsAtOnce) {
     threads.emplace_back([&, i] {
       RunContext run;
       StepOptions options;
-      options.schema = i < 2 ? "AP214IS" : "AP242DIS";
+      options.schema = i < 2 ? StepSchema::Ap214 : StepSchema::Ap242;
       faces[i] =
           writeSolid(i % 2 == 0 ? a : b, path(std::to_string(i) + ".step"), options, run).faces;
     });

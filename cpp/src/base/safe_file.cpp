@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/safe_file.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <random>
+#include <system_error>
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+#include "swept/types.h"
+
+namespace swept {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& code, const std::string& text) {
+  throw Error(Status::ExportFailed, code, text);
+}
+
+fs::path folderOf(const fs::path& target) {
+  return target.has_parent_path() ? target.parent_path() : fs::path(".");
+}
+
+// The file behind a link is replaced, not the link.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
+  const fs::path real = fs::weakly_canonical(path, error);
+  return error ? path : real;
+}
+
+// Unique within the machine: two runs may write the same target at the same time.
+fs::path temporaryBeside(const fs::path& target) {
+  static std::atomic<unsigned> counter{0};
+  std::random_device random;
+  const std::string mark = std::to_string(random()) + "-" + std::to_string(counter.fetch_add(1));
+  // Short name: a target whose own name is close to the limit of the file system still works.
+  fs::path name = ".swept-" + mark;
+  name += target.extension();
+  return folderOf(target) / name;
+}
+
+std::string causeOf(int error) {
+  return error != 0 ? std::system_category().message(error) : "unknown cause";
+}
+
+// Flushes to the disk: a full disk may show only here. Systems without it are not at fault.
+void syncToDisk([[maybe_unused]] const fs::path& file, [[maybe_unused]] const std::string& name) {
+#ifndef _WIN32
+  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return;
+  const int failed = ::fsync(handle) != 0 ? errno : 0;
+  ::close(handle);
+  if (failed != 0 && failed != EINVAL) {
+    refuse("WriteFailed", "writing '" + name + "' failed: " + causeOf(failed));
+  }
+#endif
+}
+
+// The library's file buffer may throw from close() when the disk is full.
+void closeQuietly(std::ofstream& stream) {
+  try {
+    stream.close();
+  } catch (const std::exception&) {
+    stream.setstate(std::ios::badbit);
+  }
+}
+
+void checkFolder(const std::string& path, const fs::path& folder) {
+  std::error_code code;
+  if (fs::is_directory(folder, code)) return;
+  refuse("MissingFolder", "cannot write '" + path + "': the folder '" + utf8FromPath(folder) +
+                              "' does not exist; create it or choose another");
+}
+
+void checkOldFile(const std::string& path, const fs::path& target) {
+  std::error_code code;
+  const fs::file_status status = fs::status(target, code);
+  if (!fs::exists(status)) return;
+  if (fs::is_directory(status)) {
+    refuse("BadTarget", "cannot write '" + path + "': it is a folder; add a file name");
+  }
+  if (!fs::is_regular_file(status)) {
+    refuse("BadTarget", "cannot write '" + path +
+                            "': it is a device or another special file; give the name of a normal "
+                            "file");
+  }
+  const auto anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  bool locked = (status.permissions() & anyWrite) == fs::perms::none;
+#ifndef _WIN32
+  locked = locked || ::access(target.c_str(), W_OK) != 0;
+#endif
+  if (locked) {
+    refuse("ReadOnly", "cannot write '" + path +
+                           "': the file is write-protected; remove the protection or choose "
+                           "another name");
+  }
+}
+
+}  // namespace
+
+fs::path pathFromUtf8(const std::string& text) {
+  return fs::path(std::u8string(text.begin(), text.end()));
+}
+
+std::string utf8FromPath(const fs::path& path) {
+  const std::u8string text = path.u8string();
+  return {text.begin(), text.end()};
+}
+
+std::string suffixOf(const std::string& path) {
+  const std::u8string suffix = pathFromUtf8(path).extension().u8string();
+  if (suffix.size() < 2) return {};
+  std::string result(suffix.begin() + 1, suffix.end());
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+TemporaryName::~TemporaryName() {
+  std::error_code ignored;
+  if (!path.empty()) fs::remove(path, ignored);
+}
+
+// Permission bits do not tell the whole truth (read-only mounts, full quotas): it is tried.
+void checkTarget(const std::string& path) { const SafeFile probe(path); }
+
+SafeFile::SafeFile(const std::string& path) : name_(path) {
+  if (path.empty()) refuse("BadTarget", "the name of the output file is empty");
+  target_ = resolved(pathFromUtf8(path));
+  checkFolder(path, folderOf(target_));
+  checkOldFile(path, target_);
+  temporary_.path = temporaryBeside(target_);
+  errno = 0;
+  stream_.open(temporary_.path, std::ios::binary | std::ios::trunc);
+  if (!stream_.is_open()) {
+    refuse("ReadOnly", "cannot write into the folder '" + utf8FromPath(folderOf(target_)) + "': " +
+                           causeOf(errno) + "; choose a folder in which you may create files");
+  }
+  std::error_code code;
+  const fs::file_status old = fs::status(target_, code);
+  if (fs::exists(old)) fs::permissions(temporary_.path, old.permissions(), code);
+}
+
+SafeFile::~SafeFile() { closeQuietly(stream_); }
+
+void SafeFile::close() {
+  if (!stream_.is_open()) return;
+  if (stream_.good()) errno = 0;  // else it may still tell why an earlier write failed
+  stream_.flush();
+  const bool written = stream_.good();
+  const int error = errno;
+  closeQuietly(stream_);
+  if (!written || stream_.fail()) {
+    refuse("WriteFailed", "writing '" + name_ + "' failed: " + causeOf(error) +
+                              "; the old file, if any, is unchanged");
+  }
+}
+
+std::uint64_t SafeFile::commit() {
+  close();
+  syncToDisk(temporary_.path, name_);
+  std::error_code code;
+  const auto bytes = fs::file_size(temporary_.path, code);
+  fs::rename(temporary_.path, target_, code);
+  if (code) {
+    refuse("WriteFailed", "cannot put '" + name_ + "' in its place: " + code.message());
+  }
+  temporary_.path.clear();
+  return bytes;
+}
+
+}  // namespace swept
