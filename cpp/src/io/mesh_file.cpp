@@ -12,11 +12,11 @@
 #include <mutex>
 #include <sstream>
 
+#include "base/safe_file.h"
 #include "io/exact_numbers.h"
 #include "io/openmesh_bridge.h"
 #include "io/ply_header.h"
 #include "io/polygon_split.h"
-#include "base/safe_file.h"
 #include "swept/io.h"
 
 namespace swept {
