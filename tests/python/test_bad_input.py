@@ -378,11 +378,20 @@ def test_bad_input_37_solid_that_reads_back_wrong(tmp_path, box):
 
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
-def test_bad_input_39_too_many_faces(tmp_path, box):
-    result = _swept.compute(*box, slide(20, 9, 4), resolution=24)
-    with pytest.raises(_swept.ExportFailed, match="MB") as caught:
-        _swept.write_solid(tmp_path / "o.step", result.vertices, result.triangles, max_faces=20)
-    assert caught.value.code == "TooManyFaces" and not list(tmp_path.iterdir())
+@pytest.mark.parametrize("limit, tolerance", [(100, 0.005), (8, 0)])
+def test_bad_input_39_too_many_faces(tmp_path, box, limit, tolerance):
+    """Above the limit at the tolerance given, or at the largest one that a limit may choose."""
+    turned = slide(20, 9, 4)
+    turned[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    result = _swept.compute(*box, turned, resolution=24)
+    target = tmp_path / "o.step"
+    target.write_text("old")
+    options = {"max_faces": limit, "tolerance": tolerance, "recognise": False}
+    words = rf"\d+ faces .* {limit} faces.* MB .*STL"
+    with pytest.raises(_swept.ExportFailed, match=words) as caught:
+        _swept.write_solid(target, result.vertices, result.triangles, **options)
+    assert caught.value.code == "TooManyFaces", caught.value
+    assert target.read_text() == "old" and list(tmp_path.iterdir()) == [target]
 
 
 def test_bad_input_40_names(program, box, tmp_path):
