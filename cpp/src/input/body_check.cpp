@@ -91,14 +91,14 @@ double boxDiagonal(const TriMesh& mesh) {
 
 /// Welds what the exact weld left open, and keeps that only where it closes something.
 void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, CleanCounts& cleaned,
-                   double tolerance) {
+                   double tolerance, bool keepSheets) {
   if (edges.open == 0 || !(tolerance > 0)) return;
   TriMesh welded = result.mesh;
   CleanCounts counts = cleaned;
   const std::int64_t moved =
       applyMap(toleranceWeld(welded.vertices, edges.openVertices, tolerance), welded);
   if (moved == 0) return;
-  EdgeTable weldedTable = cleanTriangles(welded, counts);
+  EdgeTable weldedTable = cleanTriangles(welded, counts, keepSheets);
   if (welded.triangles.empty()) return;
   EdgeCounts after = countEdges(weldedTable);
   if (after.open >= edges.open) return;
@@ -158,7 +158,10 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
   run.checkpoint(Phase::Input);
   CleanCounts cleaned;
-  EdgeTable table = cleanTriangles(result.mesh, cleaned);
+  // A sheet modelled from both sides has no volume, but the part has it: what holds all of the part
+  // holds the sheet.
+  const bool keepSheets = options.conservative;
+  EdgeTable table = cleanTriangles(result.mesh, cleaned, keepSheets);
   const std::string before = std::to_string(body.vertices.size());
   if (result.mesh.triangles.empty()) {
     throw Error(Status::InvalidInput, "NoVolume",
@@ -174,7 +177,8 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
           " vertices repeated the coordinates of another one and were joined "
           "(vertices before " +
           before + ", after " + std::to_string(result.mesh.vertices.size()) + ")");
-  weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh));
+  weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh),
+                keepSheets);
   reportCleaning(result, cleaned);
   run.checkpoint(Phase::Input);
 

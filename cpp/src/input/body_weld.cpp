@@ -65,7 +65,7 @@ void keepOnly(std::vector<std::array<std::int32_t, 3>>& triangles,
 }
 
 /// Marks duplicates among the triangles of one group of equal corners (sorted by number).
-void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group,
+void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group, bool keepSheets,
                std::vector<std::uint8_t>& dead, CleanCounts& counts) {
   std::int64_t firstOf[2] = {-1, -1};
   for (const std::int64_t t : group) {
@@ -78,7 +78,7 @@ void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group,
     ++counts.repeated;
     note(counts.firstDuplicate, static_cast<std::size_t>(t));
   }
-  if (firstOf[0] >= 0 && firstOf[1] >= 0) {
+  if (firstOf[0] >= 0 && firstOf[1] >= 0 && !keepSheets) {
     dead[firstOf[0]] = dead[firstOf[1]] = 1;
     counts.opposite += 2;
     note(counts.firstDuplicate, static_cast<std::size_t>(std::min(firstOf[0], firstOf[1])));
@@ -169,7 +169,7 @@ std::int64_t applyMap(const std::vector<std::int32_t>& map, TriMesh& mesh) {
   return changed;
 }
 
-EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts) {
+EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
   std::vector<std::uint8_t> dead(mesh.triangles.size(), 0);
   bool any = false;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -208,7 +208,7 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts) {
             group.push_back(thirds[j].second);
           }
           if (group.size() > 1) {
-            markGroup(mesh, group, dead, counts);
+            markGroup(mesh, group, keepSheets, dead, counts);
             any = true;
           }
           i = j;

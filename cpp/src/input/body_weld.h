@@ -33,8 +33,8 @@ struct CleanCounts {
 };
 
 /// Removes triangles that repeat a vertex or have no area, duplicates (same orientation: one is
-/// kept; opposite orientation: none) and then unused vertices (the order of the others stays).
-/// Returns the edges of what is left.
-EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts);
+/// kept; opposite orientation: none, unless `keepSheets`) and then unused vertices (the order of
+/// the others stays). Returns the edges of what is left.
+EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets = false);
 
 }  // namespace swept

@@ -50,8 +50,9 @@ std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937&
   return points;
 }
 
-void expectHeld(const std::string& name, const TriMesh& body, const Trajectory& motion,
-                const Options& options, int points) {
+/// solid: the body as the witness takes it, which must have an inside.
+void expectHeld(const std::string& name, const TriMesh& body, const TriMesh& solid,
+                const Trajectory& motion, const Options& options, int points) {
   SCOPED_TRACE(name);
   const Result result = conservative(body, motion, options);
   if (result.mesh.triangles.empty()) return;
@@ -59,7 +60,7 @@ void expectHeld(const std::string& name, const TriMesh& body, const Trajectory& 
   EXPECT_GT(bound, 0);
   EXPECT_LE(bound, 3 * cell + options.tolerance);
   std::mt19937 random(7);
-  const SweptDistance truth(body, motion, 0.02 * cell);
+  const SweptDistance truth(solid, motion, 0.02 * cell);
   RunContext run;
   int outside = 0;
   for (const double d : distanceToMesh(sweepPoints(truth, points, random), result.mesh, run)) {
@@ -76,6 +77,11 @@ void expectHeld(const std::string& name, const TriMesh& body, const Trajectory& 
   EXPECT_LE(most, bound * (1 + 1e-9));
   std::printf("%s: bound %.3f cells, measured %.3f cells\n", name.c_str(), bound / cell,
               most / cell);
+}
+
+void expectHeld(const std::string& name, const TriMesh& body, const Trajectory& motion,
+                const Options& options, int points) {
+  expectHeld(name, body, body, motion, options, points);
 }
 
 TEST(Conservative, HoldsRandomSweeps) {
@@ -124,6 +130,39 @@ TEST(Conservative, HoldsWhatNoGridEdgeMeets) {
   end.timeSeconds = 1;
   end.translation = V3(1, 2, 0.5);
   expectHeld("moving needle", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
+}
+
+/// A sheet of four corners, modelled from both sides; with a width, closed at its rim.
+void appendSheet(TriMesh& mesh, double width) {
+  const V3 corners[] = {V3(4, 1, 2), V3(9, 1, 2.3), V3(9, 3, 2.9), V3(4, 3, 2.1)};
+  const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+  const std::int32_t other = first + (width > 0 ? 4 : 0);
+  for (const V3& v : corners) mesh.vertices.push_back(v);
+  for (const auto& [a, b] : {std::pair{1, 2}, {2, 3}}) {
+    mesh.triangles.push_back({first, first + a, first + b});
+    mesh.triangles.push_back({other, other + b, other + a});
+  }
+  if (width <= 0) return;
+  for (const V3& v : corners) mesh.vertices.push_back(v - V3(0, 0, width));
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    mesh.triangles.push_back({first + next, first + k, other + k});
+    mesh.triangles.push_back({first + next, other + k, other + next});
+  }
+}
+
+TEST(Conservative, HoldsSheetsModelledFromBothSides) {
+  // Other runs take such sheets out, since they enclose nothing.
+  TriMesh body = makeBox({0, 0, 0}, {4, 4, 4}), solid = body;
+  appendSheet(body, 0);
+  appendSheet(solid, 1e-7);
+  Options options;
+  options.cellSize = 0.2;
+  expectHeld("sheet", body, solid, {{Pose{}}, Interpolation::None}, options, 2000);
+  Pose end;
+  end.timeSeconds = 1;
+  end.translation = V3(1, 2, 0.5);
+  expectHeld("moving sheet", body, solid, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 
 TEST(Conservative, HoldsAfterSimplification) {
