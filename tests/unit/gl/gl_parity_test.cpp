@@ -143,7 +143,7 @@ TEST(GlParity, ACapsuleHasItsVolume) {
 }
 
 /// Shared meshes x 3 motions. All of them with SWEPT_LONG_TESTS=1; SWEPT_PARITY_RESOLUTION sets the
-/// resolution (64).
+/// resolution (64), SWEPT_PARITY_ONLY part of the mesh's name.
 TEST(GlParity, SharedMeshes) {
   const std::filesystem::path data = SWEPT_SHARED_DATA;
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
@@ -162,7 +162,9 @@ TEST(GlParity, SharedMeshes) {
   }
   const Trajectory keys = readTrajectoryCsv(
       (data / "motions/keyposes_16_from_tum_fr2_desk.csv").string(), 1, Interpolation::Linear);
+  const char* only = std::getenv("SWEPT_PARITY_ONLY");
   for (const std::string& name : names) {
+    if (only && name.find(only) == std::string::npos) continue;
     const TriMesh mesh = readMesh((data / "meshes" / (name + ".ply")).string());
     RunContext run;
     CheckedBody body = checkBody(mesh, Options{}, run);

@@ -103,6 +103,28 @@ TEST_P(AnalyticSweep, MeetsTheBars) {
   }
 }
 
+/// The same bars on the GPU backend; by one rule of components each, the mesh of the CPU.
+TEST_P(AnalyticSweep, MeetsTheBarsOnTheGpu) {
+  constexpr ComponentMethod kMethods[] = {
+      ComponentMethod::DualContouring, ComponentMethod::DualMarchingCubes,
+      ComponentMethod::Equivalence, ComponentMethod::Greedy, ComponentMethod::Consistent};
+  const Truth truth = placed(truths()[GetParam()], frames().back().placement);
+  Options options;
+  options.resolution = 33;
+  options.components = kMethods[GetParam() % 5];
+  RunContext run;
+  const Result cpu = compute(truth.body, truth.motion, options, run);
+  options.backend = Backend::Gpu;
+  const Result gpu = compute(truth.body, truth.motion, options, run);
+  if (gpu.report.status == Status::DeviceUnavailable) GTEST_SKIP() << gpu.report.message;
+  EXPECT_EQ(gpu.report.backend, "gpu");
+  ASSERT_EQ(gpu.report.status, cpu.report.status) << gpu.report.message;
+  EXPECT_EQ(gpu.mesh.vertices, cpu.mesh.vertices);
+  EXPECT_EQ(gpu.mesh.triangles, cpu.mesh.triangles);
+  options.components = Options{}.components;
+  expectTruth(truth, options, truth.name + "/gpu/33");
+}
+
 INSTANTIATE_TEST_SUITE_P(All, AnalyticSweep, testing::Range(0, static_cast<int>(truths().size())),
                          [](const auto& chosen) { return truths()[chosen.param].name; });
 

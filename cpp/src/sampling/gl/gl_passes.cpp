@@ -185,7 +185,11 @@ void GlPasses::drawAndWait(std::uint32_t elements, std::uint32_t instances,
   longestDraw_ = std::max(longestDraw_, seconds);
   if (settings_.adaptBatch) {
     const std::uint64_t drawn = std::uint64_t{elements} * instances;
-    if (seconds > kLongDraw) batch_ = std::max(kLeastBatch, std::min(batch_, drawn) / 2);
+    if (seconds > kLongDraw) {
+      const double share = std::min(0.5, 0.5 * (kLongDraw + kShortDraw) / seconds);
+      const auto fewer = static_cast<std::uint64_t>(share * static_cast<double>(drawn));
+      batch_ = std::max(kLeastBatch, std::min(batch_, fewer));
+    }
     if (seconds < kShortDraw && drawn * 2 > batch_) batch_ = std::min(kMostBatch, batch_ * 2);
   }
   afterDraw();

@@ -20,7 +20,7 @@ struct GlSettings {
   std::uint64_t budgetBytes = 0;  ///< marks, lists and chunks; 0: SWEPT_GL_MEMORY_MB or 192 MiB
   std::uint64_t chunkBytes = 0;   ///< placements or elements at one time; 0: from the limits
   double fenceTimeoutSeconds = 10;
-  std::uint32_t firstBatch = 16384;  ///< elements in the first draw; adapts from there
+  std::uint32_t firstBatch = 1024;  ///< elements in the first draw; adapts from there
   bool adaptBatch = true;
   std::uint64_t epochElements = 0xfffffff0u;  ///< elements that 32-bit numbers tell apart
 };
