@@ -2,7 +2,9 @@
 #include "check/near_pairs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
+#include <cmath>
 
 #include "base/parallel.h"
 #include "check/certainly_apart.h"
@@ -12,6 +14,7 @@ namespace swept {
 namespace {
 
 constexpr double kSlack = 1e-6;  ///< cells, far above rounding of the way into the frame
+constexpr std::size_t kBlock = 1024;
 
 template <class Visit>
 void forCells(const Eigen::Vector3i& low, const Eigen::Vector3i& high, const Visit& visit) {
@@ -22,78 +25,116 @@ void forCells(const Eigen::Vector3i& low, const Eigen::Vector3i& high, const Vis
   }
 }
 
+float below(double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); }
+float above(double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); }
+
 }  // namespace
 
-NearPairs::Box NearPairs::boxOf(std::int32_t triangle) const {
+NearPairs::Box NearPairs::boxOf(std::int32_t triangle, CellRange& cells) const {
   const auto& tri = mesh_.triangles[triangle];
   const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]], &c = mesh_.vertices[tri[2]];
-  Box box;
-  box.low = a.cwiseMin(b).cwiseMin(c);
-  box.high = a.cwiseMax(b).cwiseMax(c);
-  const auto cell = [&](const Eigen::Vector3d& x, double slack) -> Eigen::Vector3i {
-    return (((x - frame_.origin) / frame_.cell).array() + slack).floor().matrix().cast<int>();
-  };
-  box.lowCell = cell(box.low, -kSlack);
-  box.highCell = cell(box.high, kSlack);
-  return box;
+  const Eigen::Vector3d least = (a.cwiseMin(b).cwiseMin(c) - frame_.origin) / frame_.cell;
+  const Eigen::Vector3d most = (a.cwiseMax(b).cwiseMax(c) - frame_.origin) / frame_.cell;
+  const Eigen::Vector3d low = least.array() - kSlack, high = most.array() + kSlack;
+  cells.low = low.array().floor().matrix().cast<int>();
+  cells.high = high.array().floor().matrix().cast<int>();
+  return {{below(low[0]), below(low[1]), below(low[2])},
+          {above(high[0]), above(high[1]), above(high[2])},
+          triangle};
 }
 
-NearPairs::NearPairs(const TriMesh& mesh, const CellFrame& frame, std::vector<std::int32_t> members,
-                     RunContext& run)
-    : mesh_(mesh), frame_(frame), run_(run), members_(std::move(members)) {
+/// visit(key, above) for the bricks that hold these cells: cells (2m, 2m + 1) along each axis.
+template <class Visit>
+void NearPairs::forBricks(const CellRange& cells, const Visit& visit) {
+  const auto down = [](int cell) { return cell & ~1; };
+  const Eigen::Vector3i first = cells.low.unaryExpr(down);
+  for (int i = first[0]; i <= cells.high[0]; i += 2) {
+    for (int j = first[1]; j <= cells.high[1]; j += 2) {
+      for (int k = first[2]; k <= cells.high[2]; k += 2) {
+        visit(keyOf(i, j, k),
+              (i > first[0] ? 1u : 0u) | (j > first[1] ? 2u : 0u) | (k > first[2] ? 4u : 0u));
+      }
+    }
+  }
+}
+
+NearPairs::NearPairs(const TriMesh& mesh, const CellFrame& frame,
+                     const std::vector<std::int32_t>& members, RunContext& run)
+    : mesh_(mesh), frame_(frame), run_(run) {
   isMember_.assign(mesh.triangles.size(), 0);
-  for (const std::int32_t t : members_) isMember_[t] = 1;
-  boxes_.resize(members_.size());
-  parallelBlocks(members_.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t m = begin; m < end; ++m) boxes_[m] = boxOf(members_[m]);
+  boxes_.resize(members.size());
+  std::vector<CellRange> cells(members.size());
+  parallelBlocks(members.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      isMember_[members[m]] = 1;
+      boxes_[m] = boxOf(members[m], cells[m]);
+    }
   });
-  std::size_t count = 0;
-  for (const Box& box : boxes_) {
-    const Eigen::Vector3i size = box.highCell - box.lowCell + Eigen::Vector3i::Ones();
-    count += static_cast<std::size_t>(size.prod());
-  }
-  const int bucketBits = static_cast<int>(std::bit_width(2 * count + 2));
-  bucketShift_ = 64 - bucketBits;
-  bitShift_ = bucketShift_ - 3;
-  bits_.assign((std::size_t{1} << (bucketBits + 3)) / 64 + 1, 0);
-  start_.assign((std::size_t{1} << bucketBits) + 1, 0);
-  entries_.resize(count);
-  for (const Box& box : boxes_) {
-    forCells(box.lowCell, box.highCell, [&](int i, int j, int k) {
-      const std::uint64_t hash = hashOf(keyOf(i, j, k));
-      ++start_[hash >> bucketShift_];
-      bits_[hash >> bitShift_ >> 6] |= std::uint64_t{1} << (hash >> bitShift_ & 63);
-    });
-  }
+  enter(cells);
+}
+
+// Threads fill a bucket in any order: what is found is sorted.
+void NearPairs::enter(const std::vector<CellRange>& cells) {
+  constexpr std::size_t kMembersPerSlot = 16;
+  const int slotBits =
+      std::max(1, static_cast<int>(std::bit_width(cells.size() / kMembersPerSlot)));
+  slotShift_ = 64 - slotBits;
+  bits_.assign(std::size_t{1} << slotBits, 0);
+  start_.assign((std::size_t{8} << slotBits) + 1, 0);
+  parallelBlocks(cells.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      forCells(cells[m].low, cells[m].high, [&](int i, int j, int k) {
+        const Place place = placeOf(keyOf(i, j, k));
+        std::atomic_ref<std::uint64_t>(bits_[place.slot])
+            .fetch_or(std::uint64_t{1} << place.cell, std::memory_order_relaxed);
+      });
+      forBricks(cells[m], [&](std::uint64_t key, std::uint32_t) {
+        std::atomic_ref<std::uint32_t>(start_[bucketOf(key)])
+            .fetch_add(1, std::memory_order_relaxed);
+      });
+    }
+  });
   // Inclusive sums; the fill counts each bucket down to its start.
   std::uint32_t sum = 0;
   for (auto& value : start_) value = sum += value;
-  for (std::size_t m = boxes_.size(); m-- > 0;) {
-    forCells(boxes_[m].lowCell, boxes_[m].highCell, [&](int i, int j, int k) {
-      const std::uint64_t key = keyOf(i, j, k);
-      entries_[--start_[hashOf(key) >> bucketShift_]] = {key, static_cast<std::uint32_t>(m)};
-    });
+  entries_ = RawArray<Entry>(sum);
+  parallelBlocks(cells.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      forBricks(cells[m], [&](std::uint64_t key, std::uint32_t above) {
+        const std::uint32_t place = std::atomic_ref<std::uint32_t>(start_[bucketOf(key)])
+                                        .fetch_sub(1, std::memory_order_relaxed) -
+                                    1;
+        entries_[place] = {key, static_cast<std::uint32_t>(m), above};
+      });
+    }
+  });
+}
+
+bool NearPairs::anyBit(const CellRange& cells) const {
+  for (int i = cells.low[0]; i <= cells.high[0]; ++i) {
+    for (int j = cells.low[1]; j <= cells.high[1]; ++j) {
+      for (int k = cells.low[2]; k <= cells.high[2]; ++k) {
+        if (bit(keyOf(i, j, k))) return true;
+      }
+    }
   }
+  return false;
 }
 
 void NearPairs::ask(std::int32_t triangle, Pairs& out) const {
-  const Box box = boxOf(triangle);
-  forCells(box.lowCell, box.highCell, [&](int i, int j, int k) {
-    const std::uint64_t key = keyOf(i, j, k);
-    if (!bit(key)) return;
-    const std::uint64_t bucket = hashOf(key) >> bucketShift_;
+  CellRange cells;
+  const Box box = boxOf(triangle, cells);
+  if (!anyBit(cells)) return;
+  const bool isMember = isMember_[triangle] != 0;
+  forBricks(cells, [&](std::uint64_t key, std::uint32_t above) {
+    const std::size_t bucket = bucketOf(key);
     for (std::uint32_t e = start_[bucket]; e < start_[bucket + 1]; ++e) {
-      if (entries_[e].key != key) continue;
-      const std::int32_t member = members_[entries_[e].member];
-      if (member == triangle || (isMember_[triangle] != 0 && member > triangle)) continue;
+      // Two boxes share many bricks; the pair is asked in the lowest of them.
+      if (entries_[e].key != key || (entries_[e].above & above) != 0) continue;
       const Box& other = boxes_[entries_[e].member];
-      if ((box.low.array() > other.high.array()).any() ||
-          (other.low.array() > box.high.array()).any()) {
-        continue;
-      }
-      // Two boxes share many cells; the pair is asked in the lowest of them.
-      const Eigen::Vector3i first = box.lowCell.cwiseMax(other.lowCell);
-      if (first[0] != i || first[1] != j || first[2] != k) continue;
+      if (!box.meets(other)) continue;
+      const std::int32_t member = other.triangle;
+      if (member == triangle || (isMember && member > triangle)) continue;
       if (certainlyApart(mesh_, member, triangle)) continue;
       if (!trianglesIntersect(mesh_, member, triangle)) continue;
       if (hasNoArea(mesh_, member) || hasNoArea(mesh_, triangle)) continue;
@@ -104,8 +145,7 @@ void NearPairs::ask(std::int32_t triangle, Pairs& out) const {
 
 SelfIntersections NearPairs::find(const std::vector<std::int32_t>& others) const {
   SelfIntersections found;
-  if (members_.empty()) return found;
-  constexpr std::size_t kBlock = 1024;
+  if (boxes_.empty()) return found;
   std::vector<Pairs> parts((others.size() + kBlock - 1) / kBlock);
   parallelFor(parts.size(), [&](std::size_t p) {
     run_.checkpoint(Phase::Check);
