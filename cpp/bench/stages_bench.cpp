@@ -54,7 +54,7 @@ struct Scene {
     pairs = findSurfaceIntersections(raw, hermite, run);
     mended = raw;
     mendSelfIntersections(mended, hermite, pairs, run);
-    neighbours = findTopology(mended.mesh, run);
+    neighbours = findTopology(mended.mesh, false, run);
   }
   SamplerInput input() const { return {body.mesh, topology, motion, grid, true, body.orientable}; }
 

@@ -237,7 +237,7 @@ MeshCheck checkInArena(const TriMesh& mesh, MeshTopology& topology, SelfIntersec
   requireValidIndices(mesh);
   check.finite = allFinite(mesh);
   check.selfIntersections = -1;
-  topology = findTopology(mesh, run);
+  topology = findTopology(mesh, found != nullptr, run);
   check.shells = topology.shells;
   check.openEdges = topology.openEdges;
   check.nonManifoldEdges = topology.nonManifoldEdges;

@@ -9,6 +9,8 @@
 #include <atomic>
 #include <numeric>
 
+#include "base/union_find.h"
+
 namespace swept {
 namespace {
 
@@ -153,10 +155,10 @@ std::vector<std::uint32_t> someCorner(const TriMesh& mesh) {
   return corner;
 }
 
-void walkFans(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
+void walkFans(const TriMesh& mesh, bool withEntangled, MeshTopology& topology, RunContext& run) {
   const std::vector<std::uint32_t> corner = someCorner(mesh);
   std::vector<std::uint8_t> seen(3 * mesh.triangles.size(), 0);
-  topology.entangled.assign(mesh.vertices.size(), 0);
+  topology.entangled.assign(withEntangled ? mesh.vertices.size() : 0, 0);
   std::atomic<std::int64_t> unused{0};
   tbb::parallel_for(Range(0, mesh.vertices.size(), kGrain), [&](const Range& range) {
     run.checkpoint(Phase::Check);
@@ -173,7 +175,7 @@ void walkFans(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
       walk(mesh, topology.across, corner[v], true, fan);
       if (!fan.cycle) walk(mesh, topology.across, corner[v], false, fan);
       for (const std::uint32_t c : fan.corners) seen[c] = 1;
-      topology.entangled[v] = !isDisc(mesh, fan);
+      if (withEntangled) topology.entangled[v] = !isDisc(mesh, fan);
     }
     unused += unusedHere;
   });
@@ -187,32 +189,8 @@ void walkFans(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
   std::sort(second.begin(), second.end());
   second.erase(std::unique(second.begin(), second.end()), second.end());
   topology.nonManifoldVertices = static_cast<std::int64_t>(second.size());
+  if (!withEntangled) return;
   for (const std::int32_t v : second) topology.entangled[v] = 1;
-}
-
-std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
-  for (;;) {
-    const std::int32_t p = std::atomic_ref<std::int32_t>(parent[i]).load(std::memory_order_relaxed);
-    if (p == i) return i;
-    const std::int32_t q = std::atomic_ref<std::int32_t>(parent[p]).load(std::memory_order_relaxed);
-    if (q != p) std::atomic_ref<std::int32_t>(parent[i]).store(q, std::memory_order_relaxed);
-    i = q;
-  }
-}
-
-/// Links the larger root below the smaller one, so that the final roots do not depend on the order.
-void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
-  for (;;) {
-    a = findRoot(parent, a);
-    b = findRoot(parent, b);
-    if (a == b) return;
-    if (a > b) std::swap(a, b);
-    std::int32_t expected = b;
-    if (std::atomic_ref<std::int32_t>(parent[b]).compare_exchange_strong(
-            expected, a, std::memory_order_relaxed)) {
-      return;
-    }
-  }
 }
 
 void findShells(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
@@ -238,10 +216,10 @@ void findShells(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
 
 }  // namespace
 
-MeshTopology findTopology(const TriMesh& mesh, RunContext& run) {
+MeshTopology findTopology(const TriMesh& mesh, bool withEntangled, RunContext& run) {
   MeshTopology topology;
   joinAll(mesh, topology, run);
-  walkFans(mesh, topology, run);
+  walkFans(mesh, withEntangled, topology, run);
   findShells(mesh, topology, run);
   return topology;
 }

@@ -28,10 +28,11 @@ struct MeshTopology {
   RawArray<std::uint32_t> across;
   std::vector<std::int32_t> shellOf;  ///< per triangle; shells are numbered by their first triangle
   /// 1: the triangles round this vertex are not known to be free of each other. All others, seen
-  /// along some direction, lie round their vertex like the sectors of a disc, once round.
+  /// along some direction, lie round their vertex like the sectors of a disc, once round. Empty if
+  /// not asked for.
   std::vector<std::uint8_t> entangled;
 };
 
-MeshTopology findTopology(const TriMesh& mesh, RunContext& run);
+MeshTopology findTopology(const TriMesh& mesh, bool withEntangled, RunContext& run);
 
 }  // namespace swept

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mend/mend.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -24,7 +27,7 @@ using Triangle = std::array<std::int32_t, 3>;
 using Around = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 void sortUnique(std::vector<std::int32_t>& list) {
-  std::sort(list.begin(), list.end());
+  tbb::parallel_sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
@@ -32,7 +35,12 @@ void sortUnique(std::vector<std::int32_t>& list) {
 class Mender {
  public:
   Mender(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found, RunContext& run)
-      : surface_(surface), mesh_(surface.mesh), grid_(grid), run_(run), pairs_(found) {
+      : surface_(surface),
+        mesh_(surface.mesh),
+        grid_(grid),
+        run_(run),
+        blocks_(mesh_, grid.plan),
+        pairs_(found) {
     marked_.resize(mesh_.vertices.size());
     region_ = nearPairs(nullptr);
   }
@@ -55,10 +63,10 @@ class Mender {
         const auto at = before_.find(v);
         if (at != before_.end()) mesh_.vertices[v] += back * (at->second - mesh_.vertices[v]);
       }
-      const std::vector<std::int32_t> near = nearPairs(&region_);
       changed_ = touching(vertices, region_);
       sortUnique(changed_);
-      findAgain(near);
+      blocks_.update(mesh_, changed_);
+      findAgain(nearPairs(&region_));
     }
   }
 
@@ -84,43 +92,49 @@ class Mender {
     changed_ = round > 0 ? touching(vertices, near) : std::vector<std::int32_t>{};
     if (round != 1) fan(polygons);
     sortUnique(changed_);
+    blocks_.update(mesh_, changed_);
     findAgain(near);
   }
 
  private:
   std::vector<std::int32_t> nearPairs(const std::vector<std::int32_t>* among) const {
-    BlockSet blocks(grid_.plan);
-    for (const auto& [a, b] : pairs_.pairs) {
-      blocks.add(mesh_, a, kReachCells);
-      blocks.add(mesh_, b, kReachCells);
-    }
-    return trianglesIn(blocks, mesh_, among);
+    BlockSet near(blocks_);
+    parallelBlocks(pairs_.pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        near.add(mesh_, pairs_.pairs[n].first, kReachCells);
+        near.add(mesh_, pairs_.pairs[n].second, kReachCells);
+      }
+    });
+    return near.triangles(among);
   }
 
-  template <class Use>
-  void forTouching(const std::vector<std::int32_t>& vertices, const std::vector<std::int32_t>& near,
-                   const Use& use) {
+  /// What use(v, t, part) puts in its part for each corner v of a triangle t of `near` that is one
+  /// of the vertices.
+  template <class T, class Use>
+  std::vector<T> forTouching(const std::vector<std::int32_t>& vertices,
+                             const std::vector<std::int32_t>& near, const Use& use) {
     for (const std::int32_t v : vertices) marked_[v] = 1;
-    for (const std::int32_t t : near) {
-      for (const std::int32_t v : mesh_.triangles[t]) {
-        if (marked_[v] != 0) use(v, t);
+    std::vector<T> out = gather<T>(near.size(), [&](std::size_t n, std::vector<T>& part) {
+      for (const std::int32_t v : mesh_.triangles[near[n]]) {
+        if (marked_[v] != 0) use(v, near[n], part);
       }
-    }
+    });
     for (const std::int32_t v : vertices) marked_[v] = 0;
+    return out;
   }
   std::vector<std::int32_t> touching(const std::vector<std::int32_t>& vertices,
                                      const std::vector<std::int32_t>& near) {
-    std::vector<std::int32_t> out;
-    forTouching(vertices, near, [&](std::int32_t, std::int32_t t) { out.push_back(t); });
-    return out;
+    using List = std::vector<std::int32_t>;
+    return forTouching<std::int32_t>(
+        vertices, near, [](std::int32_t, std::int32_t t, List& part) { part.push_back(t); });
   }
   Around trianglesAround(const std::vector<std::int32_t>& vertices,
                          const std::vector<std::int32_t>& near) {
-    Around out;
-    forTouching(vertices, near, [&](std::int32_t v, std::int32_t t) {
-      if (surface_.crossingOf[t] != Surface::kNoCrossing) out.emplace_back(v, t);
-    });
-    std::sort(out.begin(), out.end());
+    Around out = forTouching<Around::value_type>(
+        vertices, near, [&](std::int32_t v, std::int32_t t, Around& part) {
+          if (surface_.crossingOf[t] != Surface::kNoCrossing) part.emplace_back(v, t);
+        });
+    tbb::parallel_sort(out.begin(), out.end());
     return out;
   }
 
@@ -226,14 +240,16 @@ class Mender {
   }
 
   /// Pairs of which neither triangle has changed stand; the rest is asked anew.
-  void findAgain(std::vector<std::int32_t> near) {
-    near.insert(near.end(), changed_.begin(), changed_.end());
-    sortUnique(near);
+  void findAgain(const std::vector<std::int32_t>& near) {
+    std::vector<std::int32_t> asked;
+    asked.reserve(near.size() + changed_.size());
+    std::set_union(near.begin(), near.end(), changed_.begin(), changed_.end(),
+                   std::back_inserter(asked));
     const auto isChanged = [&](std::int32_t t) {
       return std::binary_search(changed_.begin(), changed_.end(), t);
     };
     SelfIntersections next =
-        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(near);
+        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(asked);
     for (const auto& pair : pairs_.pairs) {
       if (!isChanged(pair.first) && !isChanged(pair.second)) next.pairs.push_back(pair);
     }
@@ -246,6 +262,7 @@ class Mender {
   TriMesh& mesh_;
   const HermiteGrid& grid_;
   RunContext& run_;
+  TriangleBlocks blocks_;
   SelfIntersections pairs_;
   std::vector<std::int32_t> region_;                          // triangles
   std::vector<std::uint8_t> marked_;                          // by vertex; zero between uses

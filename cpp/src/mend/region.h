@@ -1,38 +1,69 @@
 // The part of a surface near some of its triangles, chosen by blocks of cells.
-// Cost: one pass over the triangles; a bit a block of the grid.
+// Cost: a bit a block of the grid; a number a triangle, which is kept while its first corner stays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "contour/surface.h"
 
 namespace swept {
 
-class BlockSet {
+/// Block of every triangle's first corner.
+class TriangleBlocks {
  public:
-  explicit BlockSet(const GridPlan& plan);
-  /// All blocks within `reach` cells of the triangle's corners.
-  void add(const TriMesh& mesh, std::int32_t triangle, int reach);
-  /// Does the triangle's first corner lie in one of the blocks?
-  bool holds(const TriMesh& mesh, std::int32_t triangle) const;
+  TriangleBlocks(const TriMesh& mesh, const GridPlan& plan);
+  /// After the triangles or their corners have changed, or triangles have been added.
+  void update(const TriMesh& mesh, const std::vector<std::int32_t>& changed);
 
  private:
+  friend class BlockSet;
   static constexpr int kBlockCells = 8;
   Eigen::Vector3i cellOf(const Eigen::Vector3d& x) const;
   std::size_t number(const Eigen::Vector3i& block) const {
     return (static_cast<std::size_t>(block[0]) * size_[1] + block[1]) * size_[2] + block[2];
   }
+  std::uint32_t blockOf(const TriMesh& mesh, std::size_t triangle) const;
 
   GridPlan plan_;
   Eigen::Vector3i size_;
-  std::vector<bool> blocks_;
+  std::vector<std::uint32_t> of_;
 };
 
-/// Triangles of the surface, or of `among` if that is given, that the blocks hold; in rising order
-/// where `among` rises.
-std::vector<std::int32_t> trianglesIn(const BlockSet& blocks, const TriMesh& mesh,
-                                      const std::vector<std::int32_t>* among = nullptr);
+class BlockSet {
+ public:
+  explicit BlockSet(const TriangleBlocks& blocks);
+  /// All blocks within `reach` cells of the triangle's corners. Many threads may add at once.
+  void add(const TriMesh& mesh, std::int32_t triangle, int reach);
+  /// Does the triangle's first corner lie in one of the blocks?
+  bool holds(std::size_t triangle) const {
+    const std::uint32_t block = blocks_.of_[triangle];
+    return (bits_[block >> 6] >> (block & 63) & 1u) != 0;
+  }
+  /// Triangles of the surface, or of `among` if that is given, that the blocks hold; in rising
+  /// order where `among` rises.
+  std::vector<std::int32_t> triangles(const std::vector<std::int32_t>* among = nullptr) const;
+
+ private:
+  const TriangleBlocks& blocks_;
+  std::vector<std::uint64_t> bits_;
+};
+
+/// What use(n, part) puts in its part for n in [0, count), in the order of n.
+template <class T, class Use>
+std::vector<T> gather(std::size_t count, const Use& use) {
+  constexpr std::size_t kBlock = 1 << 15;
+  std::vector<std::vector<T>> parts(count / kBlock + 1);
+  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) use(n, parts[begin / kBlock]);
+  });
+  if (parts.size() == 1) return std::move(parts[0]);
+  std::vector<T> out;
+  for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+  return out;
+}
 
 }  // namespace swept

@@ -4,6 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "base/parallel.h"
+#include "base/union_find.h"
 
 namespace swept {
 namespace {
@@ -11,42 +16,118 @@ namespace {
 constexpr double kMostVolume = 0.01;  ///< cubic cells
 constexpr double kMostSize = 2;       ///< cells
 
+constexpr std::size_t kBlock = 1 << 14;
+
+/// Per vertex: the smallest vertex of its shell.
+std::vector<std::int32_t> shellsOf(const TriMesh& mesh, RunContext& run) {
+  std::vector<std::int32_t> shell(mesh.vertices.size());
+  std::iota(shell.begin(), shell.end(), 0);
+  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    run.checkpoint(Phase::Check);
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      unite(shell, a, b);
+      unite(shell, b, c);
+    }
+  });
+  for (std::size_t v = 0; v < shell.size(); ++v) shell[v] = shell[shell[v]];
+  return shell;
+}
+
+/// A shell, or what one block of vertices holds of it, known by its smallest vertex.
 struct Shell {
+  std::int32_t first = -1;
   Eigen::AlignedBox3d box;
-  Eigen::Vector3d origin;  // of the volume sum: near, so that little is lost
-  double volume = 0;       // six times
-  bool seen = false;
 };
 
-/// Which shells go.
+/// All shells, by their smallest vertices.
+std::vector<Shell> boxesOf(const TriMesh& mesh, const std::vector<std::int32_t>& shellOf) {
+  std::vector<std::vector<Shell>> parts(mesh.vertices.size() / kBlock + 1);
+  parallelBlocks(mesh.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<Shell>& part = parts[begin / kBlock];
+    std::unordered_map<std::int32_t, std::size_t> places;
+    std::size_t at = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+      if (part.empty() || part[at].first != shellOf[v]) {
+        const auto [place, fresh] = places.try_emplace(shellOf[v], part.size());
+        if (fresh) part.push_back({shellOf[v], {}});
+        at = place->second;
+      }
+      part[at].box.extend(mesh.vertices[v]);
+    }
+  });
+  std::vector<Shell> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Shell& a, const Shell& b) { return a.first < b.first; });
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    if (kept > 0 && all[kept - 1].first == all[n].first) {
+      all[kept - 1].box.extend(all[n].box);
+    } else {
+      all[kept++] = all[n];
+    }
+  }
+  all.resize(kept);
+  return all;
+}
+
+/// Six times the volumes of the small shells, by smallest vertex; none of a shell without
+/// triangles.
+std::unordered_map<std::int32_t, double> volumesOf(const TriMesh& mesh,
+                                                   const std::vector<std::int32_t>& shellOf,
+                                                   const std::vector<bool>& small) {
+  std::vector<std::vector<std::size_t>> parts(mesh.triangles.size() / kBlock + 1);
+  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (small[shellOf[mesh.triangles[t][0]]]) parts[begin / kBlock].push_back(t);
+    }
+  });
+  struct Sum {
+    Eigen::Vector3d origin;  // near, so that little is lost
+    double volume = 0;
+  };
+  std::unordered_map<std::int32_t, Sum> sums;
+  for (const auto& part : parts) {
+    for (const std::size_t t : part) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      Sum& sum = sums.try_emplace(shellOf[a], Sum{mesh.vertices[a]}).first->second;
+      const Eigen::Vector3d p = mesh.vertices[a] - sum.origin, q = mesh.vertices[b] - sum.origin,
+                            r = mesh.vertices[c] - sum.origin;
+      sum.volume += p.dot(q.cross(r));
+    }
+  }
+  std::unordered_map<std::int32_t, double> out;
+  for (const auto& [first, sum] : sums) out.emplace(first, sum.volume);
+  return out;
+}
+
+/// Marks the shells that go, by their smallest vertices.
 std::vector<bool> findSpecks(const TriMesh& mesh, const std::vector<std::int32_t>& shellOf,
                              double cell, Specks& found) {
-  const std::int32_t count = *std::max_element(shellOf.begin(), shellOf.end()) + 1;
-  std::vector<Shell> shells(count);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Shell& shell = shells[shellOf[t]];
-    const auto& [a, b, c] = mesh.triangles[t];
-    if (!shell.seen) shell.origin = mesh.vertices[a];
-    shell.seen = true;
-    for (const std::int32_t v : {a, b, c}) shell.box.extend(mesh.vertices[v]);
-    const Eigen::Vector3d p = mesh.vertices[a] - shell.origin, q = mesh.vertices[b] - shell.origin,
-                          r = mesh.vertices[c] - shell.origin;
-    shell.volume += p.dot(q.cross(r));
-  }
-  std::vector<bool> speck(count);
-  for (std::int32_t s = 0; s < count; ++s) {
-    const double volume = std::abs(shells[s].volume) / 6 / (cell * cell * cell);
-    const double size = shells[s].box.diagonal().norm() / cell;
-    if (volume >= kMostVolume || size >= kMostSize) continue;
-    speck[s] = true;
+  std::vector<bool> speck(mesh.vertices.size());
+  const std::vector<Shell> shells = boxesOf(mesh, shellOf);
+  if (shells.size() < 2) return speck;
+  const auto sizeOf = [&](const Shell& shell) { return shell.box.diagonal().norm() / cell; };
+  std::vector<bool> small(mesh.vertices.size());
+  for (const Shell& shell : shells) small[shell.first] = sizeOf(shell) < kMostSize;
+  const std::unordered_map<std::int32_t, double> volumes = volumesOf(mesh, shellOf, small);
+  bool others = false;
+  for (const Shell& shell : shells) {
+    const auto sum = volumes.find(shell.first);
+    if (small[shell.first] && sum == volumes.end()) continue;  // no triangle
+    const double volume =
+        small[shell.first] ? std::abs(sum->second) / 6 / (cell * cell * cell) : HUGE_VAL;
+    if (volume >= kMostVolume) {
+      others = true;
+      continue;
+    }
+    speck[shell.first] = true;
     ++found.count;
     found.largestVolume = std::max(found.largestVolume, volume);
-    found.largestSize = std::max(found.largestSize, size);
+    found.largestSize = std::max(found.largestSize, sizeOf(shell));
   }
-  if (found.count == count) {
-    found = {};
-    speck.assign(count, false);
-  }
+  if (!others) found = {};
   return speck;
 }
 
@@ -71,15 +152,15 @@ std::vector<std::int32_t> numberKept(const std::vector<bool>& kept) {
 
 }  // namespace
 
-Specks dropSpecks(Surface& surface, const std::vector<std::int32_t>& shellOf, double cell,
-                  SelfIntersections& pairs) {
+Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunContext& run) {
   Specks found;
   TriMesh& mesh = surface.mesh;
+  const std::vector<std::int32_t> shellOf = shellsOf(mesh, run);
   const std::vector<bool> speck = findSpecks(mesh, shellOf, cell, found);
   if (found.count == 0) return found;
   std::vector<bool> keepsTriangle(mesh.triangles.size()), keepsVertex(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    keepsTriangle[t] = !speck[shellOf[t]];
+    keepsTriangle[t] = !speck[shellOf[mesh.triangles[t][0]]];
     if (!keepsTriangle[t]) continue;
     for (const std::int32_t v : mesh.triangles[t]) keepsVertex[v] = true;
   }

@@ -2,7 +2,8 @@
 //
 // The sweep of a body that hangs together hangs together; where it is thinner than the grid can
 // see, single crossings beyond the thin part come out as shells of their own. They are dropped, and
-// told: a solid made from the envelope is one solid then. Cost: O(triangles) if there are any.
+// told: a solid made from the envelope is one solid then. Shells are told apart by their vertices.
+// Cost: O(triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,6 +12,7 @@
 
 #include "check/self_intersections.h"
 #include "contour/surface.h"
+#include "swept/run_context.h"
 
 namespace swept {
 
@@ -20,9 +22,8 @@ struct Specks {
   double largestSize = 0;    ///< cells, diagonal of the box
 };
 
-/// Drops shells of less than 0.01 cubic cells and 2 cells across, never the last shell. `shellOf`:
-/// per triangle; `pairs` are brought up to date.
-Specks dropSpecks(Surface& surface, const std::vector<std::int32_t>& shellOf, double cell,
-                  SelfIntersections& pairs);
+/// Drops shells of less than 0.01 cubic cells and 2 cells across, never the last shell; `pairs` are
+/// brought up to date.
+Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunContext& run);
 
 }  // namespace swept

@@ -380,8 +380,8 @@ class Run {
       pairs = findSurfaceIntersections(surface, hermite, run_);
       stage("intersections");
       if (pairs.count > 0) mend(surface, hermite, pairs);
-      report_.check = checkMesh(surface.mesh, topology_, run_);
       dropSpecks(surface, pairs);
+      report_.check = checkMesh(surface.mesh, topology_, run_);
       report_.check.selfIntersections = pairs.count;
       for (const auto& pair : pairs.pairs) {
         if (report_.check.firstIntersections.size() == 32) break;
@@ -410,11 +410,10 @@ class Run {
 
   /// A body that stands still may have parts this small; what it sweeps hangs together.
   void dropSpecks(Surface& surface, SelfIntersections& pairs) {
-    if (topology_.shells < 2 || !prepared_.motion.continuous || options_.conservative) return;
+    if (!prepared_.motion.continuous || options_.conservative) return;
     const double cell = prepared_.grid.cell;
-    const Specks specks = swept::dropSpecks(surface, topology_.shellOf, cell, pairs);
+    const Specks specks = swept::dropSpecks(surface, cell, pairs, run_);
     if (specks.count == 0) return;
-    report_.check = checkMesh(surface.mesh, topology_, run_);
     std::ostringstream text;
     text.precision(3);
     text << specks.count << " specks that hang on the envelope by less than the grid can see were "

@@ -26,9 +26,7 @@ void append(Surface& surface, const TriMesh& mesh, std::uint32_t crossing) {
 
 Specks drop(Surface& surface, SelfIntersections& pairs) {
   RunContext run;
-  MeshTopology topology;
-  checkMesh(surface.mesh, topology, run);
-  return dropSpecks(surface, topology.shellOf, 1, pairs);
+  return dropSpecks(surface, 1, pairs, run);
 }
 
 TEST(Specks, OnlyWhatIsFarSmallerThanACellGoes) {
