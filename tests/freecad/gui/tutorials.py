@@ -68,6 +68,8 @@ def robot_arm():
     panel = motion_panel.opened[-1]
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     assert table.rowCount() == 34
+    widest = max(len(table.item(r, c).text()) for r in range(34) for c in range(7))
+    assert widest <= 6, widest
     Gui.SendMsgToActiveView("ViewFit")
     choose("SweptVolumeInterpolation", "Spline")
     table.setCurrentCell(17, 1)

@@ -39,6 +39,12 @@ def actions():
     ]
 
 
+def short(number):
+    """A number that fits a narrow column; the tool tip and the key have all digits."""
+    digits = max(0, 4 - len(str(int(abs(number)))) - (number < 0))
+    return "{:g}".format(round(number, digits) + 0.0)
+
+
 class KeyTable(QtCore.QObject):
     """`wanted(name)`: an action; `typed(row, column, text)`: a cell; `chosen(row)`: the current key."""
 
@@ -61,6 +67,9 @@ class KeyTable(QtCore.QObject):
         )  # Tab leaves the table: the panel works without a mouse
         self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 8)
+        font = self.table.font()
+        font.setPointSizeF(font.pointSizeF() * 0.9)
+        self.table.setFont(font)
         self.table.itemChanged.connect(self._edited)
         self.table.currentCellChanged.connect(self._current)
         self.table.installEventFilter(self)
@@ -98,7 +107,7 @@ class KeyTable(QtCore.QObject):
 
     def _fill(self, keys, row):
         for column, number in enumerate((keys.times[row],) + as_numbers(keys.placements[row])):
-            item = QtWidgets.QTableWidgetItem("{:.6g}".format(round(number, 4) + 0.0))
+            item = QtWidgets.QTableWidgetItem(short(number))
             item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
             item.setToolTip("{:.9g} {}".format(number, UNITS[column]))
             self.table.setItem(row, column, item)
