@@ -2,8 +2,8 @@
 //
 // Made once for a body: its check, its topology and its clusters of faces stay warm, so that a call
 // costs little more than sampling and contouring at the preview's resolution. The motion is
-// followed less closely than in a full run (kPreviewChord); all else, the check and the promise of
-// compute() included, is the same.
+// followed less closely than in a full run (kPreviewChord), and thin walls may end up to a cell
+// early; all else, the check and the promise of compute() included, is the same.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -172,8 +172,10 @@ class Run {
   void envelope(const BodyTopology& topology) {
     const SamplerInput input = samplerInput(topology, options_.cull);
     HermiteGrid hermite = sample(topology, options_.cull);
-    const ElementProbe probe(input, elements_, hermite.winner);
-    Surface surface = contourUniform(hermite, options_, run_, &probe);
+    // In a preview the ends of thin walls are not worth the time that looking for them takes.
+    std::optional<ElementProbe> probe;
+    if (cache_ == nullptr) probe.emplace(input, elements_, hermite.winner);
+    Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
     std::vector<SweptElement>().swap(elements_);
     std::vector<std::uint32_t>().swap(hermite.winner);
     stage("contour");
