@@ -67,7 +67,7 @@ def demo():
     from sweptvolume.panels import motion_panel
 
     panel = motion_panel.opened[-1]
-    yield lambda: panel.preview.run is None
+    yield lambda: panel.preview.settled()
     Gui.Selection.clearSelection()
     panel.player.slider.setValue(430)
     yield 1.0

@@ -653,6 +653,22 @@ Versucht:
    <translation>Ergebnis</translation>
   </message>
   <message>
+   <source>Neighbour</source>
+   <translation>Nachbar</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Urteil</translation>
+  </message>
+  <message>
+   <source>at s</source>
+   <translation>bei s</translation>
+  </message>
+  <message>
+   <source>depth mm</source>
+   <translation>Tiefe mm</translation>
+  </message>
+  <message>
    <source>CSV...</source>
    <translation>CSV …</translation>
   </message>
@@ -663,6 +679,22 @@ Versucht:
   <message>
    <source>Colour the envelope by distance</source>
    <translation>Hülle nach Abstand einfärben</translation>
+  </message>
+  <message>
+   <source>clash: inside</source>
+   <translation>Kollision: innen</translation>
+  </message>
+  <message>
+   <source>contact: up to</source>
+   <translation>Berührung: bis</translation>
+  </message>
+  <message>
+   <source>too near: up to</source>
+   <translation>zu nah: bis</translation>
+  </message>
+  <message>
+   <source>clear: beyond</source>
+   <translation>frei: darüber</translation>
   </message>
   <message>
    <source>The envelope has changed since the check: check again.</source>
@@ -741,12 +773,20 @@ Versucht:
    <translation>Verfahren</translation>
   </message>
   <message>
+   <source>For recordings of very many poses: leaves out those that move no point farther than this from the last one kept; 0: uses all</source>
+   <translation>Für Aufzeichnungen mit sehr vielen Lagen: lässt solche aus, die keinen Punkt weiter als dies von der letzten behaltenen bewegen; 0: verwendet alle</translation>
+  </message>
+  <message>
    <source>Components</source>
    <translation>Flächenstücke</translation>
   </message>
   <message>
    <source>Backend</source>
    <translation>Rechenwerk</translation>
+  </message>
+  <message>
+   <source>Position filter</source>
+   <translation>Lagenfilter</translation>
   </message>
   <message>
    <source>Number of cells</source>
@@ -1222,6 +1262,10 @@ Versucht:
   <message>
    <source>Keep sealed hollow spaces as inner shells</source>
    <translation>Abgeschlossene Hohlräume als innere Schalen behalten</translation>
+  </message>
+  <message>
+   <source>Poses are left out while no point of the part has moved farther than this from the last one kept; 0: none</source>
+   <translation>Lagen werden ausgelassen, solange sich kein Punkt des Teils weiter als dies von der letzten behaltenen entfernt hat; 0: keine</translation>
   </message>
   <message>
    <source>How surface pieces inside one cell are told apart</source>

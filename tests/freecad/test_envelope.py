@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Envelope, solid, export: the main job in a document without a window."""
+import json
 import os
 
 import FreeCAD as App
@@ -191,6 +192,23 @@ class Envelope(Computed):
         found = envelope.Plan.of(obj).estimate()
         self.assertAlmostEqual(found["cell"], 0.5)
         self.assertTrue(all(a <= n <= a + 16 for n, a in zip(found["grid"], (80, 20, 20))), found)
+
+    def test_position_filter(self):
+        places = [shift(0.01 * k) for k in range(2001)]
+        self.part = self.box()
+        path = motion.motion_from_poses(self.doc, range(2001), places)
+        every = self.envelope([self.part], path)
+        few = self.envelope([self.part], path, PositionFilter=0.5)
+        for obj in (every, few):
+            envelope.compute(obj)
+        used = [json.loads(obj.Report)["refined_placements"] for obj in (every, few)]
+        self.assertEqual(every.Status, envelope.UP_TO_DATE)
+        self.assertLess(used[1], 100)
+        self.assertGreaterEqual(used[0], used[1])
+        self.assertAlmostEqual(few.Mesh.BoundBox.XMax, 30, delta=0.01)
+        few.PositionFilter = 0
+        self.doc.recompute()
+        self.assertEqual(few.Status, envelope.STALE)
 
 
 class SolidAndFiles(Computed):

@@ -9,6 +9,7 @@ import contextlib
 import importlib
 import os
 import sys
+import threading
 
 import FreeCAD as App
 import numpy as np
@@ -181,6 +182,41 @@ def compute(request, control):
     with _errors():
         found = module().compute(*_arguments(request), run=control.context, **request.options)
     return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
+
+
+class Sessions:
+    """Coarse runs of bodies whose motion is edited: what the core finds out about a body alone is
+    kept from run to run, for the last few bodies and settings. From any thread, one run at a time.
+    """
+
+    MOST = 4
+
+    def __init__(self):
+        self._kept, self._lock = [], threading.Lock()
+
+    def compute(self, request, control):
+        """As the module's compute()."""
+        with self._lock, _errors():
+            session = self._session(request)
+            _, _, motion, interpolation = _arguments(request)
+            found = session.compute(motion, interpolation, run=control.context)
+        return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
+
+    def _session(self, request):
+        for kept in self._kept:
+            known, session = kept
+            if known.options == request.options and (
+                np.array_equal(known.vertices, request.vertices)
+                and np.array_equal(known.triangles, request.triangles)
+            ):
+                self._kept.remove(kept)
+                break
+        else:
+            session = module().PreviewSession(
+                request.vertices, request.triangles, **request.options
+            )
+        self._kept = [(request, session)] + self._kept[: self.MOST - 1]
+        return session
 
 
 def join(outcomes, options, control):

@@ -37,7 +37,7 @@ def memory_limit():
 
 def preview_resolution():
     """Cells of the coarse envelope that follows the path editor."""
-    return max(8, _group().GetInt("PreviewResolution", 64))
+    return max(8, _group().GetInt("PreviewResolution", 128))
 
 
 def preview():

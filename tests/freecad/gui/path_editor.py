@@ -72,8 +72,9 @@ def scenario():
 
     # The coarse envelope follows: twenty edits one after the other.
     panel = motion_panel.opened[-1]
-    yield lambda: panel.preview.run is None
-    assert panel.coarse.surface.getNumChildren() == 1
+    yield panel.preview.settled
+    yield lambda: panel.coarse.group is None  # nothing is left to be drawn
+    assert panel.coarse.surface.getNumChildren() == 1 and panel.preview.fine_updates >= 1
     gaps, began, done = Gaps(), time.perf_counter(), panel.preview.updates
     for i in range(20):
         type_into(table, 3, 3, str(-250 - i))
@@ -83,7 +84,7 @@ def scenario():
     text = "preview: {:.1f} updates a second, longest gap {}"
     say(text.format(20 / seconds, gaps.stop()))
     type_into(table, 3, 3, "-254")
-    yield lambda: panel.preview.run is None
+    yield panel.preview.settled
     shot("14_preview")
     yield 0.5
     gaps = Gaps()

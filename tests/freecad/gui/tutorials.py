@@ -74,7 +74,7 @@ def robot_arm():
     choose("SweptVolumeInterpolation", "Spline")
     table.setCurrentCell(17, 1)
     Gui.Selection.clearSelection()
-    yield lambda: panel.preview.run is None
+    yield lambda: panel.preview.settled()
     yield 0.5
     shot("50_robot_arm")
     yield 0.8

@@ -149,6 +149,18 @@ _ACCURACY = [
         0,
     ),
     (
+        "App::PropertyLength",
+        "PositionFilter",
+        "Method",
+        mark(
+            "Properties",
+            "Poses are left out while no point of the part has moved farther than this from the last "
+            "one kept; 0: none",
+        ),
+        None,
+        0,
+    ),
+    (
         "App::PropertyEnumeration",
         "Components",
         "Method",
@@ -290,6 +302,7 @@ class Plan:
             "tolerance": float(v["Tolerance"]),
             "offset": float(v["Offset"]),
             "conservative": bool(v["Conservative"]),
+            "position_filter": float(v["PositionFilter"]),
             "keep_cavities": bool(v["KeepCavities"]),
             "components": COMPONENTS[v["Components"]],
             "backend": BACKENDS[v["Backend"]],
@@ -299,6 +312,8 @@ class Plan:
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
         options = self.options()
         del options["backend"]  # the surface is the same whoever computes it
+        if not options["position_filter"]:
+            del options["position_filter"]  # so are those made before there was one
         words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
         try:
             for group in self.groups():
@@ -350,7 +365,9 @@ class Plan:
 
     def union_options(self, requests):
         """Settings of the run that joins the envelopes of several groups."""
-        return dict(self.options(), cell=requests[0].options["cell"], offset=0.0)
+        return dict(
+            self.options(), cell=requests[0].options["cell"], offset=0.0, position_filter=0.0
+        )
 
     def estimate(self):
         """What the run would take, from the boxes of the parts alone: dict of the core."""
@@ -366,17 +383,17 @@ class Plan:
         return dict(most, seconds=sum(e["seconds"] for e in found))
 
 
-def work(requests, union_options, control):
+def work(requests, union_options, control, compute=core.compute):
     """Any thread: one envelope, or those of several groups and the outer surface of them all.
 
-    Raises core.CoreError.
+    `compute` runs one request. Raises core.CoreError.
     """
     if len(requests) == 1:
-        return core.compute(requests[0], control)
+        return compute(requests[0], control)
     found = []
     for k, request in enumerate(requests):
         control.enter(k, len(requests) + 1)
-        found.append(core.compute(request, control))
+        found.append(compute(request, control))
     control.enter(len(requests), len(requests) + 1)
     return core.join(found, union_options, control)
 

@@ -107,8 +107,14 @@ class ClearancePanel:
         self.summary.setObjectName("SweptVolumeClearanceSummary")
         self.table = QtWidgets.QTableWidget(0, 5)
         self.table.setObjectName("SweptVolumeClearanceTable")
-        heads = ("Neighbour", "Verdict", "mm", "at s", "depth mm")
-        self.table.setHorizontalHeaderLabels([translate("Panels", h) for h in heads])
+        heads = (
+            translate("Panels", "Neighbour"),
+            translate("Panels", "Verdict"),
+            "mm",
+            translate("Panels", "at s"),
+            translate("Panels", "depth mm"),
+        )
+        self.table.setHorizontalHeaderLabels(heads)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
@@ -138,7 +144,12 @@ class ClearancePanel:
         self.required_band = widgets.length(5.0, 0.0, 0.5)
         grid = QtWidgets.QGridLayout()
         grid.addWidget(self.coloured, 0, 0, 1, 3)
-        texts = ("clash: inside", "contact: up to", "too near: up to", "clear: beyond")
+        texts = (
+            translate("Panels", "clash: inside"),
+            translate("Panels", "contact: up to"),
+            translate("Panels", "too near: up to"),
+            translate("Panels", "clear: beyond"),
+        )
         fields = (None, self.contact_band, self.required_band, None)
         for k, (text, colour, field) in enumerate(zip(texts, BANDS, fields)):
             patch = QtWidgets.QLabel()
@@ -146,7 +157,7 @@ class ClearancePanel:
             style = "background: rgb({}, {}, {}); border: 1px solid #555;"
             patch.setStyleSheet(style.format(*(int(255 * c) for c in colour)))
             grid.addWidget(patch, k + 1, 0)
-            grid.addWidget(QtWidgets.QLabel(translate("Panels", text)), k + 1, 1)
+            grid.addWidget(QtWidgets.QLabel(text), k + 1, 1)
             if field is not None:
                 grid.addWidget(field, k + 1, 2)
                 field.valueChanged.connect(lambda *ignored: self._paint())

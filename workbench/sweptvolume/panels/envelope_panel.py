@@ -12,7 +12,7 @@ from ..texts import translate
 from ..views.ghost import CoarseEnvelope
 from . import widgets
 from .parts_box import PartsBox
-from .preview import Preview
+from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
 from .tasks import EnvelopeTask
 from .widgets import QtWidgets
@@ -30,6 +30,7 @@ DEFAULTS = {
     "Offset": 0.0,
     "Conservative": False,
     "KeepCavities": False,
+    "PositionFilter": 0.0,
     "Components": "Consistent",
     "Backend": "Auto",
 }
@@ -71,7 +72,7 @@ class EnvelopePanel:
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self.settled)
         self.coarse = None
-        self.preview = Preview(document, self.show_preview, self.report_preview)
+        self.preview = Preview(document, self.show_preview, self.report_preview, self.finest)
         self._connect()
         self.read_outs.show_result(obj)
 
@@ -132,8 +133,18 @@ class EnvelopePanel:
         rows = widgets.group(translate("Panels", "Method"), self.layout)
         self.components = widgets.choice(list(COMPONENTS), values["Components"])
         self.backend = widgets.choice(list(BACKENDS), values["Backend"])
+        self.filter = widgets.length(values["PositionFilter"])
+        widgets.hint(
+            self.filter,
+            translate(
+                "Panels",
+                "For recordings of very many poses: leaves out those that move no point farther than "
+                "this from the last one kept; 0: uses all",
+            ),
+        )
         rows.addRow(translate("Panels", "Components"), self.components)
         rows.addRow(translate("Panels", "Backend"), self.backend)
+        rows.addRow(translate("Panels", "Position filter"), self.filter)
 
     def _connect(self):
         self.by.currentIndexChanged.connect(self._accuracy_changed)
@@ -171,6 +182,7 @@ class EnvelopePanel:
             "Offset": float(self.offset.property("rawValue")),
             "Conservative": self.conservative.isChecked(),
             "KeepCavities": self.cavities.isChecked(),
+            "PositionFilter": float(self.filter.property("rawValue")),
             "Components": self.components.currentData(),
             "Backend": self.backend.currentData(),
         }
@@ -208,10 +220,15 @@ class EnvelopePanel:
         plan = self.plan()
         self.preview.want(plan.coarse_requests)
 
-    def show_preview(self, vertices, triangles):
+    def finest(self):
+        """Cells of the preview that follows the coarse one: those wanted, but a quick look is enough."""
+        by_cell = self.by.currentData() == "CellSize"
+        return MOST_CELLS if by_cell else min(self.resolution.value(), MOST_CELLS)
+
+    def show_preview(self, pieces):
         if self.coarse is None:
             self.coarse = CoarseEnvelope(self.document)
-        self.coarse.show(vertices, triangles)
+        self.coarse.show(pieces)
 
     def _remove_coarse(self):
         if self.coarse is not None and widgets.alive(self.document):

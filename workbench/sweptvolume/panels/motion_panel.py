@@ -16,12 +16,12 @@ from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
 from . import key_table, selection, widgets
 from .player import Player
-from .preview import Preview, request_for
+from .preview import MOST_CELLS, Preview, request_for
 from .tangent_box import TangentBox
 from .widgets import QtWidgets
 
-#: Ghosts are coarse: deflection as part of the part's box diagonal; most keys that get one.
-GHOST_DEFLECTION, MOST_GHOSTS = 0.01, 60
+#: Deflection of the part for ghosts and preview, of its box diagonal; most keys that get a ghost.
+GHOST_DEFLECTION, MOST_GHOSTS = 0.003, 60
 
 #: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
 opened = []
@@ -51,7 +51,7 @@ class MotionPanel:
         layout.addWidget(self.player)
         self._build_view(layout)
         layout.addStretch(1)
-        self.preview = Preview(document, self.show_preview, self.report_preview)
+        self.preview = Preview(document, self.show_preview, self.report_preview, lambda: MOST_CELLS)
         self._make_ghosts()
         self._connect()
         self.fill(0)
@@ -309,7 +309,7 @@ class MotionPanel:
             return
         if not self.preview_box.isChecked() or not len(self.keys):
             self.preview.stop()
-            self.coarse.show([], [])
+            self.coarse.clear()
             return
         rules = self.frame.currentData(), self.interpolation.currentData()
         keys = Keys(self.keys.times, self.keys.placements, self.keys.tangents)
@@ -319,9 +319,9 @@ class MotionPanel:
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))
 
-    def show_preview(self, vertices, triangles):
+    def show_preview(self, pieces):
         if self.coarse is not None and self.coarse.root is not None:
-            self.coarse.show(vertices, triangles)
+            self.coarse.show(pieces)
 
     def report_preview(self, text):
         self.preview_text.setText(text)

@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The coarse envelope that follows a panel: computed beside the GUI, newest wish wins, drawn in the
-view only."""
+"""The envelope that follows a panel: coarse while something changes, then fine; computed beside the GUI
+and drawn in the view only."""
 import numpy as np
+from PySide import QtCore
 
 from .. import convert, core, runner, settings
 from ..convert import InputProblem
 from ..features import envelope
 from ..runner import Task
 from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
+from ..views.ghost import pieces_of
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
-
-
+#: Cells of the fine envelope at most; more would keep the cores busy without being asked.
+MOST_CELLS = 192
+#: ms without a change before the fine envelope is computed.
+REST = 300
+#: s that a coarse run may take, and below which the next one may be finer by the factor STEP.
+SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
 #: Straight pieces of a smooth motion leave it by at most this part of the path's size.
 STRAIGHT = 1e-3
 
@@ -37,61 +43,100 @@ def request_for(body, poses, frame, interpolation, resolution):
 
 
 class _PreviewTask(Task):
+    """compute: core.compute, or that of sessions which know the body already."""
+
     writes = False
 
-    def __init__(self, document, requests, show):
+    def __init__(self, document, requests, compute, show):
         self.title = "Preview"
         self.document = document
-        self.requests = requests
+        self.requests, self.compute = requests, compute
         self.show = show
+        self.seconds = 0.0
 
     def work(self, control):
-        return envelope.work(self.requests, self.requests[0].options, control)
+        found = envelope.work(self.requests, self.requests[0].options, control, self.compute)
+        self.seconds = found.report["seconds"]["total"]
+        return pieces_of(found.vertices, found.triangles)
 
     def finish(self, value):
-        self.show(value.vertices, value.triangles)
+        self.show(value)
 
 
 class Preview:
-    """Keeps at most one run under way; a new wish takes its place.
+    """Keeps at most one run under way. While wishes come, each run takes the newest and is coarse; when
+    none came for a moment, a fine one follows and replaces what is shown.
 
-    A wish is a function: cells along the longest side -> requests for the core. show(vertices,
-    triangles) draws a result, report(text) tells of a failure ("": none).
+    A wish is a function: cells along the longest side -> requests for the core. show(pieces) draws
+    (views/ghost.py), report(text) tells of a failure ("": none), finest() gives the cells of the
+    fine run.
     """
 
-    def __init__(self, document, show, report):
-        self.document, self.show, self.report = document, show, report
-        self.run, self.next, self.updates = None, None, 0
+    def __init__(self, document, show, report, finest):
+        self.document, self.show, self.report, self.finest = document, show, report, finest
+        self.sessions = core.Sessions()
+        self.run, self.wish = None, None
+        self.waiting, self.fine = False, False
+        self.cells, self.adapts = settings.preview_resolution(), True
+        self.updates, self.fine_updates = 0, 0
+        self.timer = QtCore.QTimer()
+        self.timer.setSingleShot(True)
+        self.timer.timeout.connect(self._refine)
 
     def want(self, wish):
-        self.next = wish
+        self.wish, self.waiting = wish, True
+        self.timer.stop()
         if self.run is None:
-            self._start()
-        else:
+            self._start(fine=False)
+        elif self.fine:
             self.run.cancel()
 
-    def _start(self):
-        wish, self.next = self.next, None
-        if wish is None:
-            return
+    def settled(self):
+        """Whether nothing is under way and nothing is to follow."""
+        return self.run is None and not self.timer.isActive()
+
+    def _start(self, fine):
+        self.fine, finest = fine, self.finest()
+        if not fine:
+            self.waiting = False
+        compute = core.compute if fine else self.sessions.compute
         try:
-            requests = wish(settings.preview_resolution())
-            self.run = runner.start(_PreviewTask(self.document, requests, self.show))
+            requests = self.wish(finest if fine else min(self.cells, finest))
+            task = _PreviewTask(self.document, requests, compute, self.show)
+            self.run = runner.start(task)
         except (InputProblem, core.CoreMissing) as problem:
             self.report(str(problem))
             return
         self.run.ended.connect(self._ended)
 
+    def _refine(self):
+        if self.run is None and self.wish is not None and self.finest() > self.cells:
+            self._start(fine=True)
+
     def _ended(self, run):
         self.run = None
-        if run.state == "ok":
+        if run.state == "ok" and self.fine:
+            self.fine_updates += 1
+        elif run.state == "ok":
             self.updates += 1
+            self._adapt(run.task.seconds)
         if run.state != "cancelled":
             self.report(run.message)
-        self._start()
+        if self.waiting:
+            self._start(fine=False)
+        elif not self.fine:
+            self.timer.start(REST)
+
+    def _adapt(self, seconds):
+        """Coarser while runs take too long, finer again up to what the preferences want."""
+        if self.adapts and seconds > SLOW:
+            self.cells = max(LEAST_CELLS, int(self.cells * STEP))
+        elif self.adapts and seconds < QUICK:
+            self.cells = min(settings.preview_resolution(), int(self.cells / STEP) + 1)
 
     def stop(self):
-        self.next = None
+        self.wish, self.waiting = None, False
+        self.timer.stop()
         if self.run is not None:
             self.run.ended.disconnect(self._ended)
             self.run.cancel()

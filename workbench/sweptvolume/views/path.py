@@ -41,7 +41,7 @@ def frame_size(poses):
     """Length of the axes that suits a path (mm)."""
     points = pose_arrays(poses.placements)[0]
     size = float((points.max(axis=0) - points.min(axis=0)).max()) if len(points) else 0.0
-    return max(size * 0.05, 1.0)
+    return size * 0.05 or 1.0
 
 
 def _line(points, colour, width):

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How quickly the window answers: updates of the live preview while a key is dragged, at 128 cells, and
+the longest gap between ticks of the window's loop, then and during a compute. The figures are
+printed, not judged: they are those of the machine. Left out, with a line, where the data are absent."""
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Cancel,
+    Gaps,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    say,
+    select,
+    shot,
+)
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+DATA = os.path.join(HERE, "..", "..", "..", "..", "shared", "data")
+CASES = (("fandisk", "fandisk_13k"), ("bunny", "bunny_stanford_70k"))
+CELLS, SECONDS = 128, 4.0
+
+
+def dragging(panel, row):
+    """Moves a key as the mouse would, forty times a second; a generator."""
+    began, n, home = time.perf_counter(), 0, App.Placement(panel.keys.placements[row])
+    way = 0.05 * max(b.Base.distanceToPoint(home.Base) for b in panel.keys.placements)
+    base, back = panel.base(), panel.handle
+    while time.perf_counter() - began < SECONDS:
+        n += 1
+        place = App.Placement(home)
+        place.Base.z += way * (1 - abs(n % 40 - 20) / 20.0)
+        panel.dragged(place.multiply(base.inverse()).multiply(panel.body.placement).multiply(back))
+        yield 0.025
+
+
+def one(name, mesh_name):
+    import Mesh
+
+    from sweptvolume import runner
+    from sweptvolume.features import motion
+    from sweptvolume.panels import motion_panel
+
+    doc = new_document(name)
+    part = doc.addObject("Mesh::Feature", "Part")
+    part.Mesh = Mesh.Mesh(os.path.join(DATA, "meshes", mesh_name + ".ply"))
+    path = motion.motion_from_file(
+        doc, os.path.join(DATA, "motions", "keyposes_16_arc_for_{}.csv".format(name)), "mm"
+    )
+    path.Frame = "Relative"
+    doc.recompute()
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    select(part, path)
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield 0.5
+    Gui.Selection.clearSelection()
+    panel = motion_panel.opened[-1]
+    panel.preview.cells = CELLS
+    for adapts in (False, True):
+        panel.preview.adapts = adapts
+        yield panel.preview.settled
+        find(QtWidgets.QTableWidget, "SweptVolumeKeys").setCurrentCell(8, 1)
+        yield 0.5
+        gaps, done, began = Gaps(), panel.preview.updates, time.perf_counter()
+        yield from dragging(panel, 8)
+        rate = (panel.preview.updates - done) / (time.perf_counter() - began)
+        assert rate > 0, "the preview stood still while the key was dragged"
+        text = "{}, {} cells{}: {:.1f} previews a second, longest gap {}"
+        say(text.format(name, panel.preview.cells, " (adapted)" * adapts, rate, gaps.stop()))
+    gaps = Gaps()
+    yield panel.preview.settled
+    yield 0.5
+    say("{}: longest gap while the fine envelope follows: {}".format(name, gaps.stop()))
+    shot("60_latency_" + name)
+    yield 0.8
+    click(panel_button(Cancel))
+    yield no_panel
+
+    select(part, path)
+    Gui.runCommand("SweptVolume_Envelope")
+    yield 0.3
+    find(QtWidgets.QSpinBox, "SweptVolumeResolution").setValue(512)
+    yield 0.5
+    gaps = Gaps()
+    click(panel_button(QtWidgets.QDialogButtonBox.Ok))
+    yield 2.0
+    for task in runner.running():
+        task.cancel()
+    yield lambda: not runner.running()
+    say("{}: longest gap during a compute: {}".format(name, gaps.stop()))
+    if Gui.Control.activeDialog():
+        click(panel_button(Cancel))
+    yield no_panel
+    App.closeDocument(doc.Name)
+    yield
+
+
+def scenario():
+    open_workbench()
+    yield
+    for name, mesh_name in CASES:
+        if os.path.isfile(os.path.join(DATA, "meshes", mesh_name + ".ply")):
+            yield from one(name, mesh_name)
+        else:
+            say("{} skipped: the shared meshes are not here".format(name))
+
+
+run(scenario)
