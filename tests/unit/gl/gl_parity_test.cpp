@@ -42,7 +42,8 @@ Difference expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& 
   MarkedEdges marked = sampler.mark(run);
   const SignRuns signs = findOutside(marked, scene.grid, run);
   sampler.resolve(marked, signs, run);
-  const Difference d = compare(scene, marked, truth, signs);
+  Difference d = compare(scene, marked, truth, signs);
+  d.longestDraw = sampler.passes().longestDrawSeconds();
   EXPECT_EQ(d.edges, 0);  // band of 0: the two agree at every lattice point
   EXPECT_EQ(d.elements, 0);
   EXPECT_LE(d.largestFraction, 1e-6);
@@ -183,10 +184,10 @@ TEST(GlParity, SharedMeshes) {
       const Difference d = expectSame(device, scene);
       std::printf(
           "  %s, motion %d, %d: %lld crossings, %lld edges, %lld fractions, %lld elements "
-          "differ\n",
+          "differ; longest draw %.0f ms\n",
           name.c_str(), kind, resolution, static_cast<long long>(d.contributing),
           static_cast<long long>(d.edges), static_cast<long long>(d.fractions),
-          static_cast<long long>(d.elements));
+          static_cast<long long>(d.elements), 1000 * d.longestDraw);
       std::fflush(stdout);
     }
   }

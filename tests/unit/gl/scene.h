@@ -30,6 +30,7 @@ struct Difference {
   std::int64_t elements = 0;   ///< contributing crossings won by different elements
   double largestFraction = 0;  ///< cells
   std::int64_t contributing = 0;
+  double longestDraw = 0;  ///< s, of the GPU
 };
 /// Compares marks everywhere, crossings where an end is outside.
 Difference compare(const Scene& scene, const MarkedEdges& a, const MarkedEdges& b,
