@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,8 +27,11 @@ struct FaceClusters {
   std::vector<FaceCluster> clusters;
   std::vector<std::uint32_t> faces;        ///< faces by cluster
   std::vector<std::uint32_t> clusterOf;    ///< per face
+  std::vector<std::uint32_t> placeOf;      ///< per face: its place in `faces`
   std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
   std::vector<std::uint32_t> borderEdges;  ///< all others, by pair of clusters
+  /// Places in `faces` of the two faces at each of these edges; both of the left one at rims.
+  std::vector<std::array<std::uint32_t, 2>> innerSides, borderSides;
 
   /// Border edges that have one pair of clusters and the same sense of "same way".
   struct Border {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -36,9 +37,10 @@ class KeptElements {
       if (enclosed(hasBefore ? before_.ofCluster(c) : 0, hasAfter() ? after_.ofCluster(c) : 0)) {
         continue;
       }
-      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
-        const std::uint32_t f = clusters_.faces[cluster.firstFace + n];
-        if (!enclosed(hasBefore ? before_.ofFace(f) : 0, hasAfter() ? after_.ofFace(f) : 0)) use(f);
+      for (std::uint32_t at = cluster.firstFace; at < cluster.firstFace + cluster.faceCount; ++at) {
+        if (!enclosed(hasBefore ? before_.ofPlace(at) : 0, hasAfter() ? after_.ofPlace(at) : 0)) {
+          use(clusters_.faces[at]);
+        }
       }
     }
   }
@@ -46,30 +48,35 @@ class KeptElements {
   /// use(edge) for the side patches kept in the step that starts here; needs a step.
   template <class Use>
   void forPatches(const Use& use) const {
-    const auto patch = [&](std::uint32_t e) {
-      if (!input_.cull || !patchIsEnclosed(input_.topology.edges[e], after_)) use(e);
-    };
     for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
       if (input_.cull && after_.ofCluster(c) != 0) continue;
       const FaceCluster& cluster = clusters_.clusters[c];
-      for (std::uint32_t n = 0; n < cluster.edgeCount; ++n) {
-        patch(clusters_.innerEdges[cluster.firstEdge + n]);
+      for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
+        if (!input_.cull || !sameWay(clusters_.innerSides[n], false)) use(clusters_.innerEdges[n]);
       }
     }
     for (const FaceClusters::Border& border : clusters_.borders) {
-      if (input_.cull && border.right >= 0) {
+      const bool mayDrop = input_.cull && border.right >= 0;
+      if (mayDrop) {
         const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
         const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
         if (left != 0 && left == (border.opposed ? -right : right)) continue;
       }
-      for (std::uint32_t n = 0; n < border.edgeCount; ++n) {
-        patch(clusters_.borderEdges[border.firstEdge + n]);
+      for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
+        if (!mayDrop || !sameWay(clusters_.borderSides[n], border.opposed)) {
+          use(clusters_.borderEdges[n]);
+        }
       }
     }
   }
 
  private:
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
+  /// patchIsEnclosed() for an edge with two faces.
+  bool sameWay(const std::array<std::uint32_t, 2>& sides, bool opposed) const {
+    const int left = after_.ofPlace(sides[0]), right = after_.ofPlace(sides[1]);
+    return left != 0 && left == (opposed ? -right : right);
+  }
   bool enclosed(int before, int after) const {
     return input_.cull &&
            faceIsEnclosed(before, after, placement_ > 0, hasAfter(), input_.orientable);

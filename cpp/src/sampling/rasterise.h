@@ -89,13 +89,17 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
   const auto wa = static_cast<double>(w[0]), wb = static_cast<double>(w[1]),
              wc = static_cast<double>(w[2]);
   const bool wide = u1 - u0 > 8;
+  double perRow[3] = {0, 0, 0};
+  for (int i = 0; wide && i < 3; ++i) {
+    if (dv[i] != 0) perRow[i] = 1.0 / (static_cast<double>(dv[i]) * kSubUnits);
+  }
 
   for (std::int32_t v = v0; v <= v1; ++v) {
     std::int32_t first = u0, last = u1;
     if (wide) {  // narrow the row by each edge, one line to spare; the exact test decides
       for (int i = 0; i < 3; ++i) {
         if (dv[i] == 0) continue;
-        const double at = static_cast<double>(row[i]) / (static_cast<double>(dv[i]) * kSubUnits);
+        const double at = static_cast<double>(row[i]) * perRow[i];
         if (dv[i] > 0) {
           last = std::min(last, static_cast<std::int32_t>(std::min(at + u0 + 1, 1e6)));
         } else {

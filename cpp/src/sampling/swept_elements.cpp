@@ -32,7 +32,7 @@ FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& cl
     : input_(&input),
       clusters_(&clusters),
       clusterDirection_(clusters.clusters.size()),
-      faceDirection_(input.body.triangles.size()) {
+      placeDirection_(input.body.triangles.size()) {
   for (const FaceCluster& c : clusters.clusters) {
     farthest_ = std::max(farthest_, c.centre.norm() + c.radius);
   }
@@ -106,13 +106,17 @@ void FaceDirections::compute(std::size_t k) {
   step.rounding = 1e-6f * static_cast<float>(step.shift.norm() + step.angle * farthest_);
   for (std::size_t c = 0; c < clusterDirection_.size(); ++c) {
     const FaceCluster& cluster = clusters_->clusters[c];
-    clusterDirection_[c] = static_cast<std::int8_t>(decideCluster(cluster, step));
-    if (clusterDirection_[c] != 0) continue;
-    for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
-      const std::uint32_t at = cluster.firstFace + n, face = clusters_->faces[at];
+    const auto whole = static_cast<std::int8_t>(decideCluster(cluster, step));
+    clusterDirection_[c] = whole;
+    const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
+    if (whole != 0) {
+      std::fill(placeDirection_.begin() + first, placeDirection_.begin() + end, whole);
+      continue;
+    }
+    for (std::uint32_t at = first; at < end; ++at) {
       const int direction = decideBall(clusters_->balls[at], step);
-      faceDirection_[face] =
-          static_cast<std::int8_t>(direction != 0 ? direction : decideFace(face, step));
+      placeDirection_[at] = static_cast<std::int8_t>(
+          direction != 0 ? direction : decideFace(clusters_->faces[at], step));
     }
   }
 }

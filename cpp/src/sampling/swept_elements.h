@@ -30,10 +30,9 @@ class FaceDirections {
 
   /// -1, 0 (mixed, or known only face by face) or +1.
   int ofCluster(std::size_t cluster) const { return clusterDirection_[cluster]; }
-  int ofFace(std::size_t face) const {
-    const int whole = clusterDirection_[clusters_->clusterOf[face]];
-    return whole != 0 ? whole : faceDirection_[face];
-  }
+  int ofFace(std::size_t face) const { return ofPlace(clusters_->placeOf[face]); }
+  /// By its place in FaceClusters::faces.
+  int ofPlace(std::size_t place) const { return placeDirection_[place]; }
 
  private:
   struct Step;
@@ -44,7 +43,7 @@ class FaceDirections {
   const SamplerInput* input_;
   const FaceClusters* clusters_;
   double farthest_ = 0;  // mm, of the body from its origin
-  std::vector<std::int8_t> clusterDirection_, faceDirection_;
+  std::vector<std::int8_t> clusterDirection_, placeDirection_;
 };
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,

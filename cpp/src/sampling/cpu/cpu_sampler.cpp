@@ -22,7 +22,10 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   const std::size_t faces = input.body.triangles.size();
   std::vector<WorkItem> items;
   if (input.motion.continuous) {
-    const std::size_t group = std::max<std::size_t>(1, placements / 128);
+    // What moves outward is decided once a step within an item, and once more where two items meet.
+    // A cache keeps items of one placement, of motions that are not long.
+    const std::size_t longest = input.cache != nullptr && placements < 256 ? placements : 48;
+    const std::size_t group = std::max<std::size_t>(1, placements / longest);
     for (std::size_t k = 0; k < placements; k += group) {
       items.push_back({k, std::min(k + group, placements), 0, faces});
     }
