@@ -12,6 +12,8 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kBlock = 2048;
+constexpr double kLong = 3;  ///< cells: longer triangles are of a surface already simplified
+constexpr int kSteps = 32;   ///< of points spread along a side
 
 struct Part {
   double largest = 0;
@@ -34,8 +36,9 @@ double forward(const DeviationInput& in, std::vector<std::int32_t>& bad) {
   std::vector<Part> parts((n + kBlock - 1) / kBlock);
   parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
     Part& part = parts[begin / kBlock];
+    std::int32_t hint = -1;
     for (std::size_t v = begin; v < end; ++v) {
-      const double d = nearest.query(in.originalPoints[v], 1e300, floor);
+      const double d = nearest.query(in.originalPoints[v], 1e300, floor, hint);
       part.largest = std::max(part.largest, d);
       if (d > allowed) part.bad.push_back(static_cast<std::int32_t>(v));
     }
@@ -44,17 +47,23 @@ double forward(const DeviationInput& in, std::vector<std::int32_t>& bad) {
   std::vector<Part> inner((in.originalTriangles.size() + kBlock - 1) / kBlock);
   parallelBlocks(in.originalTriangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     Part& part = inner[begin / kBlock];
+    std::int32_t hint = -1;
     for (std::size_t t = begin; t < end; ++t) {
       const auto& tri = in.originalTriangles[t];
       const auto &a = in.originalPoints[tri[0]], &b = in.originalPoints[tri[1]],
                  &c = in.originalPoints[tri[2]];
       double farthest = 0;
-      constexpr std::array<std::array<double, 2>, 7> kInner = {
-          {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
-      for (const auto& [u, w] : kInner) {
-        const Eigen::Vector3d p = a + u * (b - a) + w * (c - a);
-        if (!in.creased[t]) break;
-        farthest = std::max(farthest, nearest.query(p, 1e300, floor));
+      const auto ask = [&](const Eigen::Vector3d& p) {
+        farthest = std::max(farthest, nearest.query(p, 1e300, floor, hint));
+        return false;
+      };
+      if (std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}) >
+          kLong * kLong) {
+        spreadPoints(a, b, c, kSteps, ask);
+      } else if (in.creased[t]) {
+        constexpr std::array<std::array<double, 2>, 7> kInner = {
+            {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
+        for (const auto& [u, w] : kInner) ask(a + u * (b - a) + w * (c - a));
       }
       part.largest = std::max(part.largest, farthest);
       if (farthest > allowed) part.bad.insert(part.bad.end(), tri.begin(), tri.end());
@@ -69,12 +78,13 @@ double backward(const DeviationInput& in, double enough, std::vector<std::int32_
   std::vector<Part> parts((in.triangles.size() + kTriangles - 1) / kTriangles);
   parallelBlocks(in.triangles.size(), kTriangles, [&](std::size_t begin, std::size_t end) {
     Part& part = parts[begin / kTriangles];
+    std::int32_t hint = -1;
     for (std::size_t t = begin; t < end; ++t) {
       const auto& c = in.triangles[t];
       double farthest = 0;
-      spreadPoints(in.points[c[0]], in.points[c[1]], in.points[c[2]],
+      spreadPoints(in.points[c[0]], in.points[c[1]], in.points[c[2]], kSteps,
                    [&](const Eigen::Vector3d& p) {
-                     farthest = std::max(farthest, in.original.query(p, 1e300, floor));
+                     farthest = std::max(farthest, in.original.query(p, 1e300, floor, hint));
                      return false;
                    });
       part.largest = std::max(part.largest, farthest);

@@ -18,9 +18,13 @@ constexpr double kLeastCosine = 0.2;    ///< a triangle may turn by less than 78
 constexpr double kLeastShape = 0.01;    ///< height / longest side of a new triangle
 constexpr double kLengthWeight = 1e-3;  ///< of tolerance^2: long edges of flat parts go last
 constexpr double kRankCut = 1e-3;
-/// Of tolerance^2: where the mean squared distance is less, no points are spread.
+/// Of tolerance^2: where the mean squared distance is less, no points are
+/// spread on large meshes.
 constexpr double kFlatShare = 0.02;
-constexpr double kNetShare = 0.96;  ///< of tolerance^2: limit of points on new triangles
+constexpr std::size_t kLarge = 50'000;  ///< triangles; on smaller meshes points are always spread
+constexpr int kNetSteps = 32;        ///< of points on new triangles; the result is measured closer
+constexpr double kNearShare = 0.05;  ///< of a sample's squared limit
+constexpr double kNetShare = 0.96;   ///< of tolerance^2: limit of points on new triangles
 
 struct Candidate {
   double cost;
@@ -41,6 +45,7 @@ class Collapser {
         original_(original),
         tolerance_(tolerance),
         run_(run),
+        large_(mesh.triangles.size() > kLarge),
         around_(mesh.vertices.size()),
         stamp_(mesh.vertices.size(), 0),
         first_(mesh.triangles.size(), -1),
@@ -138,7 +143,7 @@ class Collapser {
     }
     // The mean distance of the planes is no more than the largest: no need to look at samples.
     const double weight = a.quadric.weight + b.quadric.weight;
-    best.flat = error <= weight * kFlatShare * tolerance_ * tolerance_;
+    best.flat = large_ && error <= weight * kFlatShare * tolerance_ * tolerance_;
     best.possible = error <= weight * tolerance_ * tolerance_;
     best.cost = error + kLengthWeight * tolerance_ * tolerance_ * length2;
     return best;
@@ -199,8 +204,13 @@ class Collapser {
         const double limit = static_cast<double>(samples_.limit[s]) * samples_.limit[s];
         double best = 1e300;
         std::int32_t nearest = -1;
-        // Where it lay before is likely where it lies now.
-        for (std::size_t n = 0; n < newTriangles_.size(); ++n) {
+        // Where it lay before is likely where it lies now; near enough there, none else is asked.
+        const auto before = std::find(kept_.begin(), kept_.end(), t);
+        if (before != kept_.end()) {
+          nearest = static_cast<std::int32_t>(before - kept_.begin());
+          best = distance(s, newTriangles_[nearest]);
+        }
+        for (std::size_t n = 0; n < newTriangles_.size() && best > kNearShare * limit; ++n) {
           const double d = distance(s, newTriangles_[n]);
           if (d < best) {
             best = d;
@@ -217,10 +227,11 @@ class Collapser {
   /// Points spread over the new triangles lie within the tolerance of the original.
   bool trianglesHold() const {
     const double limit = kNetShare * tolerance_ * tolerance_;
+    std::int32_t hint = -1;
     for (const Corners& t : newTriangles_) {
-      const bool far = spreadPoints(at(t[0]), at(t[1]), at(t[2]), [&](const Vector3d& p) {
-        return original_.query(p, 2 * limit, limit) > limit;
-      });
+      const bool far = spreadPoints(
+          at(t[0]), at(t[1]), at(t[2]), kNetSteps,
+          [&](const Vector3d& p) { return original_.query(p, 2 * limit, limit, hint) > limit; });
       if (far) return false;
     }
     return true;
@@ -319,6 +330,7 @@ class Collapser {
   const NearestTriangle& original_;
   double tolerance_;
   RunContext& run_;
+  bool large_;
   std::vector<std::vector<std::int32_t>> around_;
   std::vector<std::uint32_t> stamp_;
   std::vector<std::int32_t> first_, next_;  ///< samples of a triangle, chained

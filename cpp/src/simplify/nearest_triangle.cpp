@@ -90,7 +90,8 @@ NearestTriangle::NearestTriangle(const std::vector<Eigen::Vector3d>& vertices,
   }
 }
 
-double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double enough) const {
+double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double enough,
+                              std::int32_t& hint) const {
   struct Item {
     double distance;
     std::int32_t level;
@@ -99,6 +100,15 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
   std::array<Item, 128> stack;
   int size = 0;
   double best = limit;
+  const auto ask = [&](std::int32_t t) {
+    const auto& tri = triangles_[t];
+    const double d = squaredDistance(p, vertices_[tri[0]], vertices_[tri[1]], vertices_[tri[2]]);
+    if (d >= best) return;
+    best = d;
+    hint = t;
+  };
+  if (hint >= 0) ask(hint);
+  if (best <= enough) return best;
   const auto toBox = [&](const Box& box) {
     return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).squaredNorm();
   };
@@ -109,9 +119,7 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
     if (item.level == 0) {
       const std::size_t end = std::min(order_.size(), std::size_t{4} * item.index + 4);
       for (std::size_t t = std::size_t{4} * item.index; t < end; ++t) {
-        const auto& tri = triangles_[order_[t]];
-        best = std::min(
-            best, squaredDistance(p, vertices_[tri[0]], vertices_[tri[1]], vertices_[tri[2]]));
+        ask(order_[t]);
       }
       if (best <= enough) return best;
       continue;

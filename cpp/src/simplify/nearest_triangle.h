@@ -22,7 +22,13 @@ class NearestTriangle {
 
   /// Squared distance from p to the mesh. Stops early as soon as a distance of `enough` or less is
   /// found; returns `limit` if nothing lies nearer than that.
-  double query(const Eigen::Vector3d& p, double limit, double enough) const;
+  double query(const Eigen::Vector3d& p, double limit, double enough) const {
+    std::int32_t hint = -1;
+    return query(p, limit, enough, hint);
+  }
+  /// The same for points that follow each other: `hint`, the triangle found last (-1: none), is
+  /// asked first, and where it is near enough no other.
+  double query(const Eigen::Vector3d& p, double limit, double enough, std::int32_t& hint) const;
 
  private:
   struct Box {

@@ -21,6 +21,10 @@ constexpr double kSampleShare = 0.95;
 constexpr double kMeasuredShare = 0.85;
 constexpr double kCreaseCut = 0.002;  ///< of the largest eigenvalue: a turn of some 5 degrees
 constexpr int kRounds = 6;
+constexpr int kCutTurns = 1;  ///< of splitting one node at a time; then down to the vertex
+constexpr double kBaseTolerance = 0.02;  ///< cells
+constexpr double kBaseAccepted = 0.03;   ///< cells: no second round for less
+constexpr double kBaseCells = 0.08;      ///< tolerances from here on are cut from the base
 
 /// One attempt to simplify: which vertices of the original must be left closer than others.
 class Attempt {
@@ -52,7 +56,6 @@ class Attempt {
     measure(findPairs, run);
   }
 
-  bool within() const { return deviation_.largest() <= tolerance_; }
   std::int64_t intersections() const { return static_cast<std::int64_t>(meeting_.size()); }
   double deviation() const { return deviation_.largest(); }
   std::size_t treeTriangles() const { return treeTriangles_; }
@@ -91,7 +94,7 @@ class Attempt {
 
   /// The tree's error is a mean; nodes with a vertex beyond its limit are split.
   TreeCut cutWithinLimits(RunContext& run) {
-    for (;;) {
+    for (int turn = 0;; ++turn) {
       TreeCut cut = cutTree(tree_, triangles_, kTreeShare * tolerance_, blocked_, run);
       std::vector<std::uint8_t> bad(points_.size(), 0);
       const std::vector<std::int32_t> start = cornersOf(cut);
@@ -110,7 +113,9 @@ class Attempt {
       bool any = false;
       for (std::size_t s = 0; s < bad.size(); ++s) {
         if (!bad[s]) continue;
-        blocked_[cut.node[s]] = 1;
+        const std::int32_t node = cut.node[s];
+        std::int32_t at = turn < kCutTurns ? node : tree_.nodes()[s].parent;
+        for (; !blocked_[node]; at = tree_.nodes()[at].parent) blocked_[at] = 1;
         any = true;
       }
       if (!any) return cut;
@@ -228,18 +233,40 @@ SimplifyTree::SimplifyTree(TriMesh mesh, std::vector<double> contactTime, const 
   nearest_ = std::make_unique<NearestTriangle>(points_, mesh_.triangles);
 }
 
+const SimplifyTree::Base& SimplifyTree::base(const PairFinder& findPairs, RunContext& run) const {
+  const std::lock_guard lock(baseMutex_);
+  if (base_.tree == nullptr) {
+    Simplified cut =
+        cutFromHere(kBaseTolerance * plan_.cell, kBaseAccepted * plan_.cell, findPairs, run);
+    base_.tree =
+        std::make_unique<SimplifyTree>(std::move(cut.mesh), std::move(cut.contactTime), plan_, run);
+    base_.deviation = cut.deviation;
+  }
+  return base_;
+}
+
 Simplified SimplifyTree::cut(double tolerance, const PairFinder& findPairs, RunContext& run) const {
-  Attempt attempt(tree_, points_, mesh_.triangles, creased_, *nearest_,
-                  kMeasuredShare * tolerance / plan_.cell);
+  if (tolerance < kBaseCells * plan_.cell) return cutFromHere(tolerance, 0, findPairs, run);
+  const Base& from = base(findPairs, run);
+  Simplified out = from.tree->cutFromHere(tolerance - from.deviation, 0, findPairs, run);
+  out.deviation += from.deviation;
+  return out;
+}
+
+Simplified SimplifyTree::cutFromHere(double tolerance, double accepted, const PairFinder& findPairs,
+                                     RunContext& run) const {
+  const double wanted = kMeasuredShare * tolerance / plan_.cell;
+  accepted = std::max(accepted / plan_.cell, wanted);
+  Attempt attempt(tree_, points_, mesh_.triangles, creased_, *nearest_, wanted);
   Simplified out;
   for (int round = 0; round < kRounds; ++round) {
     attempt.run(findPairs, run);
     out.rounds = round + 1;
-    if (attempt.within() && attempt.intersections() == 0) break;
+    if (attempt.deviation() <= accepted && attempt.intersections() == 0) break;
     if (round + 1 < kRounds) attempt.tighten(round);
   }
   out.treeTriangles = attempt.treeTriangles();
-  if (!attempt.within()) {
+  if (attempt.deviation() > accepted) {
     out.mesh = mesh_;
     out.contactTime = contactTime_;
     out.featureEdges = featureEdges();
