@@ -2,6 +2,7 @@
 #include "contour/dual_surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <tuple>
 #include <unordered_set>
@@ -106,11 +107,12 @@ class LayerBuilder {
                std::vector<DualVertex>& vertices) {
     const Crossing* crossings = grid_.crossings.data();
     finder_.find(cell, crossings, components_);
-    std::array<Qef, kSlots / 2> qefs;
+    auto& qefs = qefs_;
+    std::fill_n(qefs.begin(), components_.count, Qef());
     std::array<float, kSlots / 2> times;
     const auto base = static_cast<std::uint32_t>(vertices.size());
-    for (int slot = 0; slot < kSlots; ++slot) {
-      const int component = components_.of[slot];
+    for (std::uint32_t left = cell.mask; left != 0; left &= left - 1) {
+      const int slot = std::countr_zero(left), component = components_.of[slot];
       if (component < 0) continue;
       const std::uint32_t index = cell.crossing(slot);
       const Crossing& crossing = crossings[index];
@@ -224,7 +226,8 @@ class LayerBuilder {
   CellColumn column_;
   Components components_;
   LayerNotes* notes_ = nullptr;
-  std::vector<DualVertex> twins_;  // of the cell at hand, numbered after its components
+  std::array<Qef, kSlots / 2> qefs_;  // of the cell at hand
+  std::vector<DualVertex> twins_;     // of the cell at hand, numbered after its components
   bool segments_;
   const SurfaceProbe* probe_;
 };

@@ -2,6 +2,7 @@
 #include "contour/wall_end.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -25,12 +26,25 @@ struct Point {
   Eigen::Vector3d position, normal;
 };
 
+/// False if all crossings are of one side: nothing to look for, which is what nearly every
+/// component says.
+bool spread(const Cell& cell, const Components& components, int component,
+            const Crossing* crossings) {
+  Eigen::Vector3d first;
+  bool any = false, found = false;
+  for (std::uint32_t left = cell.mask; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    if (components.of[slot] != component) continue;
+    const Eigen::Vector3d normal = crossings[cell.crossing(slot)].normal.cast<double>();
+    if (!any) first = normal;
+    any = true;
+    found |= first.dot(normal) < 0.3;
+  }
+  return found;
+}
+
 /// The direction across the wall, if two normals of the component are opposed.
 std::optional<Eigen::Vector3d> across(const std::vector<Point>& points) {
-  // All of one side: nothing to look for, which is what nearly every component says.
-  bool spread = false;
-  for (const Point& p : points) spread |= points[0].normal.dot(p.normal) < 0.3;
-  if (!spread) return std::nullopt;
   double least = kOpposed;
   std::optional<Eigen::Vector3d> best;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -143,6 +157,7 @@ void findFolds(const Cell& cell, const Components& components, int component,
 bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                  int component, const Crossing* crossings, const SurfaceProbe& probe,
                  WallEnd& out) {
+  if (!spread(cell, components, component, crossings)) return false;
   std::vector<Point> points;
   std::vector<std::uint32_t> indices;
   for (int slot = 0; slot < kSlots; ++slot) {
