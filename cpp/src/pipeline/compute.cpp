@@ -22,6 +22,7 @@
 #include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
 #include "pipeline/grown_sweep.h"
+#include "pipeline/pilot.h"
 #include "pipeline/plan.h"
 #include "sampling/body_topology.h"
 #include "sampling/cavities.h"
@@ -119,13 +120,14 @@ class Run {
 
     planRun(prepared_, options_, run_);
     describePlan();
-    const Estimate e = estimateOf(prepared_, options_);
-    report_.estimatedMemoryBytes = e.memoryBytes;
-    cpuSeconds_ = e.seconds;
-    requireMemory(e, run_);
     BodyTopology own;
     if (topologyOfBody_ == nullptr) own = buildTopology(prepared_.body.mesh);
     const BodyTopology& topology = topologyOfBody_ != nullptr ? *topologyOfBody_ : own;
+    Estimate e = estimateOf(prepared_, options_);
+    if (!fitsMemory(e, run_)) e = estimateByPilot(e, prepared_, topology, options_, run_);
+    report_.estimatedMemoryBytes = e.memoryBytes;
+    cpuSeconds_ = e.seconds;
+    requireMemory(e, run_);
     stage("motion");
 
     if (options_.offset > 0 || options_.conservative) {

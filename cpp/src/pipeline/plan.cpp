@@ -133,10 +133,23 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   return e;
 }
 
+namespace {
+
+/// 0: not known.
+std::uint64_t memoryLimit(const RunContext& run) {
+  return run.memoryLimitBytes != 0 ? run.memoryLimitBytes : availableMemoryBytes() / 4 * 3;
+}
+
+}  // namespace
+
+bool fitsMemory(const Estimate& e, const RunContext& run) {
+  const std::uint64_t limit = memoryLimit(run);
+  return limit == 0 || e.memoryBytes <= limit;
+}
+
 void requireMemory(const Estimate& e, const RunContext& run) {
-  const std::uint64_t available = availableMemoryBytes();
-  const std::uint64_t limit = run.memoryLimitBytes != 0 ? run.memoryLimitBytes : available / 4 * 3;
-  if (limit == 0 || e.memoryBytes <= limit) return;
+  if (fitsMemory(e, run)) return;
+  const std::uint64_t limit = memoryLimit(run);
   const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
   std::ostringstream text;
   text.precision(4);

@@ -42,6 +42,7 @@ void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
 
+bool fitsMemory(const Estimate& estimate, const RunContext& run);
 /// Throws Error(ResourceLimit) if the run would take more memory than it may.
 void requireMemory(const Estimate& estimate, const RunContext& run);
 
