@@ -23,6 +23,13 @@ constexpr const char* kResultDoc =
     R"(Result of compute(): mesh (Mesh), report (dict), contact_time, feature_edges.
 The arrays are read-only views that share the result's memory; copy them to change them.)";
 
+constexpr const char* kRecutDoc =
+    R"(recut(tolerance, run=None) -> Result
+
+The same envelope simplified to another tolerance (mm; 0: not at all) without sampling again. Only
+for a result that was computed with a tolerance above 0: else InvalidInput. This result stays as it
+is. Of the report, check and simplification_deviation change.)";
+
 constexpr const char* kComputeDoc =
     R"(compute(vertices, triangles, motion, interpolation='linear', run=None, **options) -> Result
 

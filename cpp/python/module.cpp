@@ -141,6 +141,15 @@ ComputeResult pyCompute(const py::object& vertices, const py::object& triangles,
   return resultOrRaise(result);
 }
 
+ComputeResult pyRecut(const ComputeResult& from, double tolerance, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  auto result = std::make_shared<Result>();
+  result->report = from.data->report;
+  result->kept = from.data->kept;
+  runWithoutLock(*context, [&] { recut(*result, tolerance, *context); });
+  return resultOrRaise(result);
+}
+
 std::unique_ptr<PreviewSession> pyPreviewSession(const py::object& vertices,
                                                  const py::object& triangles,
                                                  const py::kwargs& keywords) {
@@ -337,7 +346,8 @@ void bindClasses(py::module_& module) {
       .def_property_readonly("contact_time", &ComputeResult::contactTime,
                              "float64 (N,): s at which the vertex is touched; may be empty")
       .def_property_readonly("feature_edges", &ComputeResult::featureEdges,
-                             "int32 (E, 2): vertex pairs along creases; may be empty");
+                             "int32 (E, 2): vertex pairs along creases; may be empty")
+      .def("recut", &pyRecut, kRecutDoc, py::arg("tolerance"), py::arg("run") = py::none());
 }
 
 void bindPreview(py::module_& module) {
