@@ -46,7 +46,7 @@ struct Step {
 class MotionCover {
  public:
   MotionCover(const SamplerInput& input, const FaceClusters& clusters)
-      : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
+      : input_(input), before_(input, clusters), after_(input, clusters) {}
 
   void cover(std::size_t begin, std::size_t end, std::vector<CoverTriangle>& out, RunContext& run) {
     const std::size_t steps = input_.motion.steps();
@@ -132,7 +132,6 @@ class MotionCover {
   }
 
   const SamplerInput& input_;
-  const FaceClusters& clusters_;
   FaceDirections before_, after_;
   Step stepBefore_, stepAfter_;
 };
