@@ -34,13 +34,25 @@ CSV += "2,0,20,5,0,0,0.7071068,0.7071068\n"
 
 
 def picture(name):
+    """A picture of the window when it has come to rest, as large as the screen."""
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 1010)
+    yield 0.6
     shot(name)
-    return 0.8
+    yield 0.8
+
+
+def show_parts():
+    """The 3D view of the only document, in front of its spreadsheet."""
+    area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
+    for window in area.subWindowList():
+        if "View3DInventor" in window.widget().metaObject().className():
+            area.setActiveSubWindow(window)
 
 
 def demo():
     import tempfile
 
+    from sweptvolume import runner
     from sweptvolume.panels import file_panel
 
     Gui.runCommand("SweptVolume_Demo")
@@ -49,15 +61,18 @@ def demo():
     starter, motion = doc.getObject("Starter"), doc.getObject("Motion")
     Gui.SendMsgToActiveView("ViewFit")
     yield 0.6
-    yield picture("demo_opened")
+    yield from picture("demo_opened")
 
-    path = os.path.join(tempfile.mkdtemp(), "lift.csv")
+    folder = os.path.join(tempfile.mkdtemp(), "engine bay")
+    os.mkdir(folder)
+    os.chdir(folder)  # where the file dialog begins
+    path = os.path.join(folder, "lift.csv")
     with open(path, "w") as out:
         out.write(CSV)
     file_panel.ask_file = lambda: path
     Gui.runCommand("SweptVolume_MotionFromFile")
     yield 0.6
-    yield picture("motion_from_file")
+    yield from picture("motion_from_file")
     click(panel_button(Cancel))
     yield no_panel
 
@@ -71,7 +86,7 @@ def demo():
     Gui.Selection.clearSelection()
     panel.player.slider.setValue(430)
     yield 1.0
-    yield picture("path_editor")
+    yield from picture("path_editor")
     click(panel_button(Cancel))
     yield no_panel
 
@@ -84,7 +99,7 @@ def demo():
     select(wire)
     Gui.runCommand("SweptVolume_MotionFromSource")
     yield 0.6
-    yield picture("motion_from_path_object")
+    yield from picture("motion_from_path_object")
     click(panel_button(Cancel))
     yield no_panel
     doc.removeObject(wire.Name)
@@ -93,20 +108,33 @@ def demo():
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.8
     Gui.Selection.clearSelection()
-    yield picture("create_envelope")
+    yield from picture("create_envelope")
     click(panel_button(Ok))
     yield no_panel
     yield 0.8
     made = doc.getObject("Envelope")
     Gui.Selection.clearSelection()
-    yield picture("envelope")
+    yield from picture("envelope")
     starter.Placement.Base.x -= 0.5
     motion.Placements = motion.Placements[1:]
     motion.Times = motion.Times[1:]
     doc.recompute()
-    yield picture("stale")
+    yield from picture("stale")
     yield from clearance(made)
+    made.Resolution = 900
+    doc.recompute()
+    select(made)
+    Gui.runCommand("SweptVolume_Recompute")
+    yield lambda: runner.running() and runner.running()[0].control.progress() > 0.02
+    Gui.Selection.clearSelection()
+    yield 0.3
+    yield from picture("running")
+    click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
+    yield lambda: not runner.running()
+    click(panel_button(Cancel))
+    yield no_panel
     made.Resolution = 32
+    doc.recompute()
     select(made)
     Gui.runCommand("SweptVolume_Recompute")
     yield no_panel
@@ -115,9 +143,24 @@ def demo():
     yield no_panel
     yield 0.5
     Gui.Selection.clearSelection()
-    yield picture("solid")
-
+    yield from picture("solid")
+    select(made)
+    yield from in_dialog("export", lambda: Gui.runCommand("SweptVolume_Export"))
     App.closeDocument(doc.Name)
+
+
+def in_dialog(name, action):
+    """Does what opens a modal dialog, takes its picture and cancels it."""
+
+    def close():
+        window = QtWidgets.QApplication.activeModalWidget()
+        if window is not None:
+            shot(name)
+            QtCore.QTimer.singleShot(900, window.reject)
+
+    QtCore.QTimer.singleShot(1500, close)
+    action()
+    yield 1.0
 
 
 def clearance(made):
@@ -128,9 +171,19 @@ def clearance(made):
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
     yield lambda: made.Document.getObject("Clearance") is not None
     yield 0.5
-    find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable").selectRow(0)
+    Gui.Selection.clearSelection()
+    yield from picture("clearance_table")
+    table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+    table.selectRow(2)
     yield 0.5
-    yield picture("clearance")
+    yield from picture("clearance_row")
+    table.clearSelection()
+    Gui.SendMsgToActiveView("ViewFit")
+    find(QtWidgets.QCheckBox, "SweptVolumeColours").setChecked(True)
+    for name, border in (("SweptVolumeContactBand", 5), ("SweptVolumeRequiredBand", 40)):
+        find(QtWidgets.QWidget, name).setProperty("rawValue", float(border))
+    yield 0.8
+    yield from picture("clearance_colours")
     click(panel_button(Close))
     yield no_panel
     made.Document.removeObject("Clearance")
@@ -153,31 +206,35 @@ def joint():
     block(doc, "Base", (160, 20, 15), App.Placement(App.Vector(0, 0, 7.5), App.Rotation()))
     for name, x in (("PostLeft", -50), ("PostRight", 50)):
         block(doc, name, (15, 15, 60), App.Placement(App.Vector(x, 0, 45), App.Rotation()))
-    start = App.Placement(App.Vector(0, 70, 7.5), turn)
+    start = App.Placement(App.Vector(0, 90, 7.5), turn)
     beam = block(doc, "Beam", (130, 20, 15), start)
     doc.recompute()
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     yield 0.5
-    yield picture("joint_parts")
+    yield from picture("joint_parts")
     select(beam)
     Gui.runCommand("SweptVolume_NewMotion")
     yield 0.3
     for x, y, z, rotation in (
-        (0, 70, 7.5, turn),
-        (0, 70, 120, turn),
+        (0, 90, 7.5, turn),
+        (0, 90, 120, turn),
         (0, 0, 120, App.Rotation()),
         (0, 0, 82.5, App.Rotation()),
     ):
         beam.Placement = App.Placement(App.Vector(x, y, z), rotation)
         click(find(QtWidgets.QPushButton, "SweptVolumeCapture"))
         yield 0.1
+        if rotation is turn and z > 100:
+            Gui.Selection.clearSelection()
+            yield 1.5
+            yield from picture("new_motion")
     find(QtWidgets.QTableWidget, "SweptVolumeKeys").setCurrentCell(2, 1)
     choose("SweptVolumeInterpolation", "Spline")
     Gui.Selection.clearSelection()
     Gui.SendMsgToActiveView("ViewFit")
     yield 2.0
-    yield picture("joint_path")
+    yield from picture("joint_path")
     click(panel_button(Ok))
     yield no_panel
     path = doc.Objects[-1]
@@ -188,7 +245,7 @@ def joint():
     click(panel_button(Apply))
     yield lambda: doc.getObject("Envelope") is not None
     yield 1.0
-    yield picture("read_outs")
+    yield from picture("read_outs")
     click(panel_button(Cancel))
     yield no_panel
     App.closeDocument(doc.Name)
@@ -203,6 +260,9 @@ def slider():
     arm.Length, arm.Width, arm.Height = 30, 8, 8
     jaw.Radius, jaw.Height = 6, 14
     jaw.Placement.Base = App.Vector(32, 4, -3)
+    table = doc.addObject("Part::Box", "Table")
+    table.Length, table.Width, table.Height = 60, 30, 4
+    table.Placement.Base = App.Vector(0, 30, -10)
     still, up = App.Placement(), App.Placement(App.Vector(0, 0, 25), App.Rotation())
     turned = App.Placement(App.Vector(), App.Rotation(App.Vector(0, 0, 1), 60))
     swing = motion.motion_from_poses(doc, [0, 1], [still, turned], "Linear", "Relative")
@@ -216,11 +276,18 @@ def slider():
     yield 0.5
     own = find(QtWidgets.QTableWidget, "SweptVolumeParts").cellWidget(1, 1)
     own.setCurrentIndex(own.findData(lift.Name))
-    find(QtWidgets.QGroupBox, "SweptVolumeReference").setChecked(True)
     find(QtWidgets.QCheckBox, "SweptVolumePreview").setChecked(True)
     Gui.Selection.clearSelection()
     yield 2.0
-    yield picture("own_motions")
+    yield from picture("own_motions")
+    find(QtWidgets.QGroupBox, "SweptVolumeReference").setChecked(True)
+    select(table)
+    click(find(QtWidgets.QPushButton, "SweptVolumeTakeReference"))
+    choose("SweptVolumeReferenceMotion", swing.Name)
+    Gui.Selection.clearSelection()
+    yield 2.0
+    Gui.SendMsgToActiveView("ViewFit")
+    yield from picture("reference")
     click(panel_button(Cancel))
     yield no_panel
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")
@@ -232,28 +299,54 @@ def slider():
     select(sheet, jaw)
     Gui.runCommand("SweptVolume_MotionDriven")
     yield 0.5
-    yield picture("motion_driven")
-    click(panel_button(Cancel))
+    show_parts()
+    find(QtWidgets.QDoubleSpinBox, "SweptVolumeEnd").setValue(30)
+    yield 0.3
+    yield from picture("motion_driven")
+    click(panel_button(Ok))
     yield no_panel
+    jaw.setExpression("Placement.Base.z", "Values.lift * 3")
+    doc.recompute()
+    show_parts()
+    Gui.Selection.clearSelection()
+    yield 0.5
+    yield from picture("stale_motion")
+    App.closeDocument(doc.Name)
+
+
+def selected():
+    """A motion from placements of copies."""
+    doc = new_document("Copies")
+    key = doc.addObject("Part::Box", "Key")
+    key.Length, key.Width, key.Height = 20, 8, 8
+    copies = [key]
+    for x, z, angle in ((30, 10, 20), (60, 30, 45), (80, 60, 80)):
+        copy = doc.addObject("App::Link", "Copy")
+        copy.LinkedObject = key
+        turn = App.Rotation(App.Vector(0, -1, 0), angle)
+        copy.Placement = App.Placement(App.Vector(x, 0, z), turn)
+        copies.append(copy)
+    doc.recompute()
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    select(*copies)
+    Gui.runCommand("SweptVolume_MotionFromSelection")
+    yield 0.5
+    Gui.Selection.clearSelection()
+    yield 0.3
+    yield from picture("motion_from_selection")
     App.closeDocument(doc.Name)
 
 
 def preferences():
-    def close_preferences():
-        window = QtWidgets.QApplication.activeModalWidget()
-        if window is not None:
-            shot("preferences")
-            QtCore.QTimer.singleShot(900, window.reject)
-
-    QtCore.QTimer.singleShot(1500, close_preferences)
-    Gui.showPreferences("Swept Volume", 0)
-    yield 1.0
+    yield from in_dialog("preferences", lambda: Gui.showPreferences("Swept Volume", 0))
 
 
 def scenario():
     open_workbench()
+    Gui.getMainWindow().showNormal()
     yield
-    for part in (demo, joint, slider, preferences):
+    for part in (demo, joint, slider, selected, preferences):
         yield from part()
     yield
 

@@ -713,8 +713,8 @@ Versucht:
    <translation>Zellen entlang der längsten Seite des überstrichenen Raums</translation>
   </message>
   <message>
-   <source>{0} x {1} x {2} cells of {3}; about {4:.0f} MB and {5:.1f} s</source>
-   <translation>{0} x {1} x {2} Zellen von {3}; etwa {4:.0f} MB und {5:.1f} s</translation>
+   <source>{0} x {1} x {2} cells of {3}; about {4:.0f} MB, {5:.1f} s</source>
+   <translation>{0} x {1} x {2} Zellen von {3}; etwa {4:.0f} MB, {5:.1f} s</translation>
   </message>
   <message>
    <source>Accuracy</source>
@@ -834,7 +834,7 @@ Versucht:
   </message>
   <message>
    <source>Key placements</source>
-   <translation>Schlüsselplatzierungen</translation>
+   <translation>Stützstellen</translation>
   </message>
   <message>
    <source>Part</source>
@@ -1035,6 +1035,10 @@ Versucht:
   <message>
    <source>Time: {0:.2f} s on {1}</source>
    <translation>Zeit: {0:.2f} s auf {1}</translation>
+  </message>
+  <message>
+   <source>Last run: {0}</source>
+   <translation>Letzter Lauf: {0}</translation>
   </message>
   <message>
    <source>Warnings: {0}</source>

@@ -180,3 +180,18 @@ def test_every_row_of_bad_input_has_its_tests(root):
         for name in names:
             assert name in defined, f"row {number}: no test is called {name}"
             assert number in named_rows(name), f"row {number}: {name} is another row's"
+
+
+def test_every_command_has_a_page_with_a_picture(root):
+    book = root / "docs" / "handbook"
+    contents = (book / "README.md").read_text(encoding="utf-8")
+    commands = sorted((root / "workbench" / "sweptvolume" / "commands").glob("*.py"))
+    commands = [path.stem for path in commands if path.stem not in ("__init__", "base")]
+    assert len(commands) >= 14
+    for command in commands:
+        page = book / f"{command}.md"
+        assert f"({page.name})" in contents, f"{page.name} is not in the handbook's table"
+        assert "](images/" in page.read_text(encoding="utf-8"), f"{page.name} has no picture"
+    for page in book.glob("*.md"):
+        for target in re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8")):
+            assert (book / target).exists(), f"{page.name}: {target} is not there"

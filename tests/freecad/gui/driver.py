@@ -160,7 +160,10 @@ def find(kind, name):
 def panel_button(standard):
     """A standard button of the open task panel."""
     for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox):
-        button = box.button(standard) if box.isVisible() else None
+        try:
+            button = box.button(standard) if box.isVisible() else None
+        except RuntimeError:  # of a dialog that was closed a moment ago
+            continue
         if button is not None:
             return button
     raise AssertionError("the panel has no such button")

@@ -43,6 +43,17 @@ COMPONENTS = {
     "Greedy": "greedy",
 }
 BACKENDS = {"Auto": "auto", "CPU": "cpu", "GPU": "gpu"}
+#: Findings that only tell what was done.
+NOTES = {
+    "Welded",
+    "PositionFiltered",
+    "Mended",
+    "SpecksDropped",
+    "CavitiesKept",
+    "Offset",
+    "Conservative",
+    "CpuSampler",
+}
 #: Straight pieces of a smooth motion leave it by at most this part of a cell.
 STRAIGHT = 0.02
 
@@ -404,6 +415,11 @@ def update_status(obj):
     mark_result(obj, plan.hash(), any(motion_feature.is_stale(o) for o in plan.objects()))
 
 
+def warnings_of(report):
+    """The findings of a report that ask for attention; all are kept in the property Report."""
+    return [w for w in report.get("warnings", []) if w["code"] not in NOTES]
+
+
 def apply(obj, outcome, hash_at_start):
     """Writes the result of a run that ended Ok."""
     mesh = convert.mesh_from_arrays(outcome.vertices, outcome.triangles)
@@ -418,7 +434,7 @@ def apply(obj, outcome, hash_at_start):
     obj.UsedCellSize = report["cell"]
     obj.Seconds = report["seconds"]["total"]
     obj.Report = json.dumps(report)
-    obj.Message = "\n".join(w["text"] for w in report.get("warnings", []))
+    obj.Message = "\n".join(w["text"] for w in warnings_of(report))
     obj.InputHash = hash_at_start
     update_status(obj)
 

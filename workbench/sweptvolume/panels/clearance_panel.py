@@ -54,6 +54,7 @@ class ClearancePanel:
         self._build_result()
         self._show_neighbours()
         self.show_result()
+        self.watch = widgets.DocumentWatch(document, self.reject)
 
     # --- building
 
@@ -119,6 +120,15 @@ class ClearancePanel:
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.verticalHeader().hide()
+        font = self.table.font()
+        font.setPointSizeF(font.pointSizeF() * 0.9)
+        self.table.setFont(font)
+        self.table.horizontalHeader().setFont(font)
+        for column in range(5):  # long names take two lines, the numbers all their digits
+            self.table.horizontalHeader().setSectionResizeMode(
+                column,
+                QtWidgets.QHeaderView.ResizeToContents if column else QtWidgets.QHeaderView.Stretch,
+            )
         self.table.setSortingEnabled(True)
         self.table.setMinimumHeight(140)
         self.graph = DistanceGraph()
@@ -142,6 +152,8 @@ class ClearancePanel:
         self.coloured.setObjectName("SweptVolumeColours")
         self.contact_band = widgets.length(0.1, 0.0, 0.1)
         self.required_band = widgets.length(5.0, 0.0, 0.5)
+        self.contact_band.setObjectName("SweptVolumeContactBand")
+        self.required_band.setObjectName("SweptVolumeRequiredBand")
         grid = QtWidgets.QGridLayout()
         grid.addWidget(self.coloured, 0, 0, 1, 3)
         texts = (
@@ -221,7 +233,6 @@ class ClearancePanel:
     def ended(self, run):
         self.run = None
         if not widgets.alive(self.document):
-            Gui.Control.closeDialog()
             return
         self.box.hide()
         self.check.setEnabled(True)
@@ -272,15 +283,21 @@ class ClearancePanel:
                 cell.setData(QtCore.Qt.UserRole, r)
                 if c == 1:
                     cell.setBackground(colour)
-                    cell.setForeground(QtGui.QColor("black"))
+                    dark = colour.lightness() < 120
+                    cell.setForeground(QtGui.QColor("white" if dark else "black"))
+                elif c == 0:
+                    cell.setToolTip(row["name"])
                 self.table.setItem(r, c, cell)
         self.table.setSortingEnabled(True)
         self.table.sortItems(2)
-        self.table.resizeColumnsToContents()
+        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
 
     def _row_chosen(self):
         items = self.table.selectedItems()
         if not items:
+            self.graph.choose(-1, None)
+            if self.obj is not None:
+                self._view().hide_row()
             return
         index = items[0].data(QtCore.Qt.UserRole)
         self.graph.choose(index, self.report["neighbours"][index]["time_seconds"])
@@ -334,6 +351,7 @@ class ClearancePanel:
 
     def reject(self):
         """Close: stops what still runs; the drawing of a row goes, the result stays."""
+        self.watch.stop()
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()

@@ -246,9 +246,9 @@ class EnvelopePanel:
             self.estimate_label.setText(str(problem))
             return
         cell = App.Units.Quantity(e["cell"], App.Units.Length).UserString
-        text = translate("Panels", "{0} x {1} x {2} cells of {3}; about {4:.0f} MB and {5:.1f} s")
+        text = translate("Panels", "{0} x {1} x {2} cells of {3}; about {4:.0f} MB, {5:.1f} s")
         self.estimate_label.setText(
-            text.format(*e["grid"], cell, e["memory_bytes"] / 1e6, e["seconds"])
+            text.format(*e["grid"], cell, e["memory_bytes"] / 1e6, max(e["seconds"], 0.1))
         )
 
     # --- run

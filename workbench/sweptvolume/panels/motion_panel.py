@@ -52,6 +52,7 @@ class MotionPanel:
         self._build_view(layout)
         layout.addStretch(1)
         self.preview = Preview(document, self.show_preview, self.report_preview, lambda: MOST_CELLS)
+        self.watch = widgets.DocumentWatch(document, self._close)
         self._make_ghosts()
         self._connect()
         self.fill(0)
@@ -113,7 +114,7 @@ class MotionPanel:
 
     def standing(self):
         """Where the part stands now, by which a captured key is meant."""
-        if self.pair is None:
+        if self.pair is None or not widgets.alive(self.pair[0]):
             raise InputProblem(
                 translate(
                     "Messages",
@@ -227,8 +228,8 @@ class MotionPanel:
         self.handle = body.placement.inverse().multiply(
             App.Placement(middle, body.placement.Rotation)
         )
+        self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
-        self.coarse = CoarseEnvelope(self.document)
         self._show_own_path(False)  # the edited one is drawn in its place
         self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
         self._set_snap()
@@ -330,6 +331,7 @@ class MotionPanel:
     # --- task panel
 
     def _close(self):
+        self.watch.stop()
         self.player.stop()
         self.preview.stop()
         if widgets.alive(self.document):
@@ -343,7 +345,7 @@ class MotionPanel:
     def accept(self):
         self.document.openTransaction(translate("Messages", "Edit motion"))
         try:
-            if self.obj is None:
+            if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
                 self.obj = motion.make_motion(self.document)
             if _content(self.keys)[:2] != self.before[:2]:
                 motion.make_stored(self.obj)

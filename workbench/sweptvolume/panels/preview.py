@@ -10,6 +10,7 @@ from ..features import envelope
 from ..runner import Task
 from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
 from ..views.ghost import pieces_of
+from .widgets import alive
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
 #: Cells of the fine envelope at most; more would keep the cores busy without being asked.
@@ -78,6 +79,7 @@ class Preview:
         self.run, self.wish = None, None
         self.waiting, self.fine = False, False
         self.cells, self.adapts = settings.preview_resolution(), True
+        self.warm_cells = 0
         self.updates, self.fine_updates = 0, 0
         self.timer = QtCore.QTimer()
         self.timer.setSingleShot(True)
@@ -96,6 +98,9 @@ class Preview:
         return self.run is None and not self.timer.isActive()
 
     def _start(self, fine):
+        if not alive(self.document):
+            self.stop()
+            return
         self.fine, finest = fine, self.finest()
         if not fine:
             self.waiting = False
@@ -129,7 +134,9 @@ class Preview:
 
     def _adapt(self, seconds):
         """Coarser while runs take too long, finer again up to what the preferences want."""
-        if self.adapts and seconds > SLOW:
+        if self.cells != self.warm_cells:
+            self.warm_cells = self.cells  # the first run with a number of cells is a slow one
+        elif self.adapts and seconds > SLOW:
             self.cells = max(LEAST_CELLS, int(self.cells * STEP))
         elif self.adapts and seconds < QUICK:
             self.cells = min(settings.preview_resolution(), int(self.cells / STEP) + 1)

@@ -5,6 +5,7 @@ import json
 import FreeCAD as App
 from PySide import QtCore
 
+from ..features.base import CANCELLED, FAILED
 from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
@@ -49,8 +50,12 @@ def lines_of(obj):
         translate("Panels", "Cell: {0}, simplified by: {1}").format(
             length(report["cell"]), length(deviation)
         ),
-        translate("Panels", "Time: {0:.2f} s on {1}").format(obj.Seconds, report["backend"]),
+        translate("Panels", "Time: {0:.2f} s on {1}").format(
+            obj.Seconds, report["backend"].upper()
+        ),
     ]
-    if obj.Message:
+    if obj.Message and obj.Status in (CANCELLED, FAILED):
+        lines.append(translate("Panels", "Last run: {0}").format(obj.Message))
+    elif obj.Message:
         lines.append(translate("Panels", "Warnings: {0}").format(obj.Message))
     return lines

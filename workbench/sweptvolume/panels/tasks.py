@@ -74,7 +74,7 @@ class EnvelopeTask(PlanTask):
 
     def finish(self, value):
         super().finish(value)
-        for warning in value.report.get("warnings", []):
+        for warning in envelope.warnings_of(value.report):
             App.Console.PrintWarning("{}: {}\n".format(self.obj.Label, warning["text"]))
 
     def summary(self, value):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Small pieces that every panel uses, built from FreeCAD's own widgets."""
+import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
@@ -91,6 +92,28 @@ def alive(thing):
         return bool(thing.Name)
     except (ReferenceError, RuntimeError):
         return False
+
+
+class DocumentWatch:
+    """Calls gone() soon after a document was closed, unless stop() came first."""
+
+    def __init__(self, document, gone):
+        self.name, self.gone = document.Name, gone
+        App.addDocumentObserver(self)
+
+    def slotDeletedDocument(self, document):  # noqa: N802
+        if document.Name == self.name:
+            QtCore.QTimer.singleShot(0, self._tell)
+
+    def _tell(self):
+        if self.name:
+            self.stop()
+            self.gone()
+
+    def stop(self):
+        if self.name:
+            self.name = ""
+            App.removeDocumentObserver(self)
 
 
 def show_message(label, text):

@@ -11,7 +11,7 @@ from .base import View, run_command, state_icon
 
 #: Colours of the bands: clash, contact, too near, clear.
 BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
-GHOST, LINE = (0.15, 0.45, 0.90), (0.85, 0.0, 0.6)
+GHOST, LINE = (0.20, 0.70, 0.30), (0.85, 0.0, 0.6)
 
 
 def band_of(distance, contact, required):
@@ -98,6 +98,9 @@ class ClearanceView(View):
         bands = [band_of(d, contact, required) for d in obj.MapDistances]
         self.colours.addChild(_surface(points, triangles, BANDS, bands, 0.0))
         return True
+
+    def hide_row(self):
+        self.row.removeAllChildren()
 
     def hide_colours(self):
         self.colours.removeAllChildren()

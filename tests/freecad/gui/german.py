@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The window in German: menu, demo and panels speak it; a document that is closed under an open panel."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Cancel,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    select,
+    shot,
+)
+
+
+def texts_of_panel():
+    """All that labels, buttons and titles of the open panel say."""
+    found = []
+    for kind, read in (
+        (QtWidgets.QLabel, "text"),
+        (QtWidgets.QAbstractButton, "text"),
+        (QtWidgets.QGroupBox, "title"),
+    ):
+        widgets = Gui.getMainWindow().findChildren(kind)
+        found += [getattr(w, read)().replace("&", "") for w in widgets if w.isVisible()]
+    return found
+
+
+def scenario():
+    from sweptvolume import runner
+    from sweptvolume.panels import motion_panel
+
+    Gui.setLocale("German")
+    open_workbench()
+    yield
+    Gui.runCommand("SweptVolume_Demo")
+    yield 1.0
+    doc = App.ActiveDocument
+    starter, path = doc.getObject("Starter"), doc.getObject("Motion")
+    assert starter is not None and path.Count == 12
+    for name, items, expected in (
+        ("EditMotion", (starter, path), ("Zwischen Lagen", "Aufnehmen")),
+        ("Envelope", (starter, path), ("Genauigkeit",)),
+        ("Clearance", (starter, path), ("Geforderter Abstand",)),
+    ):
+        select(*items)
+        Gui.runCommand("SweptVolume_" + name)
+        yield 0.8
+        Gui.Selection.clearSelection()
+        shot("70_german_" + name)
+        yield 0.8
+        said = texts_of_panel()
+        for text in expected:
+            assert any(text in line for line in said), (text, said)
+        click(panel_button(Cancel if name != "Clearance" else QtWidgets.QDialogButtonBox.Close))
+        yield no_panel
+
+    # The document goes while the path editor is open and its preview runs.
+    select(starter, path)
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield 0.1
+    panel = motion_panel.opened[-1]
+    find(QtWidgets.QPushButton, "SweptVolumeEven").click()
+    App.closeDocument(doc.Name)
+    yield lambda: not runner.running()
+    yield no_panel
+    assert panel.preview.settled()
+
+
+run(scenario)
