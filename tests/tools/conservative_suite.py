@@ -12,14 +12,10 @@ import sys
 
 import numpy as np
 
+from shared_data import FOLDER, MOTIONS, matrices, rotate, scaled_motion
+
 POINTS = 2000
 MEASURED = 100
-
-
-def rotate(q, x):
-    """Unit quaternions (N, 4), scalar last, applied to points (N, 3)."""
-    u, w = q[:, :3], q[:, 3:]
-    return x + 2 * np.cross(u, np.cross(u, x) + w * x)
 
 
 def slerp(a, b, s):
@@ -76,32 +72,19 @@ def main():
     sys.path.insert(0, str(build / "python"))
     import _swept
 
-    data = pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data"
-    if not data.exists():
-        print("shared test data not found: {}".format(data))
+    if not FOLDER.exists():
+        print("shared test data not found: {}".format(FOLDER))
         return 0
-    still = [str(data / "motions" / "static_1_pose.csv")]
-    motions = still + [
-        str(data / "motions" / name)
-        for name in ("keyposes_16_from_tum_fr2_desk.csv", "installation_34_from_baxter_left.csv")
-    ]
     failed = 0
-    for mesh in sorted((data / "meshes").glob("*.ply")):
+    for mesh in sorted((FOLDER / "meshes").glob("*.ply")):
         if len(sys.argv) > 3 and not any(word in mesh.name for word in sys.argv[3:]):
             continue
         body = _swept.read_mesh(str(mesh))
         size = np.ptp(np.asarray(body.vertices), axis=0).max()
-        for path in motions:
-            _, quaternions, translations = map(np.asarray, _swept.read_trajectory_csv(path))
-            extent = np.ptp(translations, axis=0).max()
-            # Recorded paths span a room: scaled to twice the part.
-            translations = translations * (2 * size / extent if extent > 0 else 1.0)
-            poses = np.tile(np.eye(4), (len(quaternions), 1, 1))
-            for column in range(3):
-                axis = np.tile(np.eye(3)[column], (len(quaternions), 1))
-                poses[:, :3, column] = rotate(quaternions, axis)
-            poses[:, :3, 3] = translations
-            name = "{} {}".format(mesh.stem, pathlib.Path(path).stem[:12])
+        for motion in MOTIONS:
+            quaternions, translations = scaled_motion(_swept, motion, size)
+            poses = matrices(quaternions, translations)
+            name = "{} {}".format(mesh.stem, motion[:12])
             try:
                 result = _swept.compute(
                     body.vertices, body.triangles, poses, resolution=resolution, conservative=True

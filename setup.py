@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Wheel of the compiled core `_swept`, without FreeCAD and OpenCASCADE.
+
+    python3 -m pip wheel --no-build-isolation --no-deps --wheel-dir out .
+
+CMake does the build; the wheel needs the system libraries that README.md names (TBB, OpenMesh, FCL)
+where it is installed, and numpy.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+ROOT = pathlib.Path(__file__).resolve().parent
+
+
+class CMakeBuild(build_ext):
+    def build_extension(self, extension):
+        folder = ROOT / "build-wheel"
+        subprocess.check_call(
+            ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja"]
+            + ["-DCMAKE_BUILD_TYPE=Release", "-DSWEPT_STEP=OFF", "-DSWEPT_TESTS=OFF"]
+            + [f"-DPython3_EXECUTABLE={sys.executable}"]
+        )
+        subprocess.check_call(["cmake", "--build", str(folder), "--target", "_swept"])
+        target = pathlib.Path(self.get_ext_fullpath(extension.name))
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes((folder / "python" / target.name).read_bytes())
+
+
+setup(
+    name="swept-volume",
+    version=re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text())[1],
+    description="Envelopes of moving solids: meshes and motions in, closed meshes out",
+    license="LGPL-2.1-or-later",
+    python_requires=">=3.9",
+    install_requires=["numpy"],
+    packages=[],
+    ext_modules=[Extension("_swept", sources=[])],
+    cmdclass={"build_ext": CMakeBuild},
+)

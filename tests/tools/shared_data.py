@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shared test data as tools use it: where it is, and motions scaled to a body."""
+import pathlib
+
+import numpy as np
+
+FOLDER = pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data"
+MOTIONS = (
+    "static_1_pose.csv",
+    "keyposes_16_from_tum_fr2_desk.csv",
+    "installation_34_from_baxter_left.csv",
+)
+
+
+def rotate(q, x):
+    """Unit quaternions (N, 4), scalar last, applied to points (N, 3)."""
+    u, w = q[:, :3], q[:, 3:]
+    return x + 2 * np.cross(u, np.cross(u, x) + w * x)
+
+
+def scaled_motion(swept, name, size):
+    """(quaternions, translations): a recorded path spans a room, here twice `size`."""
+    _, quaternions, translations = map(
+        np.asarray, swept.read_trajectory_csv(str(FOLDER / "motions" / name))
+    )
+    extent = np.ptp(translations, axis=0).max()
+    return quaternions, translations * (2 * size / extent if extent > 0 else 1.0)
+
+
+def matrices(quaternions, translations):
+    """Poses as (N, 4, 4)."""
+    poses = np.tile(np.eye(4), (len(quaternions), 1, 1))
+    for column in range(3):
+        axis = np.tile(np.eye(3)[column], (len(quaternions), 1))
+        poses[:, :3, column] = rotate(quaternions, axis)
+    poses[:, :3, 3] = translations
+    return poses
