@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cmake --install`: what lies in FreeCAD's Mod folder afterwards is a whole workbench."""
+import os
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+
+SCRIPT = """
+import FreeCAD
+from sweptvolume import core
+with open({done!r}, "w") as file:
+    file.write(core.module().__file__)
+"""
+
+
+@pytest.fixture(scope="module")
+def mod(root, tmp_path_factory):
+    prefix = tmp_path_factory.mktemp("user") / ".local/share/FreeCAD"
+    build = pathlib.Path(os.environ.get("SWEPT_BUILD", root / "build"))
+    if not (build / "cmake_install.cmake").exists():
+        pytest.skip(f"no build in {build}")
+    command = [
+        "cmake",
+        "--install",
+        str(build),
+        "--component",
+        "workbench",
+        "--prefix",
+        str(prefix),
+    ]
+    subprocess.run(command, check=True, capture_output=True)
+    return prefix / "Mod/SweptVolume"
+
+
+def test_the_installed_workbench_is_whole(root, mod):
+    for name in ("Init.py", "InitGui.py", "package.xml", "LICENSE", "README.md"):
+        assert (mod / name).read_bytes() == (root / name).read_bytes()
+    for folder in ("workbench", "resources"):
+        there = {p.relative_to(root) for p in (root / folder).rglob("*") if p.is_file()}
+        there = {p for p in there if "__pycache__" not in p.parts}
+        assert there == {p.relative_to(mod) for p in (mod / folder).rglob("*") if p.is_file()}
+    assert list((mod / "build/python").glob("_swept*.so"))
+    assert not list(mod.rglob("*.cpp")) and not (mod / "tests").exists()
+
+
+def test_freecad_finds_it_in_its_mod_folder(mod, tmp_path):
+    freecad = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    if not freecad:
+        pytest.skip("FreeCAD is not installed")
+    script, done = tmp_path / "look.py", tmp_path / "done"
+    script.write_text(SCRIPT.format(done=str(done)))
+    home = mod.parents[4]
+    environment = {**os.environ, "HOME": str(home), "LANG": "C.UTF-8"}
+    for name in ("SWEPT_CORE", "PYTHONPATH", "XDG_DATA_HOME", "FREECAD_USER_HOME"):
+        environment.pop(name, None)
+    subprocess.run(
+        [freecad, str(script)],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        timeout=120,
+    )
+    assert done.exists(), "the script did not run to its end"
+    assert pathlib.Path(done.read_text()).parent == mod / "build/python"
