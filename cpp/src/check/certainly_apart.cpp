@@ -9,6 +9,44 @@ namespace {
 /// Sine of the least angle that counts; rounding stays below 1e-15.
 constexpr double kSine = 1e-9;
 
+/// As SeenTriangle, but with each direction computed only when it is tried.
+struct TriedTriangle {
+  std::array<Eigen::Vector3d, 3> corner, edge;
+  Eigen::Vector3d normal;
+  double size;
+
+  TriedTriangle(const TriMesh& mesh, std::int32_t t) {
+    const auto& tri = mesh.triangles[t];
+    for (int i = 0; i < 3; ++i) corner[i] = mesh.vertices[tri[i]];
+    edge = {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
+    normal = edge[0].cross(edge[1]);
+    size = std::max({edge[0].cwiseAbs().maxCoeff(), edge[1].cwiseAbs().maxCoeff(),
+                     edge[2].cwiseAbs().maxCoeff()});
+  }
+  bool partedByNormal(const TriedTriangle& q) const { return parted(normal, 0, true, q); }
+  bool partedByEdge(const TriedTriangle& q) const {
+    for (int i = 0; i < 3; ++i) {
+      if (parted(edge[i].cross(normal), i, false, q)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool parted(const Eigen::Vector3d& axis, int origin, bool bothWays,
+              const TriedTriangle& q) const {
+    double least = HUGE_VAL, most = -HUGE_VAL, reach = size;
+    for (const auto& point : q.corner) {
+      const Eigen::Vector3d d = point - corner[origin];
+      const double value = axis.dot(d);
+      least = std::min(least, value);
+      most = std::max(most, value);
+      reach = std::max(reach, d.cwiseAbs().maxCoeff());
+    }
+    const double margin = SeenTriangle::kMargin * axis.cwiseAbs().sum() * reach;
+    return least > margin || (bothWays && most < -margin);
+  }
+};
+
 /// Triangles (v, a, b) and (v, c, d), all relative to v: does a plane through v part them? Tried
 /// are the planes on either edge of the first one across its own plane, and the one across its
 /// middle line.
@@ -54,10 +92,9 @@ bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second
     }
   }
   if (common == 0) {
-    SeenTriangle a, b;
-    a.set(mesh, first);
-    b.set(mesh, second);
-    return a.certainlyApart(b.corner) || b.certainlyApart(a.corner);
+    // Sheets that lie on one another are parted by a normal, neighbours in a sheet by an edge.
+    const TriedTriangle a(mesh, first), b(mesh, second);
+    return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
   }
   const Eigen::Vector3d& v = at(p[i]);
   const Eigen::Vector3d a = at(p[(i + 1) % 3]) - v, b = at(p[(i + 2) % 3]) - v;

@@ -16,6 +16,8 @@ namespace swept {
 
 /// A triangle with the directions along which others are often seen to lie beside it.
 struct SeenTriangle {
+  static constexpr double kMargin = 2e-14;  ///< some fifty times what rounding can do
+
   std::array<Eigen::Vector3d, 3> corner;
   std::array<Eigen::Vector3d, 4> axis;  ///< in its plane, outward from each edge; then its normal
   std::array<double, 4> axisSize;
@@ -35,8 +37,7 @@ struct SeenTriangle {
     size = std::max({e0.cwiseAbs().maxCoeff(), e1.cwiseAbs().maxCoeff(), e2.cwiseAbs().maxCoeff()});
   }
 
-  /// True only if some axis separates this triangle from q for certain: the margin is some fifty
-  /// times what rounding can do.
+  /// True only if some axis separates this triangle from q for certain.
   bool certainlyApart(const std::array<Eigen::Vector3d, 3>& q) const {
     for (int i = 0; i < 4; ++i) {
       const Eigen::Vector3d& origin = corner[i % 3];
@@ -48,7 +49,7 @@ struct SeenTriangle {
         most = std::max(most, value);
         reach = std::max(reach, d.cwiseAbs().maxCoeff());
       }
-      const double margin = 2e-14 * axisSize[i] * reach;
+      const double margin = kMargin * axisSize[i] * reach;
       if (least > margin || (i == 3 && most < -margin)) return true;
     }
     return false;
