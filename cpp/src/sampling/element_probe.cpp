@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <unordered_set>
 
 namespace swept {
 namespace {
@@ -39,23 +38,60 @@ bool meets(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3
 /// 2001).
 bool meetsCube(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                double half) {
-  const auto apart = [&](const Eigen::Vector3d& axis) {
-    const double x = axis.dot(a), y = axis.dot(b), z = axis.dot(c);
-    const double reach = half * axis.lpNorm<1>();
+  const auto beyond = [](double x, double y, double z, double reach) {
     return std::min({x, y, z}) > reach || std::max({x, y, z}) < -reach;
   };
-  const std::array<Eigen::Vector3d, 3> side{b - a, c - b, a - c};
   for (int axis = 0; axis < 3; ++axis) {
-    if (apart(Eigen::Vector3d::Unit(axis))) return false;
+    if (beyond(a[axis], b[axis], c[axis], half)) return false;
   }
-  if (apart(side[0].cross(side[1]))) return false;
+  const std::array<Eigen::Vector3d, 3> side{b - a, c - b, a - c};
+  const Eigen::Vector3d n = side[0].cross(side[1]);
+  if (beyond(n.dot(a), n.dot(b), n.dot(c), half * n.lpNorm<1>())) return false;
   for (const Eigen::Vector3d& s : side) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (apart(Eigen::Vector3d::Unit(axis).cross(s))) return false;
+    for (int axis = 0; axis < 3; ++axis) {  // s across the axis
+      const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+      const auto along = [&](const Eigen::Vector3d& x) { return s[p] * x[q] - s[q] * x[p]; };
+      if (beyond(along(a), along(b), along(c), half * (std::abs(s[p]) + std::abs(s[q])))) {
+        return false;
+      }
     }
   }
   return true;
 }
+
+/// Set of elements, made for a few dozen of them.
+class SeenElements {
+ public:
+  /// False if it was in before.
+  bool insert(const SweptElement& element) {
+    if (2 * count_ >= slots_.size()) grow();
+    const auto key = static_cast<std::uint64_t>(element.code) << 32 | element.placement;
+    return put(key);
+  }
+
+ private:
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // no step has this number
+  bool put(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
+    while (slots_[at] != kFree && slots_[at] != key) at = (at + 1) & mask;
+    if (slots_[at] == key) return false;
+    slots_[at] = key;
+    ++count_;
+    return true;
+  }
+  void grow() {
+    std::vector<std::uint64_t> old(std::max<std::size_t>(128, 4 * slots_.size()), kFree);
+    old.swap(slots_);
+    count_ = 0;
+    for (const std::uint64_t key : old) {
+      if (key != kFree) put(key);
+    }
+  }
+
+  std::vector<std::uint64_t> slots_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -137,10 +173,9 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
   const Eigen::Vector3d centre = cell.cast<double>().array() + 0.5;
   std::vector<Piece> pieces;
   std::vector<SweptElement> waiting;
-  std::unordered_set<std::uint64_t> seen;
+  SeenElements seen;
   const auto visit = [&](const SweptElement& element) {
-    const auto key = static_cast<std::uint64_t>(element.code) << 32 | element.placement;
-    if (!seen.insert(key).second) return;
+    if (!seen.insert(element)) return;
     const Piece piece = pieceOf(element);
     const auto& [a, b, c, d] = piece.corner;
     if (!meetsCube(a - centre, b - centre, c - centre, 0.5 + kAround) &&
