@@ -7,6 +7,7 @@
 #include <cmath>
 #include <queue>
 
+#include "curve.h"
 #include "simplify/nearest_triangle.h"
 
 namespace swept::step {
@@ -41,8 +42,12 @@ struct Entry {
 
 class Decimator {
  public:
-  Decimator(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance, RunContext& run)
-      : in_(mesh), partition_(partition), tolerance_(tolerance), run_(run) {}
+  Decimator(Decimated start, double tolerance, RunContext& run)
+      : in_(std::move(start.mesh)),
+        partition_(std::move(start.partition)),
+        tolerance_(tolerance),
+        run_(run),
+        attached_(std::move(start.attached)) {}
 
   Decimated work() {
     prepare();
@@ -84,6 +89,33 @@ class Decimator {
       }
     }
     classify();
+    putBordersOnSurfaces();
+  }
+
+  // Facets beside a patch will end on its surface: counted from here, that is part of what they may
+  // be off.
+  void putBordersOnSurfaces() {
+    std::vector<const Surface*> surfaces;
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      if (kind_[v] == kFree) continue;
+      surfaces.clear();
+      std::int32_t open = -1;
+      for (const std::int32_t t : around_[v]) {
+        if (label_[t] < 0) {
+          open = t;
+          continue;
+        }
+        const Surface* surface = &partition_.patches[label_[t]].surface;
+        if (std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end())
+          surfaces.push_back(surface);
+      }
+      if (open < 0) continue;
+      const Vector3d moved = meetingPoint(points_[v], surfaces);
+      const double off = (moved - points_[v]).norm();
+      if (off <= 1e-9 || !(off <= tolerance_)) continue;
+      attached_[open].push_back(points_[v]);
+      points_[v] = moved;
+    }
   }
 
   // Border: exactly one patch and open ground around it, passed once. Fixed: anything more
@@ -291,6 +323,7 @@ class Decimator {
       }
       small.triangles.push_back(tri);
       out.partition.patchOf.push_back(label_[t]);
+      out.attached.push_back(std::move(attached_[t]));
     }
     out.deviation = std::sqrt(out.deviation);
     out.mesh = buildHalfEdges(small, run_);
@@ -304,17 +337,17 @@ class Decimator {
     return out;
   }
 
-  const HalfEdgeMesh& in_;
-  const Partition& partition_;
+  const HalfEdgeMesh in_;
+  const Partition partition_;
   double tolerance_;
   RunContext& run_;
+  std::vector<std::vector<Vector3d>>
+      attached_;  // removed vertices, by the triangle nearest to them
   std::vector<Vector3d> points_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::vector<std::int32_t> label_;
   std::vector<std::vector<std::int32_t>> around_;
   std::vector<Quadric> quadric_;
-  std::vector<std::vector<Vector3d>>
-      attached_;  // removed vertices, by the triangle nearest to them
   std::vector<char> gone_, dead_, kind_;
   std::vector<std::uint32_t> stamp_;
   std::priority_queue<Entry> queue_;
@@ -322,9 +355,8 @@ class Decimator {
 
 }  // namespace
 
-Decimated decimate(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
-                   RunContext& run) {
-  return Decimator(mesh, partition, tolerance, run).work();
+Decimated decimate(Decimated start, double tolerance, RunContext& run) {
+  return Decimator(std::move(start), tolerance, run).work();
 }
 
 }  // namespace swept::step

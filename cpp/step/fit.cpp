@@ -127,7 +127,7 @@ std::optional<Surface> guessCone(const Samples& samples, const Frame& frame) {
     surface.axis = -surface.axis;
     along = -along;
   }
-  surface.halfAngle = std::asin(std::min(1.0, std::abs(mean.dot(surface.axis))));
+  surface.setHalfAngle(std::asin(std::min(1.0, std::abs(mean.dot(surface.axis)))));
   if (!(surface.halfAngle > 0.01 && surface.halfAngle < 1.5)) return std::nullopt;
   surface.point = apex + along * surface.axis;
   surface.radius = along * std::tan(surface.halfAngle);
@@ -194,8 +194,37 @@ Surface moved(const Surface& from, const Vector3d& e1, const Vector3d& e2, const
   s.axis = (from.axis + (delta[3] * e1 + delta[4] * e2) / size).normalized();
   s.radius += delta[5];
   if (s.kind == SurfaceKind::Torus) s.minor += delta[6];
-  if (s.kind == SurfaceKind::Cone) s.halfAngle += delta[6] / size;
+  if (s.kind == SurfaceKind::Cone) s.setHalfAngle(s.halfAngle + delta[6] / size);
   return s;
+}
+
+// How the distance of p changes with each of the parameters of moved().
+using Gradient = Eigen::Matrix<double, 7, 1>;
+Gradient gradientOf(const Surface& s, const Vector3d& p, const Vector3d& e1, const Vector3d& e2,
+                    double size) {
+  const Vector3d d = p - s.point, outward = s.normal(p);
+  const double along = d.dot(s.axis), side = s.reversed ? -1 : 1;
+  const Vector3d radial = d - along * s.axis;
+  const double rho = radial.norm();
+  // In the plane through the axis: how much of the normal points away from it, and along it.
+  const double away = rho > 0 ? outward.dot(radial) / rho : 0, up = outward.dot(s.axis);
+  Gradient g = Gradient::Zero();
+  g[0] = -outward.dot(e1);
+  g[1] = -outward.dot(e2);
+  g[2] = -up;
+  if (rho > 0) {
+    g[3] = (up * d.dot(e1) - away * along * radial.dot(e1) / rho) / size;
+    g[4] = (up * d.dot(e2) - away * along * radial.dot(e2) / rho) / size;
+  }
+  g[5] = -side;
+  if (s.kind == SurfaceKind::Torus) {
+    g[5] = -away;
+    g[6] = -side;
+  } else if (s.kind == SurfaceKind::Cone) {
+    g[5] = -side * s.cosine;
+    g[6] = -side * ((rho - s.radius) * s.sine + along * s.cosine) / size;
+  }
+  return g;
 }
 
 std::vector<int> freeParameters(SurfaceKind kind) {
@@ -253,7 +282,6 @@ void refineSurface(const Samples& samples, Surface& surface) {
   const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / 240);
   const std::vector<int> parameters = freeParameters(surface.kind);
   const auto count = static_cast<int>(parameters.size());
-  const double step = 1e-6 * frame.size;
   auto cost = [&](const Surface& s) {
     double sum = 0;
     for (std::size_t i = 0; i < samples.points.size(); i += stride) {
@@ -271,23 +299,13 @@ void refineSurface(const Samples& samples, Surface& surface) {
       if (surface.kind == SurfaceKind::Cone) surface.radius += along * std::tan(surface.halfAngle);
     }
     const Vector3d e1 = anyOrthogonal(surface.axis), e2 = surface.axis.cross(e1);
-    std::vector<Surface> plus, minus;
-    for (const int k : parameters) {
-      double delta[7] = {};
-      delta[k] = step;
-      plus.push_back(moved(surface, e1, e2, delta, frame.size));
-      delta[k] = -step;
-      minus.push_back(moved(surface, e1, e2, delta, frame.size));
-    }
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count), row(count);
     for (std::size_t i = 0; i < samples.points.size(); i += stride) {
-      const Vector3d& p = samples.points[i];
-      for (int k = 0; k < count; ++k) {
-        row[k] = (plus[k].distance(p) - minus[k].distance(p)) / (2 * step);
-      }
-      normal += row * row.transpose();
-      right -= row * surface.distance(p);
+      const Gradient all = gradientOf(surface, samples.points[i], e1, e2, frame.size);
+      for (int k = 0; k < count; ++k) row[k] = all[parameters[k]];
+      normal.noalias() += row * row.transpose();
+      right.noalias() -= row * surface.distance(samples.points[i]);
     }
     bool better = false;
     for (int attempt = 0; attempt < 4 && !better; ++attempt) {

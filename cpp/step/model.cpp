@@ -49,6 +49,7 @@ class Builder {
     makeFaces();
     fitFacets();
     setTolerances();
+    model_.places = std::move(place_);
     return std::move(model_);
   }
 
@@ -280,10 +281,6 @@ class Builder {
       if (chain.halfEdges.size() > 12) continue;
       chain.dropped = true;
       same_[root(a)] = root(b);
-    }
-    for (std::size_t v = 0; v < isFacetCorner_.size(); ++v) {
-      if (!isFacetCorner_[v]) continue;
-      model_.facetShift = std::max(model_.facetShift, (place_[v] - mesh_.points[v]).norm());
     }
     // What is left needs its corners apart: these stay where the mesh has them.
     for (int round = 0; round < 3; ++round) {

@@ -42,7 +42,7 @@ struct Model {
   std::vector<ModelVertex> vertices;
   std::vector<ModelEdge> edges;
   std::vector<ModelFace> faces;          ///< grouped by shell
-  double facetShift = 0;                 ///< mm: how far a corner of a facet was moved at most
+  std::vector<Eigen::Vector3d> places;   ///< of the mesh's vertices, those moved onto surfaces too
   std::vector<std::int32_t> shellOwner;  ///< as HalfEdgeMesh
 };
 

@@ -83,7 +83,8 @@ class Recogniser {
       if (best) {
         accept(*best);
       } else {
-        for (const std::int32_t t : around) tried_[t] = kAllTried;
+        const auto fruitless = std::clamp<std::size_t>(count / 1500, kSeedTriangles, 400);
+        for (const std::int32_t t : seedRegion(seed, fruitless)) tried_[t] = kAllTried;
       }
     }
     absorbLeftovers();

@@ -179,7 +179,6 @@ class Writer {
     return id;
   }
 
-  // Plane faces meet in straight lines.
   Id line(const ModelEdge& edge) {
     const Id along = direction(edge.curve.axis);
     const Id vector = lines_.begin("VECTOR");
@@ -189,8 +188,43 @@ class Writer {
     return id;
   }
 
+  Id circle(const Curve& curve) {
+    const Id frame = placement(curve.start, curve.axis, curve.xdir);
+    const Id id = lines_.begin("CIRCLE");
+    lines_.raw("'',").id(frame).raw(",").length(curve.radius).end();
+    return id;
+  }
+
+  Id spline(const Curve& curve) {
+    std::vector<Id> poles;
+    for (const Vector3d& pole : curve.poles) poles.push_back(point(pole));
+    const Id id = lines_.begin("B_SPLINE_CURVE_WITH_KNOTS");
+    lines_.raw("'',3,").ids(poles).raw(",.UNSPECIFIED.,.F.,.F.,(");
+    for (std::size_t i = 0; i < curve.knots.size(); ++i) {
+      lines_.raw(i == 0 ? "4" : i + 1 == curve.knots.size() ? ",4" : ",2");
+    }
+    lines_.raw("),(");
+    for (std::size_t i = 0; i < curve.knots.size(); ++i) {
+      if (i > 0) lines_.raw(",");
+      lines_.ratio(curve.knots[i]);
+    }
+    lines_.raw("),.UNSPECIFIED.").end();
+    return id;
+  }
+
+  Id curve(const ModelEdge& edge) {
+    switch (edge.curve.kind) {
+      case CurveKind::Circle:
+        return circle(edge.curve);
+      case CurveKind::Spline:
+        return spline(edge.curve);
+      default:
+        return line(edge);
+    }
+  }
+
   void writeEdge(const ModelEdge& edge) {
-    const Id geometry = line(edge);
+    const Id geometry = curve(edge);
     edge_.push_back(lines_.begin("EDGE_CURVE"));
     lines_.raw("'',").id(vertex_[edge.start]).raw(",").id(vertex_[edge.end]).raw(",").id(geometry);
     lines_.raw(",.T.").end();
@@ -208,9 +242,29 @@ class Writer {
       lines_.raw(",$").end();
       return plane(frame);
     }
-    const Id frame =
-        placement(s.point, s.axis, s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis));
-    return plane(frame);
+    const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
+    if (s.kind == SurfaceKind::Plane) return plane(placement(s.point, s.axis, x));
+    // The angle of a cone is positive: the radius grows along its axis.
+    const bool turned = s.kind == SurfaceKind::Cone && s.halfAngle < 0;
+    const Id frame = placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);
+    const Id id = lines_.begin(keywordOf(s.kind));
+    lines_.raw("'',").id(frame).raw(",").length(s.radius);
+    if (s.kind == SurfaceKind::Cone) lines_.raw(",").ratio(std::abs(s.halfAngle));
+    if (s.kind == SurfaceKind::Torus) lines_.raw(",").length(s.minor);
+    lines_.end();
+    return id;
+  }
+  static const char* keywordOf(SurfaceKind kind) {
+    switch (kind) {
+      case SurfaceKind::Cylinder:
+        return "CYLINDRICAL_SURFACE";
+      case SurfaceKind::Cone:
+        return "CONICAL_SURFACE";
+      case SurfaceKind::Sphere:
+        return "SPHERICAL_SURFACE";
+      default:
+        return "TOROIDAL_SURFACE";
+    }
   }
   Id plane(Id frame) {
     const Id id = lines_.begin("PLANE");
@@ -232,8 +286,10 @@ class Writer {
       lines_.raw("'',").id(ring).raw(",.T.").end();
     }
     const Id geometry = surface(face);
+    // A bore's surface looks into the material; loops run as its face sees them.
+    const bool against = !face.surface.isPlanar() && face.surface.reversed;
     const Id id = lines_.begin("ADVANCED_FACE");
-    lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(",.T.").end();
+    lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(against ? ",.F." : ",.T.").end();
     return id;
   }
 
@@ -358,7 +414,15 @@ char32_t codePoint(const std::string& text, std::size_t& at) {
 
 }  // namespace
 
+bool isFlat(const Model& model) {
+  return std::all_of(model.faces.begin(), model.faces.end(),
+                     [](const ModelFace& face) { return face.surface.isPlanar(); });
+}
+
 double statedAccuracy(const Model& model) {
+  // Between surfaces readers find the gaps themselves; a wide figure would let them drop short
+  // edges.
+  if (!isFlat(model)) return 1e-6;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
   // A little more than was measured: the file rounds points and directions.

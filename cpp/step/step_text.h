@@ -1,6 +1,6 @@
 // Model -> text of a STEP file (ISO 10303-21), written straight from the model: the kernel's own
-// translator takes a minute and three times the bytes for 100,000 faces. For models of plane faces:
-// curved ones need their parameter curves, or some are read back wrong, and go through the kernel.
+// translator takes a minute and three times the bytes for 100,000 faces. Without parameter curves:
+// readers make their own.
 // In: Model. Out: one product with a solid for each outer shell (voids as inner shells), unit mm,
 // names, colour and author. Points to 1e-9 mm, directions to 13 digits. Cost: O(model).
 // Throws Error(Cancelled); a full disk shows in the stream.
@@ -18,6 +18,9 @@ namespace swept::step {
 
 void writeStepText(const Model& model, std::ostream& out, const std::string& fileName,
                    const StepOptions& options, RunContext& run);
+
+/// Plane faces only.
+bool isFlat(const Model& model);
 
 /// mm: how far vertices and edges lie from the surfaces that meet there, as the file states it.
 double statedAccuracy(const Model& model);

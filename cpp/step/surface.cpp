@@ -29,6 +29,12 @@ Eigen::Vector3d anyOrthogonal(const Eigen::Vector3d& axis) {
   return axis.cross(Eigen::Vector3d::Unit(smallest)).normalized();
 }
 
+void Surface::setHalfAngle(double angle) {
+  halfAngle = angle;
+  cosine = std::cos(angle);
+  sine = std::sin(angle);
+}
+
 double Surface::distance(const Eigen::Vector3d& p) const {
   const Eigen::Vector3d d = p - point;
   const double along = d.dot(axis);
@@ -44,8 +50,7 @@ double Surface::distance(const Eigen::Vector3d& p) const {
       value = (d - along * axis).norm() - radius;
       break;
     case SurfaceKind::Cone:
-      value =
-          ((d - along * axis).norm() - radius - along * std::tan(halfAngle)) * std::cos(halfAngle);
+      value = ((d - along * axis).norm() - radius) * cosine - along * sine;
       break;
     case SurfaceKind::Torus: {
       const double out = (d - along * axis).norm() - radius;
@@ -66,7 +71,7 @@ Eigen::Vector3d Surface::normal(const Eigen::Vector3d& p) const {
   if (kind == SurfaceKind::Sphere) {
     result = d.norm() > 1e-12 ? Eigen::Vector3d(d.normalized()) : axis;
   } else if (kind == SurfaceKind::Cone) {
-    result = std::cos(halfAngle) * radial - std::sin(halfAngle) * axis;
+    result = cosine * radial - sine * axis;
   } else if (kind == SurfaceKind::Torus) {
     const Eigen::Vector3d tube = (rho - radius) * radial + along * axis;
     result = tube.norm() > 1e-12 ? Eigen::Vector3d(tube.normalized()) : radial;

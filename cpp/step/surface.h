@@ -20,10 +20,12 @@ struct Surface {
   double radius = 0;            ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
   double minor = 0;             ///< torus: of the tube
   double tubeMid = 0;           ///< torus: tube angle in the middle of the face
-  double halfAngle = 0;   ///< cone: between axis and generator line; radius grows along the axis
+  double halfAngle = 0;  ///< cone: between axis and generator line; radius grows along the axis
+  double cosine = 1, sine = 0;  ///< of halfAngle
   bool reversed = false;  ///< material lies outside (a bore): outward is towards the axis or centre
 
   bool isPlanar() const { return kind == SurfaceKind::Facet || kind == SurfaceKind::Plane; }
+  void setHalfAngle(double angle);
   double distance(const Eigen::Vector3d& p) const;
   /// Unit, away from the material.
   Eigen::Vector3d normal(const Eigen::Vector3d& p) const;
