@@ -43,7 +43,7 @@ def measure(program, case, threads, folder):
         "elapsed": seconds["total"] - (files if seconds["total"] > files else 0),
         "cpu": usage.ru_utime + usage.ru_stime,
         "stages": seconds,
-        "peak_mb": usage.ru_maxrss / 1024,
+        "peak_mb": found["peak_memory_bytes"] / 1e6,
         "triangles": found["triangles"],
         "self_intersections": found["self_intersections"],
         "chord_refined_placements": found["refined_placements"],

@@ -124,7 +124,7 @@ class Run {
     if (topologyOfBody_ == nullptr) own = buildTopology(prepared_.body.mesh);
     const BodyTopology& topology = topologyOfBody_ != nullptr ? *topologyOfBody_ : own;
     Estimate e = estimateOf(prepared_, options_);
-    if (!fitsMemory(e, run_)) e = estimateByPilot(e, prepared_, topology, options_, run_);
+    if (!fitsMemory(e, run_, 2)) e = estimateByPilot(e, prepared_, topology, options_, run_);
     report_.estimatedMemoryBytes = e.memoryBytes;
     cpuSeconds_ = e.seconds;
     requireMemory(e, run_);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <optional>
 
 #include "base/parallel.h"
 #include "sampling/contributing_edges.h"
@@ -12,27 +14,35 @@
 namespace swept {
 namespace {
 
-/// Measured: 240 to 320 bytes a crossing at the peak of a run (docs/performance.md).
-constexpr double kBytesPerCrossing = 340;
-/// Finer grids see a little more of thin walls and gaps than the square of the resolution.
+/// Measured at the peak of runs (docs/performance.md): 240 to 300 a crossing; thin walls need more,
+/// for what may meet there is compared.
+constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
 constexpr double kRoom = 1.1;
 constexpr double kLeastRatio = 2;         ///< of the resolutions
 constexpr double kMostCopiedFaces = 5e7;  ///< of a union of copies
 
-std::int64_t countCrossings(const SamplerInput& input, RunContext& run) {
+struct Counts {
+  std::int64_t crossings = 0;
+  std::int64_t walls = 0;  ///< edges with a wall thinner than a cell on them
+};
+
+Counts countCrossings(const SamplerInput& input, RunContext& run) {
   const MarkedEdges marked = sampleCpu(input, run);
   const SignRuns signs = findOutside(marked, input.grid, run);
-  std::atomic<std::int64_t> crossings{0};
+  std::atomic<std::int64_t> crossings{0}, walls{0};
   parallelFor(marked.layers.size(), [&](std::size_t i) {
-    std::int64_t here = 0;
+    std::int64_t edges = 0, both = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      forContributing(
-          marked, signs, input.grid, static_cast<std::int32_t>(i), axis,
-          [&](std::int32_t, const MarkedEdge&, std::uint8_t sides) { here += sides == 3 ? 2 : 1; });
+      forContributing(marked, signs, input.grid, static_cast<std::int32_t>(i), axis,
+                      [&](std::int32_t, const MarkedEdge&, std::uint8_t sides) {
+                        ++edges;
+                        both += sides == 3;
+                      });
     }
-    crossings += here;
+    crossings += edges + both;
+    walls += both;
   });
-  return crossings;
+  return {crossings, walls};
 }
 
 }  // namespace
@@ -45,22 +55,32 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
                         static_cast<double>(prepared.motion.placements.size());
   if (ratio < kLeastRatio || options.offset > 0 || options.conservative) return estimate;
   if (!prepared.motion.continuous && copies > kMostCopiedFaces) return estimate;
-  Prepared coarse;
-  coarse.body = prepared.body;
-  coarse.trajectory = prepared.trajectory;
-  Options plain = options;
-  plain.cellSize = prepared.grid.cell * ratio;
-  planRun(coarse, plain, run);
-  if (!fitsMemory(estimateOf(coarse, plain), run)) return estimate;
-  const std::int64_t crossings = countCrossings({coarse.body.mesh, topology, coarse.motion,
-                                                 coarse.grid, options.cull, coarse.body.orientable},
-                                                run);
-  const double expected = kRoom * ratio * ratio * static_cast<double>(crossings);
-  const double faces = static_cast<double>(coarse.body.mesh.triangles.size());
+  const auto countAt = [&](double coarser) -> std::optional<Counts> {
+    Prepared coarse;
+    coarse.body = prepared.body;
+    coarse.trajectory = prepared.trajectory;
+    Options plain = options;
+    plain.cellSize = prepared.grid.cell * coarser;
+    planRun(coarse, plain, run);
+    if (!fitsMemory(estimateOf(coarse, plain), run)) return std::nullopt;
+    return countCrossings({coarse.body.mesh, topology, coarse.motion, coarse.grid, options.cull,
+                           coarse.body.orientable},
+                          run);
+  };
+  const std::optional<Counts> coarse = countAt(2 * ratio), fine = countAt(ratio);
+  if (!coarse || !fine || coarse->crossings == 0) return estimate;
+  // A surface grows by four from one to the next; thin walls that come into sight, by more.
+  const double power = std::clamp(
+      std::log2(static_cast<double>(fine->crossings) / static_cast<double>(coarse->crossings)), 2.0,
+      2.5);
+  const double growth = kRoom * std::pow(ratio, power);
+  const double crossings = growth * static_cast<double>(fine->crossings);
+  const double walls = growth * static_cast<double>(fine->walls);
+  const double faces = static_cast<double>(prepared.body.mesh.triangles.size());
   Estimate better = estimate;
-  better.triangles = std::min(estimate.triangles, static_cast<std::int64_t>(2 * expected));
-  better.memoryBytes = std::min(
-      estimate.memoryBytes, static_cast<std::uint64_t>(expected * kBytesPerCrossing + faces * 200));
+  better.triangles = static_cast<std::int64_t>(2 * crossings);
+  better.memoryBytes = static_cast<std::uint64_t>(crossings * kBytesPerCrossing +
+                                                  walls * kBytesPerWall + faces * 200);
   return better;
 }
 

@@ -1,8 +1,8 @@
-// A second look at a run that seems to take too much memory: the same sweep on a coarse grid.
+// A second look at a run that may take too much memory: the same sweep on a coarse grid.
 //
-// The estimate of plan.h knows the box of the sweep only and errs to the safe side by two or three
-// times. Here the crossings are counted on a coarse grid; their number grows as the square of the
-// resolution. Cost: a run's sampling at kPilotCells.
+// The estimate of plan.h knows the box of the sweep only: two or three times too much for most
+// sweeps, too little where thin walls abound. Here the crossings are counted on two coarse grids,
+// which tells how their number grows. Cost: a run's sampling at kPilotCells and at half of it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace swept {
 
 constexpr double kPilotCells = 256;  ///< along the longest side
 
-/// The estimate, with what the pilot says of memory and triangles where it says less. Unchanged if
+/// The estimate, with what the pilot says of memory and triangles. Unchanged if
 /// the grid is not much finer than the pilot's, or what is asked for is no plain sweep.
 Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
                          const BodyTopology& topology, const Options& options, RunContext& run);

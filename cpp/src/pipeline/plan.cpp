@@ -142,9 +142,9 @@ std::uint64_t memoryLimit(const RunContext& run) {
 
 }  // namespace
 
-bool fitsMemory(const Estimate& e, const RunContext& run) {
+bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {
   const std::uint64_t limit = memoryLimit(run);
-  return limit == 0 || e.memoryBytes <= limit;
+  return limit == 0 || e.memoryBytes <= limit / times;
 }
 
 void requireMemory(const Estimate& e, const RunContext& run) {

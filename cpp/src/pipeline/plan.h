@@ -42,7 +42,8 @@ void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
 
-bool fitsMemory(const Estimate& estimate, const RunContext& run);
+/// Does the run fit into its budget if it takes `times` what the estimate says?
+bool fitsMemory(const Estimate& estimate, const RunContext& run, std::uint64_t times = 1);
 /// Throws Error(ResourceLimit) if the run would take more memory than it may.
 void requireMemory(const Estimate& estimate, const RunContext& run);
 
