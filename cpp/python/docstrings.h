@@ -105,8 +105,8 @@ note, volume, mesh_volume, file_bytes and seconds. Raises ExportFailed, Cancelle
 
 Options: tolerance (mm, 0: exact, unless a limit asks for more), recognise=True, max_faces=20000,
 max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214' or
-'ap242', product_name='Swept envelope', author, organization, colour=(r, g, b). Without a tolerance
-the solid gets the smallest one that meets the limits.)";
+'ap242', product_name='Swept envelope', author, organization, colour=(r, g, b), exact=False. Without
+a tolerance the solid gets the smallest one that meets the limits; with exact it is refused instead.)";
 
 constexpr const char* kEstimateSolidDoc =
     R"(estimate_solid(vertices, triangles, run=None, **options) -> dict

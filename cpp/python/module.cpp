@@ -234,6 +234,8 @@ StepOptions solidOptions(const py::dict& keywords) {
       options.planarTolerance = py::cast<double>(value);
     } else if (name == "tolerance") {
       options.tolerance = py::cast<double>(value);
+    } else if (name == "exact") {
+      options.exact = py::cast<bool>(value);
     } else if (name == "recognise") {
       options.recognise = py::cast<bool>(value);
     } else if (name == "max_faces") {

@@ -53,6 +53,9 @@ void checkOptions(const StepOptions& options) {
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
     throw Error(Status::ExportFailed, "BadOption", "the solid's tolerance must be 0 mm or more");
   }
+  if (options.exact && options.tolerance > 0) {
+    throw Error(Status::ExportFailed, "BadOption", "an exact solid has a tolerance of 0 mm");
+  }
   if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
     throw Error(Status::ExportFailed, "BadOption",
                 "a solid has 4 faces at least, and a file more than 0 MB");
@@ -247,6 +250,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   std::int64_t faces = 0;
   if (!given) {
     if (auto built = tryBuild(mesh, mesh, options, format, faces, run)) return std::move(*built);
+    if (options.exact) refuseTooMany(faces, options, format);
   }
   const double diagonal = diagonalOf(mesh);
   HalfEdgeMesh thin;

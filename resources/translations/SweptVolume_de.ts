@@ -143,8 +143,8 @@
    <translation>Hülle exportieren …</translation>
   </message>
   <message>
-   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way</source>
-   <translation>Schreibt die ausgewählte Hülle als STEP, BREP, STL, PLY, OBJ oder OFF und prüft sie dabei</translation>
+   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way; a selected solid's tolerance and limits are taken</source>
+   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ oder OFF und prüft sie dabei; Toleranz und Grenzen eines gewählten Volumenkörpers gelten auch hier</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -426,6 +426,10 @@ Versucht:
   <message>
    <source>compute the envelope first: there is no mesh to make a solid of.</source>
    <translation>Zuerst die Hülle berechnen: Es gibt noch kein Netz für einen Festkörper.</translation>
+  </message>
+  <message>
+   <source>the envelope is conservative, and a solid with a tolerance could cut into the swept volume: set the solid's Tolerance to 0.</source>
+   <translation>die Hülle ist konservativ, und ein Volumenkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Tolerance des Volumenkörpers auf 0 setzen.</translation>
   </message>
   <message>
    <source>{0} solid</source>
@@ -1376,8 +1380,16 @@ Versucht:
    <translation>Ebene Bereiche werden einzelne Flächen</translation>
   </message>
   <message>
-   <source>More faces than this are refused: set Tolerance of the envelope</source>
-   <translation>Mehr Flächen werden abgelehnt: Tolerance der Hülle setzen</translation>
+   <source>At most this many faces; without a Tolerance it is chosen so</source>
+   <translation>Höchstens so viele Flächen; ohne Tolerance wird sie danach gewählt</translation>
+  </message>
+  <message>
+   <source>The solid may leave the mesh by this: cylinders, spheres and the like are found, the rest is simplified. 0: exact, unless MaxFaces asks for more</source>
+   <translation>So weit darf der Volumenkörper vom Netz abweichen: Zylinder, Kugeln und dergleichen werden erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces nicht mehr verlangt</translation>
+  </message>
+  <message>
+   <source>Largest distance of the mesh from the solid, as measured</source>
+   <translation>Größter gemessener Abstand des Netzes vom Volumenkörper</translation>
   </message>
   <message>
    <source>Why the last run failed</source>

@@ -231,6 +231,32 @@ class SolidAndFiles(Computed):
         solid.compute(body)
         self.assertAlmostEqual(body.Shape.Volume, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
 
+    def test_tolerance_and_limit(self):
+        obj = self.computed()
+        body = solid.make_solid(self.doc, obj, Tolerance=0.2, MaxFaces=500)
+        solid.compute(body)
+        self.assertEqual(body.Status, solid.UP_TO_DATE)
+        self.assertLessEqual(body.Faces, 500)
+        self.assertLessEqual(body.Deviation.Value, 0.2)
+        body.Tolerance = 0.1
+        self.doc.recompute()
+        self.assertEqual(body.Status, solid.STALE)
+        path = os.path.join(self.folder, "like.step")
+        self.assertEqual(export.write(export.request(obj, body), path)["tolerance"], 0.1)
+
+    def test_conservative_solid_is_exact(self):
+        obj = self.envelope([self.box()], self.line(), Conservative=True, CellSize=2)
+        envelope.compute(obj)
+        body = solid.make_solid(self.doc, obj, Tolerance=0.2)
+        with self.assertRaisesRegex(InputProblem, "cut into the swept volume"):
+            solid.compute(body)
+        body.Tolerance = 0
+        body.MaxFaces = 5
+        with self.assertRaisesRegex(core.CoreError, "limit is 5 faces"):
+            solid.compute(body)
+        body.MaxFaces = 20000
+        self.assertEqual(solid.compute(body)["tolerance"], 0)
+
     def test_step_is_read_back(self):
         obj = self.computed()
         obj.Placement = shift(0, 0, 7)

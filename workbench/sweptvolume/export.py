@@ -32,9 +32,10 @@ def check_target(path):
         raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
 
 
-def request(source, merge=True, max_faces=120000):
-    """Reads the envelope in world coordinates."""
-    return solid.request_for(source, merge, max_faces, world=True)
+def request(source, like=None):
+    """Reads the envelope in world coordinates. `like`: a solid object whose settings are taken."""
+    settings = solid.settings(like) if like is not None else {}
+    return solid.request_for(source, world=True, **settings)
 
 
 def write(req, path, control=None):

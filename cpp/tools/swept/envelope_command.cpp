@@ -115,6 +115,12 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
   if (a.wasGiven("--cell") && !(job.options.cellSize > 0)) {
     bad("--cell must be greater than 0 mm");
   }
+#ifdef HAVE_SWEPT_STEP
+  if (job.options.conservative && job.solid.tolerance > 0) {
+    bad("--solid-tolerance would let the solid cut into a conservative envelope; leave it out");
+  }
+  job.solid.exact = job.options.conservative;
+#endif
   job.generatorPath = positional[0];
   job.options.resolution = static_cast<int>(resolution);
   return job;

@@ -14,6 +14,7 @@ const char* const kSolidOptionsHelp =
   --max-megabytes N       at most this much in the file
                           without --solid-tolerance the solid is simplified as far as the limits ask
   --schema S              ap214 or ap242 (default ap214)
+  --exact                 never leave the mesh: above a limit refuse instead of simplifying
   --facets                plane faces only, no other surfaces
   --author, --organization, --product TEXT
 )";
@@ -23,6 +24,7 @@ void addSolidOptions(Arguments& arguments, StepOptions& options) {
   arguments.number("--solid-tolerance", options.tolerance);
   arguments.integer("--max-faces", options.maxFaces, 4, std::int64_t{1} << 31U);
   arguments.number("--max-megabytes", options.maxMegabytes);
+  arguments.flag("--exact", options.exact);
   arguments.flag("--facets", options.recognise, false);
   arguments.text("--author", options.author);
   arguments.text("--organization", options.organization);

@@ -292,6 +292,17 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
   EXPECT_EQ(filesIn(folder_), 1U);
 }
 
+// An exact solid is refused, not simplified.
+TEST_F(StepExport, ExactIsNotSimplified) {
+  StepOptions options;
+  options.exact = true;
+  options.maxFaces = 100;
+  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
+  options.tolerance = 0.1;
+  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "BadOption");
+  EXPECT_EQ(filesIn(folder_), 0U);
+}
+
 // A limit without a tolerance: the smallest tolerance of a series that meets it is taken and said.
 TEST_F(StepExport, LimitsChooseTheTolerance) {
   TriMesh mesh = torusMesh(20, 6, 60, 24);

@@ -10,7 +10,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Export envelope...")
     TIP = mark(
         "Commands",
-        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way",
+        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way; a selected "
+        "solid's tolerance and limits are taken",
     )
 
     def run(self, document):
@@ -23,4 +24,4 @@ class Command(BaseCommand):
             raise InputProblem(translate("Messages", "Select an envelope first."))
         path = file_dialogs.ask_export(source.Label)
         if path:
-            run_panel.show(tasks.ExportTask(source, path), self.NAME)
+            run_panel.show(tasks.ExportTask(source, path, solid), self.NAME)

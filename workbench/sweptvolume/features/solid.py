@@ -50,10 +50,30 @@ class Solid(Feature):
                 "MaxFaces",
                 "Solid",
                 mark(
-                    "Properties", "More faces than this are refused: set Tolerance of the envelope"
+                    "Properties", "At most this many faces; without a Tolerance it is chosen so"
                 ),
-                120000,
+                20000,
                 0,
+            ),
+            (
+                "App::PropertyLength",
+                "Tolerance",
+                "Solid",
+                mark(
+                    "Properties",
+                    "The solid may leave the mesh by this: cylinders, spheres and the like are found, "
+                    "the rest is simplified. 0: exact, unless MaxFaces asks for more",
+                ),
+                0.0,
+                0,
+            ),
+            (
+                "App::PropertyLength",
+                "Deviation",
+                "Result",
+                mark("Properties", "Largest distance of the mesh from the solid, as measured"),
+                None,
+                READ_ONLY,
             ),
             (
                 "App::PropertyString",
@@ -116,6 +136,9 @@ def input_hash(obj):
     if source is None or not can_be_source(source):
         return ""
     words = [convert.signature([(source, "")]), str(obj.MergeCoplanar)]
+    # With the defaults as before these properties: solids of older documents stay current.
+    if obj.Tolerance.Value > 0:
+        words.append(repr(obj.Tolerance.Value))
     if envelope_feature.is_envelope(source):
         words.append(source.InputHash)
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
@@ -136,12 +159,14 @@ def update_status(obj):
 class Request:
     """A mesh and how it becomes a solid; no document behind it."""
 
-    def __init__(self, vertices, triangles, merge, max_faces, name):
+    def __init__(self, vertices, triangles, name, merge, max_faces, tolerance, exact):
         self.vertices = vertices
         self.triangles = triangles
+        self.name = name
         self.merge = merge
         self.max_faces = max_faces
-        self.name = name
+        self.tolerance = tolerance
+        self.exact = exact
 
     def write(self, path, control):
         """Writes STEP or BREP by suffix; returns the core's report (dict). Raises core.CoreError."""
@@ -154,27 +179,49 @@ class Request:
             merge_coplanar=self.merge,
             planar_tolerance=max(1e-6, reach * SINGLE_PRECISION),
             max_faces=self.max_faces,
+            tolerance=self.tolerance,
+            exact=self.exact,
             product_name=self.name,
         )
 
 
-def request_for(source, merge=True, max_faces=120000, world=False):
-    """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame."""
+def request_for(source, merge=True, max_faces=20000, tolerance=0.0, world=False):
+    """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame.
+
+    The solid of a conservative envelope is exact: simplified it could cut into the swept volume."""
     if source is None or not can_be_source(source):
         raise InputProblem(
             translate(
                 "Messages", "compute the envelope first: there is no mesh to make a solid of."
             )
         )
+    exact = envelope_feature.is_envelope(source) and bool(source.Conservative)
+    if exact and tolerance > 0:
+        raise InputProblem(
+            translate(
+                "Messages",
+                "the envelope is conservative, and a solid with a tolerance could cut into the swept "
+                "volume: set the solid's Tolerance to 0.",
+            )
+        )
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
     if world:
         placement = convert.global_placement(*convert.root_path(source))
         vertices = convert.transform(convert.matrix_of(placement), vertices)
-    return Request(vertices, triangles, merge, max_faces, source.Label)
+    return Request(vertices, triangles, source.Label, merge, max_faces, tolerance, exact)
+
+
+def settings(obj):
+    """What a solid object says about solids, as request_for() takes it."""
+    return {
+        "merge": bool(obj.MergeCoplanar),
+        "max_faces": int(obj.MaxFaces),
+        "tolerance": obj.Tolerance.Value,
+    }
 
 
 def request(obj):
-    return request_for(obj.Source, bool(obj.MergeCoplanar), int(obj.MaxFaces))
+    return request_for(obj.Source, **settings(obj))
 
 
 def work(req, control):
@@ -204,6 +251,7 @@ def apply(obj, value, hash_at_start):
     obj.Shape = shape
     obj.Faces = len(shape.Faces)
     obj.Volume = shape.Volume
+    obj.Deviation = report["deviation"]
     obj.Message = ""
     obj.InputHash = hash_at_start
     update_status(obj)

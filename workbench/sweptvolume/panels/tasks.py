@@ -131,13 +131,13 @@ class SolidTask(Task):
 class ExportTask(Task):
     """Writes an envelope to a file; the document stays as it is."""
 
-    def __init__(self, source, path):
+    def __init__(self, source, path, like=None):
         self.title = translate("Messages", "Export envelope")
         self.document = source.Document
         self.watched = [source]
         self.path = path
         export.check_target(path)
-        self.request = export.request(source)
+        self.request = export.request(source, like)
 
     def work(self, control):
         return export.write(self.request, self.path, control)
