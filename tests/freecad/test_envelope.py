@@ -193,6 +193,23 @@ class Envelope(Computed):
         self.assertAlmostEqual(found["cell"], 0.5)
         self.assertTrue(all(a <= n <= a + 16 for n, a in zip(found["grid"], (80, 20, 20))), found)
 
+    def test_other_tolerance_cuts_the_kept_surface(self):
+        obj = self.computed(Tolerance=0.05)
+        before = json.loads(obj.Report)
+        obj.Tolerance = 0.5
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        after = json.loads(obj.Report)
+        self.assertEqual(after["seconds"], before["seconds"], "sampled again")
+        self.assertGreater(after["simplification_deviation"], before["simplification_deviation"])
+        core.forget()
+        found = obj.Mesh.Topology
+        envelope.compute(obj)
+        self.assertEqual(obj.Mesh.Topology, found, "not what a run of its own gives")
+        self.assertNotEqual(json.loads(obj.Report)["seconds"], before["seconds"])
+
     def test_position_filter(self):
         places = [shift(0.01 * k) for k in range(2001)]
         self.part = self.box()

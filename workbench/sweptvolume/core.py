@@ -177,10 +177,40 @@ def _arguments(request):
     return request.vertices, request.triangles, motion, request.interpolation
 
 
+def _same_input(one, other):
+    """Whether two requests differ in nothing but the tolerance."""
+    if dict(one.options, tolerance=0) != dict(other.options, tolerance=0):
+        return False
+    if one.interpolation != other.interpolation:
+        return False
+    names = ("vertices", "triangles", "times", "translations", "rotations")
+    return all(np.array_equal(getattr(one, n), getattr(other, n)) for n in names)
+
+
+# The last simplified run: at another tolerance its surface is cut again, not sampled.
+_last_simplified = None
+
+
+def forget():
+    """Gives back what is kept between runs."""
+    global _last_simplified
+    _last_simplified = None
+
+
 def compute(request, control):
-    """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
+    """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError.
+
+    Where only the tolerance differs from the last simplified run, that one is cut again.
+    """
+    global _last_simplified
+    tolerance, last = request.options.get("tolerance", 0), _last_simplified
     with _errors():
-        found = module().compute(*_arguments(request), run=control.context, **request.options)
+        if tolerance > 0 and last is not None and _same_input(request, last[0]):
+            found = last[1].recut(tolerance, run=control.context)
+        else:
+            found = module().compute(*_arguments(request), run=control.context, **request.options)
+    if tolerance > 0 and not request.options.get("conservative"):
+        _last_simplified = request, found
     return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
 
 
