@@ -312,6 +312,30 @@ Versucht:
    <translation>Beispiel</translation>
   </message>
   <message>
+   <source>Starter motor</source>
+   <translation>Anlasser</translation>
+  </message>
+  <message>
+   <source>Bell housing</source>
+   <translation>Getriebeglocke</translation>
+  </message>
+  <message>
+   <source>Flywheel</source>
+   <translation>Schwungrad</translation>
+  </message>
+  <message>
+   <source>Engine block and pan</source>
+   <translation>Motorblock und Wanne</translation>
+  </message>
+  <message>
+   <source>Exhaust pipe</source>
+   <translation>Auspuffrohr</translation>
+  </message>
+  <message>
+   <source>Frame rail</source>
+   <translation>Rahmenträger</translation>
+  </message>
+  <message>
    <source>the file type "{0}" is unknown; use one of {1}.</source>
    <translation>Der Dateityp „{0}“ ist unbekannt; möglich sind {1}.</translation>
   </message>
@@ -669,8 +693,8 @@ Versucht:
    <translation>bei s</translation>
   </message>
   <message>
-   <source>depth mm</source>
-   <translation>Tiefe mm</translation>
+   <source>depth</source>
+   <translation>Tiefe</translation>
   </message>
   <message>
    <source>CSV...</source>
@@ -1433,6 +1457,17 @@ Mehrere Teile bewegen sich starr zusammen; Absolute setzt das erste davon.</tran
   <message>
    <source>The space that moving parts need: motions, swept envelopes, solids, STEP</source>
    <translation>Der Raum, den bewegte Teile brauchen: Bewegungen, Hüllen, Festkörper, STEP</translation>
+  </message>
+ </context>
+ <context>
+  <name>Workbench</name>
+  <message>
+   <source>Swept Volume</source>
+   <translation>Überstrichener Raum</translation>
+  </message>
+  <message>
+   <source>&amp;Swept Volume</source>
+   <translation>Ü&amp;berstrichener Raum</translation>
   </message>
  </context>
 </TS>

@@ -33,6 +33,8 @@ def texts():
             if name in ("translate", "mark") and len(values) == 2:
                 if all(isinstance(v, str) for v in values):
                     add(found, "SweptVolume_" + values[0], values[1])
+            elif name == "menu" and len(values) == 1 and isinstance(values[0], str):
+                add(found, "Workbench", values[0])
             elif name == "t" and len(values) == 1 and isinstance(values[0], str):
                 add(found, "SweptVolume_Panels", values[0])
     for path in sorted(glob.glob(os.path.join(ROOT, "resources", "ui", "*.ui"))):

@@ -39,7 +39,7 @@ def build():
     starter = None
     for name, label, model, colour in demo_parts.PARTS:
         obj = document.addObject("Part::Feature", name)
-        obj.Label = label
+        obj.Label = translate("Messages", label)
         obj.Shape = model()
         if obj.ViewObject is not None:
             obj.ViewObject.ShapeColor = colour

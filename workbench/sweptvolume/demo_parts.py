@@ -9,6 +9,8 @@ import math
 import FreeCAD as App
 import Part
 
+from .texts import mark
+
 V = App.Vector
 X, Y, Z = V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)
 
@@ -233,10 +235,10 @@ def path():
 
 #: Name, label, function, colour. The first is the part that moves.
 PARTS = [
-    ("Starter", "Starter motor", starter, (0.80, 0.80, 0.83)),
-    ("BellHousing", "Bell housing", bell_housing, (0.62, 0.66, 0.70)),
-    ("Flywheel", "Flywheel", flywheel, (0.45, 0.45, 0.48)),
-    ("Engine", "Engine block and pan", engine, (0.55, 0.60, 0.66)),
-    ("Exhaust", "Exhaust pipe", exhaust, (0.72, 0.52, 0.38)),
-    ("FrameRail", "Frame rail", frame_rail, (0.28, 0.30, 0.33)),
+    ("Starter", mark("Messages", "Starter motor"), starter, (0.80, 0.80, 0.83)),
+    ("BellHousing", mark("Messages", "Bell housing"), bell_housing, (0.62, 0.66, 0.70)),
+    ("Flywheel", mark("Messages", "Flywheel"), flywheel, (0.45, 0.45, 0.48)),
+    ("Engine", mark("Messages", "Engine block and pan"), engine, (0.55, 0.60, 0.66)),
+    ("Exhaust", mark("Messages", "Exhaust pipe"), exhaust, (0.72, 0.52, 0.38)),
+    ("FrameRail", mark("Messages", "Frame rail"), frame_rail, (0.28, 0.30, 0.33)),
 ]

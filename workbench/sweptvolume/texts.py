@@ -14,3 +14,8 @@ def translate(context, text):
 def mark(context, text):  # noqa: ARG001 (read by the translation tool)
     """Marks a text that is translated where it is shown, not where it is defined."""
     return text
+
+
+def menu(text):
+    """Marks the name of a menu or toolbar: FreeCAD translates it itself, in its context Workbench."""
+    return text

@@ -45,6 +45,9 @@ def scenario():
     doc = App.ActiveDocument
     starter, path = doc.getObject("Starter"), doc.getObject("Motion")
     assert starter is not None and path.Count == 12
+    assert starter.Label == "Anlasser" and path.Label == "Einbaubahn"
+    menus = [action.text() for action in Gui.getMainWindow().menuBar().actions()]
+    assert "Ü&berstrichener Raum" in menus, menus
     for name, items, expected in (
         ("EditMotion", (starter, path), ("Zwischen Lagen", "Aufnehmen")),
         ("Envelope", (starter, path), ("Genauigkeit",)),

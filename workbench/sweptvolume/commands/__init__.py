@@ -2,7 +2,7 @@
 """The commands: one file each, registered here in the order of menu and toolbar."""
 import FreeCADGui as Gui
 
-from ..texts import translate
+from ..texts import menu
 
 #: Module below commands/; "" is a separator.
 _MODULES = [
@@ -45,9 +45,9 @@ def register():
 
 
 def fill_workbench(workbench):
-    title = translate("Workbench", "Swept Volume")
-    workbench.appendToolbar(title, [name for name in _names if name not in _MENU_ONLY])
-    workbench.appendMenu("&" + title, list(_names))
+    shown = [name for name in _names if name not in _MENU_ONLY]
+    workbench.appendToolbar(menu("Swept Volume"), shown)
+    workbench.appendMenu(menu("&Swept Volume"), list(_names))
 
 
 def fill_context_menu(workbench, recipient):

@@ -113,9 +113,10 @@ class ClearancePanel:
             translate("Panels", "Verdict"),
             "mm",
             translate("Panels", "at s"),
-            translate("Panels", "depth mm"),
+            translate("Panels", "depth"),
         )
         self.table.setHorizontalHeaderLabels(heads)
+        self.table.horizontalHeaderItem(4).setToolTip("mm")
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
@@ -238,6 +239,7 @@ class ClearancePanel:
         self.check.setEnabled(True)
         if run.state == "ok":
             self.obj = run.task.obj
+            Gui.Selection.clearSelection()  # its green would hide the colours
             self.required_band.setProperty("rawValue", self.obj.Required.Value)
             self.show_result()
             return
@@ -278,6 +280,7 @@ class ClearancePanel:
                 _Cell("{:.4g}".format(round(row["time_seconds"], 6)), row["time_seconds"]),
                 _Cell("{:.3g}".format(deep) if deep else "", -deep),
             )
+
             colour = QtGui.QColor.fromRgbF(*BANDS[RANK[row["verdict"]]])
             for c, cell in enumerate(cells):
                 cell.setData(QtCore.Qt.UserRole, r)
@@ -288,6 +291,8 @@ class ClearancePanel:
                 elif c == 0:
                     cell.setToolTip(row["name"])
                 self.table.setItem(r, c, cell)
+        clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
+        self.table.setColumnHidden(4, not clashes)
         self.table.setSortingEnabled(True)
         self.table.sortItems(2)
         QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)

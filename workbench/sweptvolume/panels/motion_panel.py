@@ -87,7 +87,7 @@ class MotionPanel:
         line = QtWidgets.QHBoxLayout()
         for field in (self.snap, self.snap_angle):
             field.setToolTip(tip)
-            field.setMinimumWidth(70)
+            field.setMinimumWidth(82)
             line.addWidget(field, 1)
             field.valueChanged.connect(lambda *ignored: self._set_snap())
         line.addWidget(round_button)

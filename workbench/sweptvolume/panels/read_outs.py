@@ -5,7 +5,7 @@ import json
 import FreeCAD as App
 from PySide import QtCore
 
-from ..features.base import CANCELLED, FAILED
+from ..features.envelope import CANCELLED, FAILED, warnings_of
 from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
@@ -56,6 +56,7 @@ def lines_of(obj):
     ]
     if obj.Message and obj.Status in (CANCELLED, FAILED):
         lines.append(translate("Panels", "Last run: {0}").format(obj.Message))
-    elif obj.Message:
-        lines.append(translate("Panels", "Warnings: {0}").format(obj.Message))
+    warnings = "\n".join(w["text"] for w in warnings_of(report))
+    if warnings:
+        lines.append(translate("Panels", "Warnings: {0}").format(warnings))
     return lines

@@ -13,7 +13,7 @@ ENVELOPE_COLOUR = (0.35, 0.60, 0.90)
 #: A ghost is drawn many times, and only to be looked through.
 GHOST_TRIANGLES = 3000
 #: Triangles that are drawn anew within one turn of the event loop, and ms between two of them.
-PIECE, PAUSE = 50000, 20
+PIECE, PAUSE = 30000, 20
 
 
 class Overlay:
@@ -131,9 +131,11 @@ def pieces_of(vertices, triangles):
     shape_of(). Slow enough to be made in any thread but the window's."""
     found = []
     for start in range(0, len(triangles), PIECE):
-        used, corners = np.unique(triangles[start : start + PIECE], return_inverse=True)
-        indices = np.full((len(corners) // 3, 4), -1, dtype=np.int32)
-        indices[:, :3] = corners.reshape(-1, 3)
+        corners = triangles[start : start + PIECE]
+        used = np.zeros(len(vertices), dtype=bool)
+        used[corners] = True
+        indices = np.full((len(corners), 4), -1, dtype=np.int32)
+        indices[:, :3] = (np.cumsum(used, dtype=np.int32) - 1)[corners]
         found.append((np.asarray(vertices[used], dtype=np.float32), indices.ravel().tolist()))
     return found
 
