@@ -54,7 +54,8 @@ def test_scenario(scenario):
             env=environment,
             stdin=subprocess.DEVNULL,
             capture_output=True,
-            text=True,
+            encoding="utf-8",  # the locale of this process is FreeCAD's business
+            errors="replace",
             timeout=300,
         )
     print(done.stdout[-1500:])

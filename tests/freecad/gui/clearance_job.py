@@ -2,6 +2,7 @@
 """A clearance check by real commands: envelope, check, table, row, colours, graph, spreadsheet."""
 import os
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from driver import (  # noqa: E402
@@ -23,6 +24,7 @@ from driver import (  # noqa: E402
 
 def scenario():
     from sweptvolume.features import clearance, envelope, motion
+    from sweptvolume.panels import file_dialogs
 
     open_workbench()
     yield
@@ -84,6 +86,34 @@ def scenario():
     assert view.colours.getNumChildren() == 1 and not swept.ViewObject.Visibility
     shot("13_clearance_colours")
     yield 1.0
+
+    # Other borders of the bands colour it anew; a head sorts; the table is written.
+    def corners_in_contact():
+        faces = view.colours.getChild(0).getChild(4)
+        return list(faces.materialIndex.getValues()).count(1)
+
+    before = corners_in_contact()
+    find(QtWidgets.QWidget, "SweptVolumeRequiredBand").setProperty("rawValue", 40.0)
+    find(QtWidgets.QWidget, "SweptVolumeContactBand").setProperty("rawValue", 20.0)
+    yield 0.3
+    assert corners_in_contact() > before + 100, (corners_in_contact(), before)
+    shot("14_clearance_bands")
+    yield 1.0
+    table.sortItems(0)
+    names = [table.item(r, 0).text() for r in range(4)]
+    assert names == sorted(names), names
+    undo = doc.UndoCount
+    click(find(QtWidgets.QPushButton, "SweptVolumeSheet"))
+    yield 0.3
+    sheets = [o for o in doc.Objects if o.isDerivedFrom("Spreadsheet::Sheet")]
+    assert len(sheets) == 1 and doc.UndoCount == undo + 1, (sheets, doc.UndoNames)
+    path = os.path.join(tempfile.mkdtemp(), "table.csv")
+    file_dialogs.ask_table = lambda name: path
+    click(find(QtWidgets.QPushButton, "SweptVolumeCsv"))
+    yield 0.3
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    assert len(lines) == 5 and any("Post" in line for line in lines), lines
     click(panel_button(Close))
     yield no_panel
     assert swept.ViewObject.Visibility and view.colours.getNumChildren() == 0

@@ -139,6 +139,8 @@ class ClearancePanel:
         buttons = QtWidgets.QHBoxLayout()
         self.csv = QtWidgets.QPushButton(translate("Panels", "CSV..."))
         self.sheet = QtWidgets.QPushButton(translate("Panels", "Spreadsheet"))
+        self.csv.setObjectName("SweptVolumeCsv")
+        self.sheet.setObjectName("SweptVolumeSheet")
         buttons.addWidget(self.csv)
         buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
