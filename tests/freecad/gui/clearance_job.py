@@ -89,7 +89,8 @@ def scenario():
 
     # Other borders of the bands colour it anew; a head sorts; the table is written.
     def corners_in_contact():
-        faces = view.colours.getChild(0).getChild(4)
+        surface = view.colours.getChild(0)
+        faces = surface.getChild(surface.getNumChildren() - 1)
         return list(faces.materialIndex.getValues()).count(1)
 
     before = corners_in_contact()

@@ -124,7 +124,11 @@ def _surface(points, triangles, colours, which, transparency):
     indices[:, :3] = triangles
     flat = indices.ravel().tolist()
     faces.coordIndex.setValues(0, len(flat), flat)
-    if which is not None:
+    if which is None:
+        nearer = coin.SoPolygonOffset()  # a ghost lies before the colours where both are
+        nearer.factor, nearer.units = -1.0, -1.0
+        group.addChild(nearer)
+    else:
         binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         bands = np.append(np.asarray(which, dtype=int), -1)
         chosen = bands[indices].ravel().tolist()
