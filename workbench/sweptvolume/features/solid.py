@@ -49,9 +49,7 @@ class Solid(Feature):
                 "App::PropertyInteger",
                 "MaxFaces",
                 "Solid",
-                mark(
-                    "Properties", "At most this many faces; without a Tolerance it is chosen so"
-                ),
+                mark("Properties", "At most this many faces; without a Tolerance it is chosen so"),
                 20000,
                 0,
             ),
