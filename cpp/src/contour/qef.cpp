@@ -59,22 +59,28 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
         y[axis] = (state[axis] == 1 ? low : high) - m[axis];
       }
     }
-    const Eigen::Vector3d r = g - a * y;
-    if (n == 1) {
-      y[free[0]] = r[free[0]] / a(free[0], free[0]);
-    } else if (n == 2) {
-      const int p = free[0], q = free[1];
-      const double det = a(p, p) * a(q, q) - a(p, q) * a(p, q);
-      y[p] = (r[p] * a(q, q) - r[q] * a(p, q)) / det;
-      y[q] = (r[q] * a(p, p) - r[p] * a(p, q)) / det;
-    }
-    const Eigen::Vector3d x = m + y;
+    // Fixed coordinates are in the box; only what the free ones need is computed.
     constexpr double kSlack = 1e-12;
-    if ((x.array() < low - kSlack).any() || (x.array() > high + kSlack).any()) continue;
+    const auto isOut = [&](int axis) {
+      const double x = m[axis] + y[axis];
+      return x < low - kSlack || x > high + kSlack;
+    };
+    if (n == 1) {
+      const int p = free[0], f = (p + 1) % 3, h = (p + 2) % 3;
+      y[p] = (g[p] - (a(p, f) * y[f] + a(p, h) * y[h])) / a(p, p);
+      if (isOut(p)) continue;
+    } else if (n == 2) {
+      const int p = free[0], q = free[1], f = 3 - p - q;
+      const double rp = g[p] - a(p, f) * y[f], rq = g[q] - a(q, f) * y[f];
+      const double det = a(p, p) * a(q, q) - a(p, q) * a(p, q);
+      y[p] = (rp * a(q, q) - rq * a(p, q)) / det;
+      y[q] = (rq * a(p, p) - rp * a(p, q)) / det;
+      if (isOut(p) || isOut(q)) continue;
+    }
     const double error = y.dot(a * y) / 2 - g.dot(y);
     if (error < bestError) {
       bestError = error;
-      best = x;
+      best = m + y;
     }
   }
   return best;
