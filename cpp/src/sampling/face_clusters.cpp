@@ -91,16 +91,16 @@ void groupBorders(const BodyTopology& topology, FaceClusters& out) {
   }
 }
 
-std::vector<std::array<std::uint32_t, 2>> sidesOf(const BodyTopology& topology,
-                                                  const FaceClusters& all,
-                                                  const std::vector<std::uint32_t>& edges) {
-  std::vector<std::array<std::uint32_t, 2>> sides;
-  sides.reserve(edges.size());
+std::vector<FaceClusters::EdgeEnds> endsOf(const BodyTopology& topology, const FaceClusters& all,
+                                           const std::vector<std::uint32_t>& edges) {
+  std::vector<FaceClusters::EdgeEnds> ends;
+  ends.reserve(edges.size());
   for (const std::uint32_t e : edges) {
     const BodyEdge& edge = topology.edges[e];
-    sides.push_back({all.placeOf[edge.left], all.placeOf[edge.right < 0 ? edge.left : edge.right]});
+    ends.push_back({all.placeOf[edge.left], all.placeOf[edge.right < 0 ? edge.left : edge.right],
+                    edge.a, edge.b});
   }
-  return sides;
+  return ends;
 }
 
 }  // namespace
@@ -151,8 +151,8 @@ FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
   groupBorders(topology, out);
   out.placeOf.resize(faces);
   for (std::uint32_t n = 0; n < faces; ++n) out.placeOf[out.faces[n]] = n;
-  out.innerSides = sidesOf(topology, out, out.innerEdges);
-  out.borderSides = sidesOf(topology, out, out.borderEdges);
+  out.innerEnds = endsOf(topology, out, out.innerEdges);
+  out.borderEnds = endsOf(topology, out, out.borderEdges);
   out.balls.resize(faces);
   parallelBlocks(faces, 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {

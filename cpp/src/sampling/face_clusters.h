@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -30,8 +29,13 @@ struct FaceClusters {
   std::vector<std::uint32_t> placeOf;      ///< per face: its place in `faces`
   std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
   std::vector<std::uint32_t> borderEdges;  ///< all others, by pair of clusters
-  /// Places in `faces` of the two faces at each of these edges; both of the left one at rims.
-  std::vector<std::array<std::uint32_t, 2>> innerSides, borderSides;
+  /// What sampling needs of these edges, in their order: places in `faces` of the two faces (of the
+  /// left one twice at rims), and the ends.
+  struct EdgeEnds {
+    std::uint32_t left, right;
+    std::int32_t a, b;
+  };
+  std::vector<EdgeEnds> innerEnds, borderEnds;
 
   /// Border edges that have one pair of clusters and the same sense of "same way".
   struct Border {

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -45,14 +44,15 @@ class KeptElements {
     }
   }
 
-  /// use(edge) for the side patches kept in the step that starts here; needs a step.
+  /// use(edge, ends) for the side patches kept in the step that starts here; needs a step.
   template <class Use>
   void forPatches(const Use& use) const {
     for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
       if (input_.cull && after_.ofCluster(c) != 0) continue;
       const FaceCluster& cluster = clusters_.clusters[c];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
-        if (!input_.cull || !sameWay(clusters_.innerSides[n], false)) use(clusters_.innerEdges[n]);
+        if (!input_.cull || !sameWay(clusters_.innerEnds[n], false))
+          use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
       }
     }
     for (const FaceClusters::Border& border : clusters_.borders) {
@@ -63,8 +63,8 @@ class KeptElements {
         if (left != 0 && left == (border.opposed ? -right : right)) continue;
       }
       for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
-        if (!mayDrop || !sameWay(clusters_.borderSides[n], border.opposed)) {
-          use(clusters_.borderEdges[n]);
+        if (!mayDrop || !sameWay(clusters_.borderEnds[n], border.opposed)) {
+          use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
         }
       }
     }
@@ -73,8 +73,8 @@ class KeptElements {
  private:
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
   /// patchIsEnclosed() for an edge with two faces.
-  bool sameWay(const std::array<std::uint32_t, 2>& sides, bool opposed) const {
-    const int left = after_.ofPlace(sides[0]), right = after_.ofPlace(sides[1]);
+  bool sameWay(const FaceClusters::EdgeEnds& ends, bool opposed) const {
+    const int left = after_.ofPlace(ends.left), right = after_.ofPlace(ends.right);
     return left != 0 && left == (opposed ? -right : right);
   }
   bool enclosed(int before, int after) const {

@@ -81,9 +81,8 @@ class ItemSampler {
     triangle(points[t[0]], points[t[1]], points[t[2]]);
     finish();
   }
-  void patch(std::size_t edge, std::size_t step, const std::vector<SnappedPoint>& now,
-             const std::vector<SnappedPoint>& next) {
-    const BodyEdge& e = input_.topology.edges[edge];
+  void patch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
+             const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
     add(static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit,
         static_cast<std::uint32_t>(step));
     triangle(now[e.a], now[e.b], next[e.b]);
@@ -126,7 +125,9 @@ class SweepSampler {
       kept_.forFaces([&](std::uint32_t f) { sampler_.face(f, k, now_); });
       if (k == steps_) break;
       sampler_.pose(k + 1, next_);
-      kept_.forPatches([&](std::uint32_t e) { sampler_.patch(e, k, now_, next_); });
+      kept_.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
+        sampler_.patch(e, ends, k, now_, next_);
+      });
       if (k + 1 < item.end) kept_.advance();
       std::swap(now_, next_);
     }

@@ -26,7 +26,7 @@ std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
       const auto placement = static_cast<std::uint32_t>(k);
       kept.forFaces([&](std::uint32_t f) { parts[item].push_back({f, placement}); });
       if (k == input.motion.steps()) break;
-      kept.forPatches([&](std::uint32_t e) {
+      kept.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
         parts[item].push_back({e | SweptElement::kPatchBit, placement});
       });
       if (k + 1 < end) kept.advance();
