@@ -15,6 +15,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Points of long edges that are watched like vertices: their distance, in tolerances, and number.
+constexpr double kWatchSpacing = 3;
+constexpr int kMostWatched = 3;
+
 struct Quadric {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
@@ -47,7 +51,8 @@ class Decimator {
         partition_(std::move(start.partition)),
         tolerance_(tolerance),
         run_(run),
-        attached_(std::move(start.attached)) {}
+        attached_(std::move(start.attached)),
+        watched_(std::move(start.watched)) {}
 
   Decimated work() {
     prepare();
@@ -76,6 +81,8 @@ class Decimator {
     around_.resize(count);
     quadric_.resize(count);
     attached_.resize(triangles_.size());
+    watched_.resize(triangles_.size(), 0);
+    watchLongEdges();
     gone_.assign(count, 0);
     dead_.assign(triangles_.size(), 0);
     stamp_.assign(count, 0);
@@ -90,6 +97,28 @@ class Decimator {
     }
     classify();
     putBordersOnSurfaces();
+  }
+
+  // Corners near the new triangles do not yet keep the inside of a long triangle near them.
+  void watchLongEdges() {
+    const double spacing = kWatchSpacing * tolerance_;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (label_[t] >= 0 || watched_[t]) continue;
+      bool isLong = false;
+      for (int k = 0; k < 3; ++k) {
+        const Vector3d &a = points_[triangles_[t][k]], &b = points_[triangles_[t][(k + 1) % 3]];
+        const auto between = std::min(kMostWatched, static_cast<int>((b - a).norm() / spacing));
+        isLong = isLong || between > 0;
+        const std::size_t h = 3 * t + k;
+        if (static_cast<std::int32_t>(h) > in_.opposite[h] && label_[in_.opposite[h] / 3] < 0)
+          continue;
+        for (int i = 1; i <= between; ++i)
+          attached_[t].push_back(a + (b - a) * (static_cast<double>(i) / (between + 1)));
+      }
+      if (!isLong) continue;
+      const auto& tri = triangles_[t];
+      attached_[t].push_back((points_[tri[0]] + points_[tri[1]] + points_[tri[2]]) / 3);
+    }
   }
 
   // Facets beside a patch will end on its surface: counted from here, that is part of what they may
@@ -323,6 +352,7 @@ class Decimator {
       }
       small.triangles.push_back(tri);
       out.partition.patchOf.push_back(label_[t]);
+      out.watched.push_back(label_[t] < 0);
       out.attached.push_back(std::move(attached_[t]));
     }
     out.deviation = std::sqrt(out.deviation);
@@ -343,6 +373,7 @@ class Decimator {
   RunContext& run_;
   std::vector<std::vector<Vector3d>>
       attached_;  // removed vertices, by the triangle nearest to them
+  std::vector<char> watched_;
   std::vector<Vector3d> points_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::vector<std::int32_t> label_;

@@ -17,7 +17,8 @@ struct Decimated {
   Partition partition;
   /// By triangle: removed vertices that must stay near it. Empty: none yet.
   std::vector<std::vector<Eigen::Vector3d>> attached;
-  double deviation = 0;  ///< mm: largest distance of a removed vertex from the new triangles
+  std::vector<char> watched;  ///< by triangle: long edges have points among those already
+  double deviation = 0;       ///< mm: largest distance of a removed vertex from the new triangles
 };
 
 Decimated decimate(Decimated start, double tolerance, RunContext& run);

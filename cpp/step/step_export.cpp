@@ -206,7 +206,7 @@ std::optional<Built> tryBuild(const HalfEdgeMesh& whole, const HalfEdgeMesh& den
                               RunContext& run) {
   constexpr int kRounds = 5;
   const double tolerance = std::max(options.planarTolerance, options.tolerance);
-  Decimated start{dense, partitionOf(dense, options, run), {}, 0};
+  Decimated start{dense, partitionOf(dense, options, run), {}, {}, 0};
   const auto known = static_cast<std::int32_t>(start.partition.patches.size());
   for (int round = 0; round <= kRounds; ++round) {
     if (options.tolerance > 0)

@@ -181,7 +181,7 @@ TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
   const step::HalfEdgeMesh mesh = step::buildHalfEdges(input, run);
   step::Partition nothing;
   nothing.patchOf.assign(mesh.triangles.size(), -1);
-  const step::Decimated small = step::decimate({mesh, nothing, {}, 0}, 0.1, run);
+  const step::Decimated small = step::decimate({mesh, nothing, {}, {}, 0}, 0.1, run);
   EXPECT_LT(small.mesh.triangles.size(), mesh.triangles.size() / 4);
   EXPECT_LE(small.deviation, 0.1);
   TriMesh output;
