@@ -970,7 +970,7 @@ Versucht:
   </message>
   <message>
    <source>Snap</source>
-   <translation>Einrasten</translation>
+   <translation>Raster</translation>
   </message>
   <message>
    <source>Adds the solids and meshes selected in the tree</source>
