@@ -428,6 +428,18 @@ Versucht:
    <translation>{0} bewegte Teile und {1} eigene Bewegungen: für jedes Teil eine angeben oder keine.</translation>
   </message>
   <message>
+   <source>the core was built without OpenCASCADE: FreeCAD made a face of every triangle, and no surfaces were looked for</source>
+   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut: FreeCAD hat aus jedem Dreieck eine Fläche gemacht; nach gekrümmten Flächen wurde nicht gesucht</translation>
+  </message>
+  <message>
+   <source>FreeCAD's own way gives no valid solid of this envelope; build the core with OpenCASCADE, or export a mesh file.</source>
+   <translation>FreeCADs eigener Weg ergibt keinen gültigen Volumenkörper aus dieser Hülle: den Rechenkern mit OpenCASCADE bauen oder eine Netzdatei exportieren.</translation>
+  </message>
+  <message>
+   <source>the core was built without OpenCASCADE, and {0} triangles would become as many faces (limit {1}): simplify the envelope, or export STL, PLY or OBJ.</source>
+   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, und aus {0} Dreiecken würden ebenso viele Flächen (Grenze {1}): die Hülle vereinfachen oder als STL, PLY oder OBJ exportieren.</translation>
+  </message>
+  <message>
    <source>no poses yet</source>
    <translation>noch keine Lagen</translation>
   </message>

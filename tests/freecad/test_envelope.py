@@ -2,6 +2,7 @@
 """Envelope, solid, export: the main job in a document without a window."""
 import json
 import os
+from unittest import mock
 
 import FreeCAD as App
 import Part
@@ -273,6 +274,22 @@ class SolidAndFiles(Computed):
             solid.compute(body)
         body.MaxFaces = 20000
         self.assertEqual(solid.compute(body)["tolerance"], 0)
+
+    def test_without_kernel_in_the_core(self):
+        obj = self.computed(Tolerance=0.2)
+        with mock.patch.object(core, "has_solids", return_value=False):
+            body = solid.make_solid(self.doc, obj)
+            self.assertIn("without OpenCASCADE", solid.compute(body)["note"])
+            self.assertEqual(body.Faces, obj.Mesh.CountFacets)
+            self.assertTrue(body.Shape.isValid())
+            self.assertAlmostEqual(body.Volume.Value, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
+            path = os.path.join(self.folder, "faceted.step")
+            export.write(export.request(obj), path)
+            self.assertEqual(len(Part.read(path).Solids), 1)
+            body.MaxFaces = 7
+            with self.assertRaisesRegex(InputProblem, "limit 7"):
+                solid.compute(body)
+        self.assertEqual(os.listdir(self.folder), ["faceted.step"])
 
     def test_step_is_read_back(self):
         obj = self.computed()

@@ -290,6 +290,11 @@ def write_mesh(vertices, triangles, path):
         module().write_mesh(path, vertices, triangles)
 
 
+def has_solids():
+    """Whether the module was built with OpenCASCADE."""
+    return bool(module().HAS_SOLIDS)
+
+
 def write_solid(vertices, triangles, path, control, **options):
     """Closed mesh -> STEP or BREP by suffix; options as the module's write_solid.
 

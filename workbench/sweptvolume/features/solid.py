@@ -13,6 +13,7 @@ from .. import convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
 from . import envelope as envelope_feature
+from . import faceted
 from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
 from .envelope import FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
 
@@ -168,6 +169,8 @@ class Request:
 
     def write(self, path, control):
         """Writes STEP or BREP by suffix; returns the core's report (dict). Raises core.CoreError."""
+        if not core.has_solids():
+            return faceted.write(self.vertices, self.triangles, path, self.max_faces)
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
         return core.write_solid(
             self.vertices,

@@ -97,6 +97,12 @@ class ClearanceTask(PlanTask):
         return self.obj.Summary
 
 
+def warn_of(report, label):
+    """What was given up to get a solid."""
+    if report.get("note"):
+        App.Console.PrintWarning("{}: {}\n".format(label, report["note"]))
+
+
 class SolidTask(Task):
     """Makes the solid of an envelope; makes the object if there is none yet. One undo step."""
 
@@ -119,6 +125,7 @@ class SolidTask(Task):
             os.remove(value[0])
             raise
         solid.apply(self.obj, value, solid.input_hash(self.obj))
+        warn_of(value[1], self.obj.Label)
         self.obj.purgeTouched()
         if self.source.ViewObject is not None:
             self.source.ViewObject.Visibility = False
@@ -143,6 +150,7 @@ class ExportTask(Task):
         return export.write(self.request, self.path, control)
 
     def finish(self, value):
+        warn_of(value, self.path)
         App.Console.PrintMessage(
             translate("Messages", "Written: {0} ({1:.1f} kB)\n").format(
                 self.path, os.path.getsize(self.path) / 1000.0
