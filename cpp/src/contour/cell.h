@@ -79,8 +79,4 @@ constexpr int quadSide(int edge, int face) {
   return (face >> 1) == b ? (oc == 1 ? 0 : 2) : (ob == 1 ? 3 : 1);
 }
 
-/// Which corners of the cell (bit per axis) lie outside, found along its edges; corners that the
-/// crossings do not tell of count as outside.
-std::array<bool, 8> outsideCorners(const Cell& cell);
-
 }  // namespace swept
