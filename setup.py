@@ -15,6 +15,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = pathlib.Path(__file__).resolve().parent
+(ROOT / "build-wheel").mkdir(exist_ok=True)
 
 
 class CMakeBuild(build_ext):
@@ -41,4 +42,8 @@ setup(
     packages=[],
     ext_modules=[Extension("_swept", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
+    options={
+        "build": {"build_base": "build-wheel/setuptools"},
+        "egg_info": {"egg_base": "build-wheel"},
+    },
 )
