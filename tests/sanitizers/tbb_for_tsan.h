@@ -1,0 +1,82 @@
+// Tells ThreadSanitizer what hands work from thread to thread inside TBB, whose library is not
+// instrumented: included before everything else in that build only (CMakeLists.txt). Work that is
+// forked sees what its caller did before, and the caller sees after the join what the work did;
+// items of one loop do not see each other, so that races between them are found.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <utility>
+
+extern "C" void __tsan_acquire(void*);
+extern "C" void __tsan_release(void*);
+
+namespace tbb {
+namespace watched {
+
+inline char forked, joined;
+
+struct Region {
+  Region() { __tsan_release(&forked); }
+  ~Region() { __tsan_acquire(&joined); }
+};
+struct Item {
+  Item() { __tsan_acquire(&forked); }
+  ~Item() { __tsan_release(&joined); }
+};
+
+template <class Body>
+auto item(const Body& body) {
+  return [&body](auto&&... values) {
+    const Item here;
+    return body(std::forward<decltype(values)>(values)...);
+  };
+}
+
+}  // namespace watched
+
+template <class Range, class Body>
+void watched_for(const Range& range, const Body& body) {
+  const auto item = watched::item(body);
+  const watched::Region here;
+  parallel_for(range, item);
+}
+template <class Index, class Body>
+void watched_for(Index first, Index last, const Body& body) {
+  const auto item = watched::item(body);
+  const watched::Region here;
+  parallel_for(first, last, item);
+}
+template <class Range, class Value, class Body, class Join>
+Value watched_reduce(const Range& range, const Value& start, const Body& body, const Join& join) {
+  const auto item = watched::item(body);
+  const auto joinItem = watched::item(join);
+  const watched::Region here;
+  return parallel_reduce(range, start, item, joinItem);
+}
+template <class... Bodies>
+void watched_invoke(const Bodies&... bodies) {
+  const auto call = [](const auto&... items) {
+    const watched::Region here;
+    parallel_invoke(items...);
+  };
+  call(watched::item(bodies)...);
+}
+// Its items are of TBB's own making.
+template <class Iterator, class... Less>
+void watched_sort(Iterator first, Iterator last, const Less&... less) {
+  std::sort(first, last, less...);
+}
+
+}  // namespace tbb
+
+#define parallel_for watched_for
+#define parallel_reduce watched_reduce
+#define parallel_invoke watched_invoke
+#define parallel_sort watched_sort
