@@ -2,7 +2,10 @@
 #include "sampling/gl/gl_passes.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string>
@@ -100,7 +103,11 @@ void GlPasses::requireLimits() const {
 
 void GlPasses::upload(Binding binding, const void* data, std::size_t bytes) {
   constexpr std::size_t kLeast = 16;  // a buffer of no bytes cannot be bound
-  if (bytes == 0) data = nullptr;
+  std::array<std::byte, kLeast> padded{};
+  if (data != nullptr && bytes < kLeast) {
+    if (bytes > 0) std::memcpy(padded.data(), data, bytes);
+    data = padded.data();
+  }
   const GlApi& gl = context_.gl();
   gl.NamedBufferData(buffers_[binding], static_cast<GLsizeiptr>(std::max(bytes, kLeast)), data,
                      GL_DYNAMIC_DRAW);
