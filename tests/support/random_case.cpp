@@ -17,6 +17,14 @@ Eigen::Vector3d inCube(std::mt19937& random, double half) {
   return {uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
 }
 
+/// The order in which numbers are drawn is written out: compilers evaluate arguments as they like.
+Eigen::Isometry3d randomPlacement(std::mt19937& random, const Eigen::Vector3d& axisNear,
+                                  double mostDegrees, double reach) {
+  const Eigen::Vector3d shift = inCube(random, reach);
+  const double degrees = uniform(random, 0, mostDegrees);
+  return placement(inCube(random, 1) + axisNear, degrees, shift);
+}
+
 TriMesh randomPiece(std::mt19937& random) {
   TriMesh mesh;
   switch (std::uniform_int_distribution<int>(0, 4)(random)) {
@@ -28,17 +36,18 @@ TriMesh randomPiece(std::mt19937& random) {
     case 1:
       mesh = makeBall({0, 0, 0}, uniform(random, 1, 2), 3);
       break;
-    case 2:
-      mesh = makeCylinder(uniform(random, 0.7, 1.6), -1, uniform(random, 0.5, 2.5), 48);
+    case 2: {
+      const double top = uniform(random, 0.5, 2.5);
+      mesh = makeCylinder(uniform(random, 0.7, 1.6), -1, top, 48);
       break;
+    }
     case 3:
       mesh = makeTorus(2, uniform(random, 0.5, 0.9), 36, 20);
       break;
     default:
       mesh = makeSquareRing(2, uniform(random, 0.8, 1.3), -0.6, 0.7);
   }
-  return transformed(mesh, placement(inCube(random, 1) + Eigen::Vector3d(0, 0, 1.1),
-                                     uniform(random, 0, 180), inCube(random, 1)));
+  return transformed(mesh, randomPlacement(random, {0, 0, 1.1}, 180, 1));
 }
 
 }  // namespace
@@ -58,15 +67,13 @@ Trajectory randomMotion(std::mt19937& random) {
   Eigen::Isometry3d now = randomFrame(random);
   for (int i = 0; i < count; ++i) {
     motion.poses.push_back(poseOf(i, now));
-    now = now * placement(inCube(random, 1) + Eigen::Vector3d(0, 1.1, 0), uniform(random, 0, 100),
-                          inCube(random, 3));
+    now = now * randomPlacement(random, {0, 1.1, 0}, 100, 3);
   }
   return motion;
 }
 
 Eigen::Isometry3d randomFrame(std::mt19937& random) {
-  return placement(inCube(random, 1) + Eigen::Vector3d(1.1, 0, 0), uniform(random, 0, 360),
-                   inCube(random, 100));
+  return randomPlacement(random, {1.1, 0, 0}, 360, 100);
 }
 
 TriMesh shuffled(const TriMesh& mesh, std::mt19937& random) {
