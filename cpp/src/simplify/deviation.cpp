@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kBlock = 2048;
 constexpr double kLong = 3;  ///< cells: longer triangles are of a surface already simplified
-constexpr int kSteps = 32;   ///< of points spread along a side
 
 struct Part {
   double largest = 0;
@@ -59,7 +58,7 @@ double forward(const DeviationInput& in, std::vector<std::int32_t>& bad) {
       };
       if (std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}) >
           kLong * kLong) {
-        spreadPoints(a, b, c, kSteps, ask);
+        spreadPoints(a, b, c, ask);
       } else if (in.creased[t]) {
         constexpr std::array<std::array<double, 2>, 7> kInner = {
             {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
@@ -82,7 +81,7 @@ double backward(const DeviationInput& in, double enough, std::vector<std::int32_
     for (std::size_t t = begin; t < end; ++t) {
       const auto& c = in.triangles[t];
       double farthest = 0;
-      spreadPoints(in.points[c[0]], in.points[c[1]], in.points[c[2]], kSteps,
+      spreadPoints(in.points[c[0]], in.points[c[1]], in.points[c[2]],
                    [&](const Eigen::Vector3d& p) {
                      farthest = std::max(farthest, in.original.query(p, 1e300, floor, hint));
                      return false;

@@ -18,13 +18,11 @@ constexpr double kLeastCosine = 0.2;    ///< a triangle may turn by less than 78
 constexpr double kLeastShape = 0.01;    ///< height / longest side of a new triangle
 constexpr double kLengthWeight = 1e-3;  ///< of tolerance^2: long edges of flat parts go last
 constexpr double kRankCut = 1e-3;
-/// Of tolerance^2: where the mean squared distance is less, no points are
-/// spread on large meshes.
+/// Of tolerance^2: where the mean squared distance is less, no points are spread on large meshes.
 constexpr double kFlatShare = 0.02;
 constexpr std::size_t kLarge = 50'000;  ///< triangles; on smaller meshes points are always spread
-constexpr int kNetSteps = 32;        ///< of points on new triangles; the result is measured closer
-constexpr double kNearShare = 0.05;  ///< of a sample's squared limit
-constexpr double kNetShare = 0.96;   ///< of tolerance^2: limit of points on new triangles
+constexpr double kNearShare = 0.05;     ///< of a sample's squared limit
+constexpr double kNetShare = 0.96;      ///< of tolerance^2: limit of points on new triangles
 
 struct Candidate {
   double cost;
@@ -229,9 +227,9 @@ class Collapser {
     const double limit = kNetShare * tolerance_ * tolerance_;
     std::int32_t hint = -1;
     for (const Corners& t : newTriangles_) {
-      const bool far = spreadPoints(
-          at(t[0]), at(t[1]), at(t[2]), kNetSteps,
-          [&](const Vector3d& p) { return original_.query(p, 2 * limit, limit, hint) > limit; });
+      const bool far = spreadPoints(at(t[0]), at(t[1]), at(t[2]), [&](const Vector3d& p) {
+        return original_.query(p, 2 * limit, limit, hint) > limit;
+      });
       if (far) return false;
     }
     return true;

@@ -10,17 +10,15 @@
 namespace swept {
 
 /// Calls stop(point) for points no more than about a cell apart (coarser on triangles of more than
-/// `most` cells: that many steps); ends with true as soon as stop() says so.
+/// 32 cells: 32 steps); ends with true as soon as stop() says so.
 template <class Stop>
 bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                  int most, const Stop& stop) {
+                  const Stop& stop) {
   const double ab = (a - b).squaredNorm(), bc = (b - c).squaredNorm(), ca = (c - a).squaredNorm();
   const double longest = std::sqrt(std::max({ab, bc, ca}));
   const double height =
       Eigen::Vector3d(b - a).cross(Eigen::Vector3d(c - a)).norm() / std::max(longest, 1e-300);
-  const auto steps = [most](double x) {
-    return std::clamp(static_cast<int>(std::ceil(x)), 2, most);
-  };
+  const auto steps = [](double x) { return std::clamp(static_cast<int>(std::ceil(x)), 2, 32); };
   // Rows run along the longest side.
   const Eigen::Vector3d *p = &a, *q = &b, *r = &c;
   if (bc >= ab && bc >= ca) {
