@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/checked_compute.h"
 #include "support/random_case.h"
 #include "support/shapes.h"
 #include "support/swept_distance.h"
@@ -24,11 +25,7 @@ Result kept(const TriMesh& body, const Trajectory& motion, double cell, bool kee
   options.cellSize = cell;
   options.keepCavities = keep;
   options.offset = offset;
-  RunContext run;
-  Result result = compute(body, motion, options, run);
-  EXPECT_EQ(result.report.status, Status::Ok) << result.report.message;
-  EXPECT_TRUE(result.report.check.passes());
-  return result;
+  return checkedCompute(body, motion, options);
 }
 
 Trajectory moving(const V3& way, double turn = 0) {

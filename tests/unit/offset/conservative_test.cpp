@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "support/checked_compute.h"
 #include "support/random_case.h"
 #include "support/shapes.h"
 #include "support/swept_distance.h"
@@ -20,11 +21,7 @@ using V3 = Eigen::Vector3d;
 
 Result conservative(const TriMesh& body, const Trajectory& motion, Options options) {
   options.conservative = true;
-  RunContext run;
-  Result result = compute(body, motion, options, run);
-  EXPECT_EQ(result.report.status, Status::Ok) << result.report.message;
-  EXPECT_TRUE(result.report.check.passes());
-  return result;
+  return checkedCompute(body, motion, options);
 }
 
 /// Random points of the body's surface at random times, as SweptDistance places it.

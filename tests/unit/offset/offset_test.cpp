@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "support/checked_compute.h"
 #include "support/mesh_distance.h"
 #include "support/shapes.h"
 #include "support/swept_distance.h"
@@ -32,10 +33,7 @@ Result grown(const TriMesh& body, const Trajectory& motion, double offset, doubl
   Options options;
   options.cellSize = cell;
   options.offset = offset;
-  RunContext run;
-  Result result = compute(body, motion, options, run);
-  EXPECT_EQ(result.report.status, Status::Ok) << result.report.message;
-  EXPECT_TRUE(result.report.check.passes());
+  Result result = checkedCompute(body, motion, options);
   EXPECT_EQ(result.report.check.selfIntersections, 0);
   return result;
 }
