@@ -24,6 +24,7 @@
 #include "pipeline/grown_sweep.h"
 #include "pipeline/pilot.h"
 #include "pipeline/plan.h"
+#include "pipeline/require_passed.h"
 #include "sampling/body_topology.h"
 #include "sampling/cavities.h"
 #include "sampling/cpu/sample_cache.h"
@@ -63,13 +64,7 @@ void cutKept(Result& result, double tolerance, RunContext& run) {
     report.simplificationDeviation = 0;
   }
   report.check = checkMesh(result.mesh, run);
-  if (!report.check.passes()) {
-    throw Error(Status::InternalError, "CheckFailed",
-                "the simplified envelope did not pass its own check (open edges " +
-                    std::to_string(report.check.openEdges) + ", non-manifold edges " +
-                    std::to_string(report.check.nonManifoldEdges) + ", non-manifold vertices " +
-                    std::to_string(report.check.nonManifoldVertices) + ")");
-  }
+  requirePassed(report.check, "the simplified envelope", report.cellSize);
 }
 
 /// What a preview session keeps between calls.
@@ -401,14 +396,8 @@ class Run {
            std::to_string(report_.check.selfIntersections) +
                " pairs of triangles meet; a smaller cell usually clears them"});
     }
-    if (!report_.check.passes() && options_.components == ComponentMethod::Consistent) {
-      throw Error(Status::InternalError, "CheckFailed",
-                  "the envelope did not pass its own check (open edges " +
-                      std::to_string(report_.check.openEdges) + ", non-manifold edges " +
-                      std::to_string(report_.check.nonManifoldEdges) + ", non-manifold vertices " +
-                      std::to_string(report_.check.nonManifoldVertices) + ", misoriented edges " +
-                      std::to_string(report_.check.misorientedEdges) + ", degenerate triangles " +
-                      std::to_string(report_.check.degenerateTriangles) + ")");
+    if (options_.components == ComponentMethod::Consistent) {
+      requirePassed(report_.check, "the envelope", report_.cellSize);
     }
   }
 
@@ -451,7 +440,9 @@ class Run {
   double cpuSeconds_ = 0;
 };
 
-void fail(Result& result, Status status, const char* code, const char* message) {
+/// `remedy` follows the message where that is no sentence of ours.
+void fail(Result& result, Status status, const char* code, const char* message,
+          const char* remedy = "") {
   result.mesh = TriMesh{};
   result.contactTime = {};
   result.featureEdges = {};
@@ -460,6 +451,7 @@ void fail(Result& result, Status status, const char* code, const char* message) 
   try {
     result.report.code = code;
     result.report.message = message;
+    result.report.message += remedy;
   } catch (const std::bad_alloc&) {
     // Both short enough to need no memory.
     result.report.status = Status::OutOfMemory;
@@ -479,7 +471,9 @@ void guarded(Result& result, const Body& body) {
     fail(result, Status::OutOfMemory, "OutOfMemory",
          "memory ran out although the estimate was within the limit; use a larger cell");
   } catch (const std::exception& error) {
-    fail(result, Status::InternalError, "InternalError", error.what());
+    fail(result, Status::InternalError, "InternalError", error.what(),
+         ": a fault of the program; another cell size may avoid it. Please report it with body, "
+         "motion and options");
   }
 }
 

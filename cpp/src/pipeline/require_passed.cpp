@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/require_passed.h"
+
+#include <cstdint>
+#include <sstream>
+
+namespace swept {
+
+void requirePassed(const MeshCheck& check, const char* what, double cell) {
+  if (check.passes()) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << what << " did not pass its own check and is not handed out:";
+  const char* before = " ";
+  const auto tell = [&](std::int64_t count, const char* fault) {
+    if (count == 0) return;
+    text << before << count << " " << fault;
+    before = ", ";
+  };
+  tell(check.openEdges, "open edges");
+  tell(check.nonManifoldEdges, "non-manifold edges");
+  tell(check.nonManifoldVertices, "non-manifold vertices");
+  tell(check.misorientedEdges, "misoriented edges");
+  tell(check.degenerateTriangles, "degenerate triangles");
+  if (!check.finite) text << before << "coordinates that are not finite";
+  if (check.finite && check.closed && !check.oriented && check.misorientedEdges == 0) {
+    text << before << "not each of " << check.shells << " shells has its right side out";
+  }
+  text << ". This is a fault of the program; another cell size mostly avoids it: try " << 0.9 * cell
+       << " mm instead of " << cell
+       << ", or mend where the body crosses itself. Please report it with body, motion and options";
+  throw Error(Status::InternalError, "CheckFailed", text.str());
+}
+
+}  // namespace swept
