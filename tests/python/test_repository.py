@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The source tree itself: direction of dependencies, licences, sizes, package.xml."""
+"""The source tree itself: direction of dependencies, licences, sizes."""
 import importlib.util
 import re
 import subprocess
 import sys
-import xml.etree.ElementTree
 
 import pytest
 
@@ -116,40 +115,6 @@ def test_headers_open_with_what_they_are_for(root):
     for path in root.glob("cpp/**/*.h"):
         first = path.read_text(encoding="utf-8").splitlines()[0]
         assert first.startswith("// ") and len(first) > 20, path
-
-
-def test_package_xml_names_this_project(root):
-    text = (root / "package.xml").read_text(encoding="utf-8")
-    space = {"p": "https://wiki.freecad.org/Package_Metadata"}
-    package = xml.etree.ElementTree.fromstring(text)
-    version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text())[1]
-    assert package.find("p:version", space).text == version
-    for key in ("name", "date", "description", "maintainer", "license", "icon", "content"):
-        assert package.find(f"p:{key}", space) is not None, key
-    bench = package.find("p:content/p:workbench", space)
-    name = bench.find("p:classname", space).text
-    assert f"class {name}(" in (root / "InitGui.py").read_text(encoding="utf-8")
-    for icon in package.iterfind(".//p:icon", space):
-        assert (root / icon.text).is_file(), icon.text
-    licence = package.find("p:license", space)
-    assert licence.text == "LGPL-2.1-or-later" and (root / licence.get("file")).is_file()
-
-
-def test_freecad_reads_package_xml(root):
-    folder = "/usr/lib/freecad-python3/lib"
-    script = (
-        f"import sys; sys.path.append({folder!r})\n"
-        "try:\n    import FreeCAD\nexcept ImportError as error:\n    print(error); sys.exit(77)\n"
-        f"data = FreeCAD.Metadata({str(root / 'package.xml')!r})\n"
-        "bench = data.Content['workbench'][0]\n"
-        "assert data.Name == 'Swept Volume' and data.supportsCurrentFreeCAD()\n"
-        "assert bench.Classname == 'SweptVolumeWorkbench', bench.Classname\n"
-        "assert bench.Subdirectory == './' and data.Maintainer and data.License and data.Urls\n"
-    )
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
-    if done.returncode == 77:
-        pytest.skip(f"FreeCAD is not installed: {done.stdout}")
-    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def named_rows(name):

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""package.xml: what FreeCAD reads in it, and what its manager of add-ons asks for."""
+import ast
+import pathlib
+import re
+import subprocess
+import sys
+import types
+import typing
+import xml.etree.ElementTree
+
+import pytest
+
+MANAGERS = ("/usr/share/freecad/Mod/AddonManager", "/usr/lib/freecad/Mod/AddonManager")
+SPACE = {"p": "https://wiki.freecad.org/Package_Metadata"}
+
+
+def test_package_xml_names_this_project(root):
+    text = (root / "package.xml").read_text(encoding="utf-8")
+    space = {"p": "https://wiki.freecad.org/Package_Metadata"}
+    package = xml.etree.ElementTree.fromstring(text)
+    version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text())[1]
+    assert package.find("p:version", space).text == version
+    for key in ("name", "date", "description", "maintainer", "license", "icon", "content"):
+        assert package.find(f"p:{key}", space) is not None, key
+    bench = package.find("p:content/p:workbench", space)
+    name = bench.find("p:classname", space).text
+    assert f"class {name}(" in (root / "InitGui.py").read_text(encoding="utf-8")
+    for icon in package.iterfind(".//p:icon", space):
+        assert (root / icon.text).is_file(), icon.text
+    licence = package.find("p:license", space)
+    assert licence.text == "LGPL-2.1-or-later" and (root / licence.get("file")).is_file()
+
+
+def test_freecad_reads_package_xml(root):
+    folder = "/usr/lib/freecad-python3/lib"
+    script = (
+        f"import sys; sys.path.append({folder!r})\n"
+        "try:\n    import FreeCAD\nexcept ImportError as error:\n    print(error); sys.exit(77)\n"
+        f"data = FreeCAD.Metadata({str(root / 'package.xml')!r})\n"
+        "bench = data.Content['workbench'][0]\n"
+        "assert data.Name == 'Swept Volume' and data.supportsCurrentFreeCAD()\n"
+        "assert bench.Classname == 'SweptVolumeWorkbench', bench.Classname\n"
+        "assert bench.Subdirectory == './' and data.Maintainer and data.License and data.Icon\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    if done.returncode == 77:
+        pytest.skip(f"FreeCAD is not installed: {done.stdout}")
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def complaints(text):
+    """What the checks for developers in FreeCAD's manager of add-ons say about a package.xml. They
+    stand in a file full of windows, so only they are taken from it; the network is not asked."""
+    files = [p for folder in MANAGERS for p in sorted(pathlib.Path(folder).glob("*.py"))]
+    sources = [p.read_text(encoding="utf-8") for p in files]
+    source = next((s for s in sources if "def validate_package_xml(" in s), None)
+    if source is None:
+        pytest.skip("no manager of add-ons with checks in " + " or ".join(MANAGERS))
+    wanted = ("validate_package_xml", "validate_workbench_metadata")
+    code = [
+        node
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.FunctionDef) and node.name in wanted
+    ]
+    said = []
+    page = types.SimpleNamespace(data=lambda: b"<html>")
+    names = {
+        "FreeCAD": types.SimpleNamespace(Console=types.SimpleNamespace(PrintLog=said.append)),
+        "NetworkManager": types.SimpleNamespace(
+            AM_NETWORK_MANAGER=types.SimpleNamespace(blocking_get=lambda location: page)
+        ),
+        "List": typing.List,
+        "Addon": object,
+    }
+    exec(compile(ast.Module(code, []), "AddonManager", "exec"), names)
+    manager = types.SimpleNamespace(
+        validate_workbench_metadata=lambda bench: names["validate_workbench_metadata"](None, bench)
+    )
+    names["validate_package_xml"](manager, types.SimpleNamespace(metadata=read(text), name="it"))
+    return {line.strip(" *\n") for line in said[1:]}
+
+
+def read(text):
+    """A package.xml as FreeCAD's reader gives it to its manager."""
+    package = xml.etree.ElementTree.fromstring(text)
+    one = lambda element, key: element.findtext(f"p:{key}", "", SPACE)  # noqa: E731
+    every = lambda key: package.iterfind(f"p:{key}", SPACE)  # noqa: E731
+    return types.SimpleNamespace(
+        Name=one(package, "name"),
+        Version=one(package, "version"),
+        Description=one(package, "description"),
+        Icon=one(package, "icon"),
+        Maintainer=[{"name": m.text, "email": m.get("email", "")} for m in every("maintainer")],
+        License=[{"name": item.text} for item in every("license")],
+        Urls=[
+            {"type": u.get("type"), "location": u.text, "branch": u.get("branch", "")}
+            for u in every("url")
+        ],
+        Content={
+            "workbench": [
+                types.SimpleNamespace(Classname=one(bench, "classname"), Icon=one(bench, "icon"))
+                for bench in package.iterfind("p:content/p:workbench", SPACE)
+            ]
+        },
+    )
+
+
+def test_the_manager_of_addons_misses_nothing_but_addresses(root):
+    """The project has no public address; a false one would be worse than none."""
+    text = (root / "package.xml").read_text(encoding="utf-8")
+    assert "example.org" not in text and "<url" not in text
+    assert complaints(text) == {
+        "No email address specified for maintainer 'The Swept Volume maintainers'",
+        "No <url> elements found, at least a repo url must be provided",
+    }
+
+
+def test_with_addresses_the_manager_of_addons_misses_nothing(root):
+    text = (root / "package.xml").read_text(encoding="utf-8")
+    text = text.replace("<maintainer>", '<maintainer email="somebody@somewhere.test">')
+    place = "https://somewhere.test/it"
+    text = text.replace(
+        "  <icon>",
+        f'  <url type="repository" branch="main">{place}</url>\n'
+        f'  <url type="readme">{place}/README.md</url>\n  <icon>',
+        1,
+    )
+    assert complaints(text) == set()
