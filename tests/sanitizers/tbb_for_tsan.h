@@ -73,6 +73,10 @@ template <class Iterator, class... Less>
 void watched_sort(Iterator first, Iterator last, const Less&... less) {
   std::sort(first, last, less...);
 }
+template <class Container>
+void watched_sort(Container& values) {
+  std::sort(values.begin(), values.end());
+}
 
 }  // namespace tbb
 
