@@ -266,6 +266,10 @@
    <translation>Es ist kein bewegtes Teil angegeben: einen Festkörper oder ein Netz wählen, das sich bewegt.</translation>
   </message>
   <message>
+   <source>the mesh could not be written to the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
+   <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
+  </message>
+  <message>
    <source>the shape gave no triangles.</source>
    <translation>Die Form ergab keine Dreiecke.</translation>
   </message>

@@ -63,10 +63,27 @@ def transform(matrix, points):
 # --- meshes
 
 
+def _far_middle(vertices):
+    """Middle of a mesh that is farther from the origin than 32 times its size, in whole mm, or None."""
+    if not len(vertices) or not np.isfinite(vertices).all():
+        return None
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    middle = np.round((low + high) / 2)
+    return middle if np.abs(middle).max() > 32 * (high - low).max() else None
+
+
 def mesh_from_arrays(vertices, triangles):
-    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept."""
+    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept.
+
+    Far from the origin single precision would bend the mesh: there it is local, with a placement.
+    """
     import Mesh
 
+    middle = _far_middle(vertices)
+    if middle is not None:
+        mesh = mesh_from_arrays(vertices - middle, triangles)
+        mesh.Placement = App.Placement(App.Vector(*middle), App.Rotation())
+        return mesh
     head = (
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n"
         "property float y\nproperty float z\nelement face {}\n"
@@ -81,6 +98,14 @@ def mesh_from_arrays(vertices, triangles):
     return mesh
 
 
+def _no_room_text():
+    return translate(
+        "Messages",
+        "the mesh could not be written to the temporary folder {0}: make room there, or set the "
+        "environment variable TMPDIR to another folder.",
+    ).format(tempfile.gettempdir())
+
+
 def arrays_from_mesh(mesh):
     """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
     local = mesh.copy()
@@ -93,10 +118,14 @@ def arrays_from_mesh(mesh):
             data = file.read()
     finally:
         os.remove(path)
+    if b"end_header\n" not in data:
+        raise InputProblem(_no_room_text())
     start = data.index(b"end_header\n") + len(b"end_header\n")
     head = data[:start].decode("ascii")
     points = int(head.split("element vertex ")[1].split()[0])
     facets = int(head.split("element face ")[1].split()[0])
+    if len(data) < start + 12 * points + 13 * facets:
+        raise InputProblem(_no_room_text())
     vertices = np.frombuffer(data, "<f4", points * 3, start).reshape(-1, 3).astype(float)
     kind = [("c", "u1"), ("i", "<i4", 3)]
     triangles = np.frombuffer(data, kind, facets, start + 12 * points)["i"].astype(np.int32)
