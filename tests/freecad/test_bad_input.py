@@ -7,40 +7,18 @@ import tempfile
 import zipfile
 
 import FreeCAD as App
-import Mesh
 import numpy as np
 import Part
 
-from case import Case, shift, turn
+from bad_case import BadCase
+from case import shift, turn
 from sweptvolume import core, export, runner
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, motion
 from sweptvolume.panels import tasks
 
 
-class BadInput(Case):
-    NEEDS_CORE = True
-
-    def refused(self, obj, *words):
-        """The run fails with a message of these words; the old mesh stays; the next run works."""
-        facets = obj.Mesh.CountFacets
-        with self.assertRaises((core.CoreError, InputProblem)) as caught:
-            envelope.compute(obj)
-        for word in words:
-            self.assertIn(word, str(caught.exception))
-        self.assertEqual(obj.Status, envelope.FAILED)
-        self.assertEqual(obj.Message, str(caught.exception))
-        self.assertEqual(obj.Mesh.CountFacets, facets)
-
-    def mesh_object(self, facets):
-        obj = self.doc.addObject("Mesh::Feature", "Net")
-        obj.Mesh = Mesh.Mesh(facets)
-        return obj
-
-    def box_facets(self):
-        points, triangles = Part.makeBox(10, 10, 10).tessellate(1.0)
-        return [[tuple(points[i]) for i in triangle] for triangle in triangles]
-
+class BadInput(BadCase):
     def test_bad_input_01_empty_mesh(self):
         self.refused(self.envelope([self.mesh_object([])], self.line()), "empty")
 

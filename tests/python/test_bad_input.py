@@ -3,9 +3,11 @@
 import contextlib
 import gzip
 import json
+import os
 import re
 import resource
 import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -312,16 +314,106 @@ def test_bad_input_27_out_of_memory(program, box, tmp_path):
     assert call(24, 400).returncode == 0
 
 
-def test_bad_input_28_no_gpu(program, box, tmp_path):
-    """The module never touches GL when it is imported; a GPU that is not there is said once."""
+WITHOUT_ROOM = """
+import resource
+import numpy as np
+import _swept
+corners = np.array([[x, y, z] for x in (0, 10) for y in (0, 20) for z in (0, 30)], float)
+quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+triangles = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
+motion = np.tile(np.eye(4), (2, 1, 1))
+motion[1, :3, 3] = 50, 20, 10
+def compute(resolution):
+    run = _swept.RunContext(1, 100000)  # a limit that refuses nothing
+    try:
+        return _swept.compute(corners, triangles, motion, resolution=resolution, run=run).report
+    except _swept.Error as error:
+        return error.report
+compute(16)
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + (60 << 20), resource.RLIM_INFINITY))
+print(compute(1500)["status"])
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+print(compute(24)["status"])
+"""
+
+
+def test_bad_input_27_out_of_memory_in_a_process_that_goes_on():
+    environment = {**os.environ, "PYTHONPATH": os.path.dirname(_swept.__file__)}
+    command = [sys.executable, "-c", WITHOUT_ROOM]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
+    assert done.stdout == "OutOfMemory\nOk\n", done.stdout + done.stderr
+
+
+ON_A_DEVICE = """
+import numpy as np
+import _swept
+corners = np.array([[x, y, z] for x in (0, 10) for y in (0, 20) for z in (0, 30)], float)
+quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+triangles = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
+for backend in ("gpu", "auto"):
+    try:
+        report = _swept.compute(
+            corners, triangles, np.eye(4)[None], resolution=16, backend=backend
+        ).report
+        print(report["backend"], report["device"])
+    except _swept.Error as error:
+        print(error.status, error)
+"""
+
+
+@pytest.fixture
+def on_a_device(program, box, tmp_path):
+    """Runs a small job with backend gpu, then auto, in processes with this environment: what the
+    module says in two lines, and the two reports of the program."""
+
+    def run(**environment):
+        environment = {**os.environ, "PYTHONPATH": os.path.dirname(_swept.__file__), **environment}
+        asked = {"env": environment, "capture_output": True, "text": True, "timeout": 120}
+        said = subprocess.run([sys.executable, "-c", ON_A_DEVICE], **asked)
+        assert said.returncode == 0, said.stderr
+        _swept.write_mesh(tmp_path / "b.ply", *box)
+        (tmp_path / "m.csv").write_text("0,0,0,0,0,0,0,1\n")
+        reports = []
+        for backend in ("gpu", "auto"):
+            subprocess.run(
+                [
+                    program, "envelope", tmp_path / "b.ply", "--motion", tmp_path / "m.csv",
+                    "--output", tmp_path / "o.ply", "--report", tmp_path / "r.json",
+                    "--resolution", "16", "--backend", backend,
+                ],
+                **asked,
+            )  # fmt: skip
+            reports.append(json.loads((tmp_path / "r.json").read_text()))
+        return said.stdout.splitlines(), reports
+
+    return run
+
+
+def test_bad_input_28_no_gpu(on_a_device):
+    """A machine without a driver: `gpu` is refused, `auto` computes on the CPU."""
+    said, reports = on_a_device(__EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+    assert re.match("DeviceUnavailable .*EGL", said[0]), said
+    assert said[1].strip() == "cpu"
+    assert reports[0]["status"] == "DeviceUnavailable" and "EGL" in reports[0]["message"]
+    assert reports[1]["status"] == "Ok" and reports[1]["backend"] == "cpu"
+
+
+def test_bad_input_28_importing_never_touches_gl():
     maps = "any('libEGL' in line or 'libGL' in line for line in open('/proc/self/maps'))"
     script = f"import _swept; assert not {maps}"
-    import sys
-
-    folder = re.sub(r"/[^/]*$", "", _swept.__file__)
+    folder = os.path.dirname(_swept.__file__)
     done = subprocess.run([sys.executable, "-c", script], env={"PYTHONPATH": folder})
     assert done.returncode == 0
-    assert _swept.compute(*box, STILL, resolution=16, backend="auto").report["status"] == "Ok"
+
+
+def test_bad_input_29_software_only(on_a_device):
+    said, reports = on_a_device(LIBGL_ALWAYS_SOFTWARE="1")
+    if said[0].startswith("DeviceUnavailable"):
+        pytest.skip(f"no software rasteriser: {said[0]}")
+    assert re.match("gpu .*llvmpipe", said[0]) and said[1].strip() == "cpu", said
+    assert reports[0]["status"] == "Ok" and "llvmpipe" in reports[0]["device"]
+    assert reports[1]["backend"] == "cpu"
 
 
 BROKEN_TABLES = [
@@ -335,51 +427,131 @@ BROKEN_TABLES = [
 ]
 
 
+@pytest.fixture
+def refused_table(program, box, tmp_path):
+    """The module and the program refuse a motion file alike; gives the error."""
+
+    def refuse(text):
+        (tmp_path / "m.csv").write_bytes(text)
+        with pytest.raises(_swept.InvalidInput) as caught:
+            _swept.read_trajectory_csv(tmp_path / "m.csv")
+        _swept.write_mesh(tmp_path / "b.ply", *box)
+        done = subprocess.run(
+            [
+                program, "envelope", tmp_path / "b.ply", "--motion", tmp_path / "m.csv",
+                "--output", tmp_path / "o.ply",
+            ],
+            capture_output=True, text=True,
+        )  # fmt: skip
+        assert done.returncode == 1 and str(caught.value) in done.stderr
+        assert not (tmp_path / "o.ply").exists()
+        return caught.value
+
+    return refuse
+
+
 @pytest.mark.parametrize("text, code, says", BROKEN_TABLES)
-def test_bad_input_34_broken_table(tmp_path, text, code, says):
-    (tmp_path / "m.csv").write_bytes(text)
-    with pytest.raises(_swept.InvalidInput, match=says) as caught:
-        _swept.read_trajectory_csv(tmp_path / "m.csv")
-    assert caught.value.code == code
+def test_bad_input_34_broken_table(refused_table, text, code, says):
+    error = refused_table(text)
+    assert error.code == code and says in str(error)
 
 
 @pytest.mark.parametrize("text", [b"", b"t,tx,ty,tz,qx,qy,qz,qw\n", b"\n# nothing\n\n"])
-def test_bad_input_35_empty_table(tmp_path, text):
-    (tmp_path / "m.csv").write_bytes(text)
-    with pytest.raises(_swept.InvalidInput) as caught:
-        _swept.read_trajectory_csv(tmp_path / "m.csv")
-    assert caught.value.code == "EmptyTrajectory"
+def test_bad_input_35_empty_table(refused_table, text):
+    assert refused_table(text).code == "EmptyTrajectory"
 
 
-@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
-def test_bad_input_37_solid_that_reads_back_wrong(tmp_path, box):
-    """Somebody damages the file between writing and reading back: it never becomes the target."""
-    result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
-    target = tmp_path / "o.step"
+FULL_DISK = """
+import resource, signal, sys
+import numpy as np
+import _swept
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+points = np.random.default_rng(1).random((900, 3))
+try:
+    _swept.write_mesh(sys.argv[1], points, np.arange(900).reshape(-1, 3))
+except _swept.ExportFailed as error:
+    print(error.code)
+"""
+
+
+@pytest.mark.parametrize("suffix", ["ply", "stl", "obj", "off"])
+def test_bad_input_36_full_disk_for_the_module(tmp_path, suffix):
+    target = tmp_path / f"o.{suffix}"
     target.write_text("old")
+    environment = {**os.environ, "PYTHONPATH": os.path.dirname(_swept.__file__)}
+    command = [sys.executable, "-c", FULL_DISK, str(target)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.stdout == "WriteFailed\n", done.stdout + done.stderr
+    assert target.read_text() == "old" and list(tmp_path.iterdir()) == [target]
+
+
+@contextlib.contextmanager
+def damaged(folder, *kept):
+    """Somebody writes into every new file of the folder but those kept."""
     done = threading.Event()
 
     def damage():
         while not done.is_set():
-            for path in tmp_path.iterdir():
+            for path in folder.iterdir():
                 with contextlib.suppress(FileNotFoundError):  # it may go at any moment
-                    if path != target and path.stat().st_size > 100:
+                    if path not in kept and path.stat().st_size > 100:
                         with open(path, "r+b") as file:
                             file.write(b"garbage")
 
     thread = threading.Thread(target=damage)
     thread.start()
     try:
-        with pytest.raises(_swept.ExportFailed) as caught:
-            # Many faces: writing takes long enough for the damage to the header to be met.
-            _swept.write_solid(
-                target, result.vertices, result.triangles, max_faces=10**6, merge_coplanar=False
-            )
+        yield
     finally:
         done.set()
         thread.join()
+
+
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
+    """Somebody damages the file between writing and reading back: it never becomes the target."""
+    # Many faces: writing takes long enough for the damage to the header to be met.
+    result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
+    target, report = tmp_path / "o.step", tmp_path / "r.json"
+    target.write_text("old")
+    with damaged(tmp_path, target), pytest.raises(_swept.ExportFailed) as caught:
+        _swept.write_solid(
+            target, result.vertices, result.triangles, max_faces=10**6, merge_coplanar=False
+        )
     assert caught.value.code.startswith("Reread"), caught.value
     assert target.read_text() == "old" and list(tmp_path.iterdir()) == [target]
+    body, path = tmp_path / "b.ply", tmp_path / "m.csv"
+    _swept.write_mesh(body, *box)
+    path.write_text("0,0,0,0,0,0,0,1\n1,20,9,4,0,0,0.6,0.8\n")
+    with damaged(tmp_path, target, body, path, report):
+        done = subprocess.run(
+            [
+                program, "envelope", body, "--motion", path, "--output", target, "--resolution",
+                "48", "--max-faces", "100000", "--report", report,
+            ],
+            capture_output=True, text=True,
+        )  # fmt: skip
+    assert done.returncode == 1 and "ExportFailed/Reread" in done.stderr, done.stderr
+    assert target.read_text() == "old"
+    assert set(tmp_path.iterdir()) == {target, body, path, report}
+
+
+@pytest.mark.parametrize(
+    "name, code",
+    [
+        ("no/such/o.ply", "MissingFolder"),
+        ("folder.ply", "BadTarget"),
+        ("o.xyz", "BadFormat"),
+        ("o", "BadFormat"),
+    ],
+)
+def test_bad_input_38_targets_of_the_module(tmp_path, box, name, code):
+    (tmp_path / "folder.ply").mkdir()
+    with pytest.raises(_swept.ExportFailed) as caught:
+        _swept.write_mesh(tmp_path / name, *box)
+    assert caught.value.code == code and name.split("/")[0] in str(caught.value)
+    assert list(tmp_path.iterdir()) == [tmp_path / "folder.ply"]
 
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
@@ -399,6 +571,24 @@ def test_bad_input_39_too_many_faces(tmp_path, box, limit, tolerance):
     assert target.read_text() == "old" and list(tmp_path.iterdir()) == [target]
 
 
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_bad_input_39_too_many_faces_and_the_program(program, tmp_path, box):
+    _swept.write_mesh(tmp_path / "b.ply", *box)
+    (tmp_path / "m.csv").write_text("0,0,0,0,0,0,0,1\n1,20,9,4,0,0,0.6,0.8\n")
+    target = tmp_path / "o.step"
+    target.write_text("old")
+    done = subprocess.run(
+        [
+            program, "envelope", tmp_path / "b.ply", "--motion", tmp_path / "m.csv", "--output",
+            target, "--resolution", "24", "--max-faces", "8",
+        ],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 1 and "ExportFailed/TooManyFaces" in done.stderr
+    assert re.search(r"\d+ faces .* 8 faces.* MB .*STL", done.stderr), done.stderr
+    assert target.read_text() == "old"
+
+
 def test_bad_input_40_names(program, box, tmp_path):
     folder = tmp_path / "Hüllkörper 扫掠 (1)" / ("x" * 120)
     folder.mkdir(parents=True)
@@ -413,6 +603,7 @@ def test_bad_input_40_names(program, box, tmp_path):
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert len(_swept.read_mesh(folder / "obálka.stl").triangles) > 100
+    assert len(_swept.read_trajectory_csv(folder / "pohyb ž.csv")[0]) == 2
 
 
 def test_bad_input_42_two_runs_at_once(box):
@@ -434,6 +625,21 @@ def test_bad_input_42_two_runs_at_once(box):
     for thread in threads:
         thread.join()
     assert [result.vertices.tobytes() for result in found] == expected
+
+
+def test_bad_input_42_two_programs_at_once(program, box, tmp_path):
+    _swept.write_mesh(tmp_path / "b.ply", *box)
+    (tmp_path / "m.csv").write_text("0,0,0,0,0,0,0,1\n1,50,20,10,0,0,0.6,0.8\n")
+
+    def start(name):
+        words = [program, "envelope", tmp_path / "b.ply", "--motion", tmp_path / "m.csv"]
+        return subprocess.Popen(words + ["--resolution", "40", "--output", tmp_path / name])
+
+    assert start("alone.ply").wait(120) == 0
+    both = [start(f"{n}.ply") for n in (1, 2)]
+    assert [process.wait(120) for process in both] == [0, 0]
+    alone = (tmp_path / "alone.ply").read_bytes()
+    assert all((tmp_path / f"{n}.ply").read_bytes() == alone for n in (1, 2))
 
 
 def test_bad_input_45_thinner_than_the_cell(both):

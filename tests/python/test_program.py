@@ -232,11 +232,12 @@ def long_run(program, shared, inputs):
     ]  # fmt: skip
 
 
-def test_interrupt_cancels_cleanly(program, shared, inputs):
+def test_bad_input_24_and_25_interrupts_cancel_cleanly(program, shared, inputs):
     child = subprocess.Popen(long_run(program, shared, inputs), stderr=subprocess.PIPE, text=True)
     time.sleep(0.5)
     start = time.monotonic()
     child.send_signal(signal.SIGINT)
+    child.send_signal(signal.SIGINT)  # twice is once
     _, said = child.communicate(timeout=60)
     assert child.returncode == 130, said
     assert time.monotonic() - start < 10

@@ -10,14 +10,18 @@ import pytest
 SPDX = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
 
-@pytest.fixture(scope="module")
-def rules(root):
-    spec = importlib.util.spec_from_file_location(
-        "include_rules", root / "tests" / "tools" / "include_rules.py"
-    )
+def load(root, name):
+    """A script of tests/tools as a module."""
+    path = root / "tests" / "tools" / f"{name}.py"
+    spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture(scope="module")
+def rules(root):
+    return load(root, "include_rules")
 
 
 def test_dependencies_run_in_one_direction(rules, root):
@@ -117,34 +121,40 @@ def test_headers_open_with_what_they_are_for(root):
         assert first.startswith("// ") and len(first) > 20, path
 
 
-def named_rows(name):
-    """Rows of the table of bad input that the name of a test stands for."""
-    match = re.match(r"(?:test_)?(?:bad_input_|BadInput)(\d\d)(?:(?:_and_|And)(\d\d))?", name)
-    return [int(number) for number in match.groups() if number] if match else []
+@pytest.fixture(scope="module")
+def rows(root):
+    return load(root, "bad_input_rows")
 
 
-def test_every_row_of_bad_input_has_its_tests(root):
-    defined = {}
-    for path in (root / "tests").rglob("*"):
-        if path.suffix not in (".cpp", ".py"):
-            continue
-        text = path.read_text(encoding="utf-8")
-        names = re.findall(r"^TEST(?:_[FP])?\(\s*\w+,\s*(\w+)\)", text, re.M)
-        names += re.findall(r"^ *def (test_bad_input_\w+)", text, re.M)
-        for name in names:
-            defined.setdefault(name, path)
+def test_every_row_of_bad_input_is_tested_every_way(rows, root):
+    assert rows.gaps(root) == []
+
+
+def test_a_row_without_a_test_is_found(rows, root, tmp_path):
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "tests").mkdir()
     table = (root / "docs" / "bad_input.md").read_text(encoding="utf-8")
-    rows = {}
+    (tmp_path / "docs" / "bad_input.md").write_text(table, encoding="utf-8")
+    test = "def both(program):\n    _swept.compute(program)\n\n\n"
+    test += "def test_bad_input_07_and_08_both(both):\n    both()\n"
+    (tmp_path / "tests" / "test_it.py").write_text(test)
+    missing = set(rows.gaps(tmp_path))
+    assert (9, "Python") in missing and (7, "FreeCAD") in missing and (41, "FreeCAD") in missing
+    assert not missing & {(7, "Python"), (8, "program"), (41, "Python"), (2, "FreeCAD")}
+
+
+def test_the_table_of_bad_input_names_its_tests(rows, root):
+    found = rows.tests(root)
+    table = (root / "docs" / "bad_input.md").read_text(encoding="utf-8")
+    numbers = []
     for line in table.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         if cells[0].isdigit():
-            rows[int(cells[0])] = re.findall(r"`(\w+)`", cells[-1])
-    assert sorted(rows) == list(range(1, 46))
-    for number, names in rows.items():
-        assert names, f"row {number} has no test"
-        for name in names:
-            assert name in defined, f"row {number}: no test is called {name}"
-            assert number in named_rows(name), f"row {number}: {name} is another row's"
+            numbers.append(int(cells[0]))
+            named = set(re.findall(r"`(\w+)`", cells[-1]))
+            there = {name for names in found[numbers[-1]].values() for name in names}
+            assert named == there, f"row {numbers[-1]}"
+    assert numbers == list(range(1, 46))
 
 
 def test_every_command_has_a_page_with_a_picture(root):
