@@ -60,9 +60,10 @@ Quick, coarse envelopes of one body while its motion is edited: the checked body
 calls. Options as those of compute(), for all calls; chord is at least 0.1, tolerance is left out.)";
 
 constexpr const char* kPreviewDoc =
-    R"(compute(motion, interpolation='linear', run=None) -> Result
+    R"(compute(motion, interpolation='linear', run=None, sketch=False) -> Result
 
-Arguments, result and errors as those of the module's compute(). From one thread at a time.)";
+Arguments, result and errors as those of the module's compute(). From one thread at a time. sketch:
+the surface alone, neither mended nor checked (finding NotChecked), in half the time; to be drawn.)";
 
 constexpr const char* kEstimateDoc =
     R"(estimate(vertices, triangles, motion, interpolation='linear', **options) -> dict

@@ -10,6 +10,7 @@
 #include "base/safe_file.h"
 #include "clearance_bindings.h"
 #include "docstrings.h"
+#include "drawing.h"
 #include "errors.h"
 #include "job.h"
 #include "swept/compute.h"
@@ -161,11 +162,12 @@ std::unique_ptr<PreviewSession> pyPreviewSession(const py::object& vertices,
 }
 
 ComputeResult pyPreview(PreviewSession& session, const py::object& motion,
-                        const std::string& interpolation, const py::object& run) {
+                        const std::string& interpolation, const py::object& run, bool sketch) {
   const RunPointer context = runFromObject(run);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
-  return resultOrRaise(std::make_shared<Result>(
-      runWithoutLock(*context, [&] { return session.compute(trajectory, *context); })));
+  return resultOrRaise(std::make_shared<Result>(runWithoutLock(*context, [&] {
+    return sketch ? session.sketch(trajectory, *context) : session.compute(trajectory, *context);
+  })));
 }
 
 py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
@@ -356,7 +358,8 @@ void bindPreview(py::module_& module) {
   py::class_<PreviewSession>(module, "PreviewSession", kPreviewSessionDoc)
       .def(py::init(&pyPreviewSession), py::arg("vertices"), py::arg("triangles"))
       .def("compute", &pyPreview, kPreviewDoc, py::arg("motion"),
-           py::arg("interpolation") = "linear", py::arg("run") = py::none())
+           py::arg("interpolation") = "linear", py::arg("run") = py::none(),
+           py::arg("sketch") = false)
       .def_property_readonly("steps_kept", &PreviewSession::stepsKept,
                              "Steps so far that were those of the call before.");
 }
@@ -400,6 +403,7 @@ PYBIND11_MODULE(_swept, module) {
   bindClasses(module);
   bindPreview(module);
   bindFunctions(module);
+  bindDrawing(module);
 #ifdef HAVE_SWEPT_CLEARANCE
   bindClearance(module);
 #endif

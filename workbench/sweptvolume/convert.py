@@ -12,6 +12,7 @@ import tempfile
 import FreeCAD as App
 import numpy as np
 
+from . import core
 from .texts import translate
 
 #: Angular deflection of meshed solids (rad); the linear one follows the cell.
@@ -72,18 +73,8 @@ def _far_middle(vertices):
     return middle if np.abs(middle).max() > 32 * (high - low).max() else None
 
 
-def mesh_from_arrays(vertices, triangles):
-    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept.
-
-    Far from the origin single precision would bend the mesh: there it is local, with a placement.
-    """
-    import Mesh
-
-    middle = _far_middle(vertices)
-    if middle is not None:
-        mesh = mesh_from_arrays(vertices - middle, triangles)
-        mesh.Placement = App.Placement(App.Vector(*middle), App.Rotation())
-        return mesh
+def _ply(vertices, triangles):
+    """As FreeCAD reads a binary PLY file."""
     head = (
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n"
         "property float y\nproperty float z\nelement face {}\n"
@@ -92,9 +83,45 @@ def mesh_from_arrays(vertices, triangles):
     faces = np.zeros(len(triangles), dtype=[("c", "u1"), ("i", "<i4", 3)])
     faces["c"] = 3
     faces["i"] = triangles
-    data = head.encode() + np.ascontiguousarray(vertices, "<f4").tobytes() + faces.tobytes()
+    return head.encode() + np.ascontiguousarray(vertices, "<f4").tobytes() + faces.tobytes()
+
+
+class _Stream:
+    """Bytes to read. FreeCAD asks for some hundred at a time, and between two of these calls other
+    threads come to their turn, which they would not with a stream that is no Python code."""
+
+    def __init__(self, data):
+        self._inner = io.BytesIO(data)
+
+    def read(self, size=-1):
+        return self._inner.read(size)
+
+    def seek(self, *where):
+        return self._inner.seek(*where)
+
+    def tell(self):
+        return self._inner.tell()
+
+
+def mesh_from_arrays(vertices, triangles, beside=False):
+    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept. `beside`: in a thread beside the window's,
+    which goes on meanwhile.
+
+    Far from the origin single precision would bend the mesh: there it is local, with a placement.
+    """
+    import Mesh
+
+    middle = _far_middle(vertices)
+    if middle is not None:
+        mesh = mesh_from_arrays(vertices - middle, triangles, beside)
+        mesh.Placement = App.Placement(App.Vector(*middle), App.Rotation())
+        return mesh
     mesh = Mesh.Mesh()
-    mesh.read(io.BytesIO(data), "PLY")
+    if beside:
+        mesh.read(_Stream(core.mesh_file(vertices, triangles)), "BMS")
+        if (mesh.CountPoints, mesh.CountFacets) == (len(vertices), len(triangles)):
+            return mesh
+    mesh.read(io.BytesIO(_ply(vertices, triangles)), "PLY")
     return mesh
 
 

@@ -127,13 +127,14 @@ class Request:
 
 
 class Outcome:
-    """Result of a run that ended Ok."""
+    """Result of a run that ended Ok. mesh: the same as a Mesh.Mesh, once one was made."""
 
     def __init__(self, report, vertices, triangles, contact_time):
         self.report = report
         self.vertices = vertices
         self.triangles = triangles
         self.contact_time = contact_time
+        self.mesh = None
 
 
 @contextlib.contextmanager
@@ -225,11 +226,12 @@ class Sessions:
         self._kept, self._lock = [], threading.Lock()
 
     def compute(self, request, control):
-        """As the module's compute()."""
+        """As the module's compute(), but the surface is only good to be looked at."""
         with self._lock, _errors():
             session = self._session(request)
             _, _, motion, interpolation = _arguments(request)
-            found = session.compute(motion, interpolation, run=control.context)
+            sketch = not request.options.get("conservative")
+            found = session.compute(motion, interpolation, run=control.context, sketch=sketch)
         return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
 
     def _session(self, request):
@@ -275,6 +277,16 @@ def estimate(request):
     """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError."""
     with _errors():
         return module().estimate(*_arguments(request), **request.options)
+
+
+def drawable(vertices, triangles, most, crease):
+    """A mesh for the 3D view, thinned to about `most` triangles: points, normals, indices (arrays)."""
+    return module().drawable(vertices, triangles, most, crease)
+
+
+def mesh_file(vertices, triangles):
+    """The bytes of FreeCAD's own kind of mesh file."""
+    return module().freecad_mesh(vertices, triangles)
 
 
 def read_motion(path, unit):

@@ -27,6 +27,9 @@ class PreviewSession {
 
   /// As swept::compute() for the body and options of the session; from one thread at a time.
   Result compute(const Trajectory& trajectory, RunContext& run);
+  /// The surface alone, to be looked at while the next is made: neither mended nor checked, with
+  /// the finding NotChecked. Half the time of compute(). Throws where the options are conservative.
+  Result sketch(const Trajectory& trajectory, RunContext& run);
   /// Steps so far that were not sampled again because they were those of the call before.
   std::int64_t stepsKept() const;
 

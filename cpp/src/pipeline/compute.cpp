@@ -87,9 +87,10 @@ class Run {
     sweep(trajectory);
   }
 
-  /// The same for a body that has been checked before.
-  void compute(WarmBody& warm, const Trajectory& trajectory) {
+  /// The same for a body that has been checked before. `sketch`: the surface as contoured.
+  void compute(WarmBody& warm, const Trajectory& trajectory, bool sketch) {
     begin();
+    sketch_ = sketch;
     prepared_.body = warm.body;
     prepared_.keepRoom = true;
     if (warm.grid) prepared_.lastGrid = &*warm.grid;
@@ -131,7 +132,7 @@ class Run {
       envelope(topology);
       simplify();
     }
-    if (options_.tolerance <= 0) {
+    if (options_.tolerance <= 0 && !sketch_) {
       result_.featureEdges = topology_.across.size() > 0
                                  ? findFeatureEdges(result_.mesh, topology_.across)
                                  : findFeatureEdges(result_.mesh);
@@ -180,7 +181,12 @@ class Run {
   }
 
   void finish(Surface surface, const HermiteGrid& hermite) {
-    checkAndMend(surface, hermite);
+    if (sketch_) {
+      report_.warnings.push_back(
+          {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
+    } else {
+      checkAndMend(surface, hermite);
+    }
     result_.mesh = std::move(surface.mesh);
     result_.contactTime = std::move(surface.contactTime);
   }
@@ -434,6 +440,7 @@ class Run {
   const BodyTopology* topologyOfBody_ = nullptr;  ///< null: not known yet
   const FaceClusters* clusters_ = nullptr;
   SampleCache* cache_ = nullptr;
+  bool sketch_ = false;
   MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
   std::vector<SweptElement> elements_;  // while the contouring may ask for them
   Timer timer_;
@@ -539,7 +546,15 @@ PreviewSession::PreviewSession(PreviewSession&&) noexcept = default;
 PreviewSession& PreviewSession::operator=(PreviewSession&&) noexcept = default;
 
 Result PreviewSession::compute(const Trajectory& trajectory, RunContext& run) {
-  return runWith(warm_->options, run, [&](Run& one) { one.compute(*warm_, trajectory); });
+  return runWith(warm_->options, run, [&](Run& one) { one.compute(*warm_, trajectory, false); });
+}
+
+Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
+  if (warm_->options.conservative) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "a conservative envelope is proven, which a sketch is not: compute it");
+  }
+  return runWith(warm_->options, run, [&](Run& one) { one.compute(*warm_, trajectory, true); });
 }
 
 std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }

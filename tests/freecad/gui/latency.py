@@ -96,14 +96,16 @@ def one(name, mesh_name):
     yield 0.5
     gaps = Gaps()
     click(panel_button(QtWidgets.QDialogButtonBox.Ok))
-    yield 2.0
-    for task in runner.running():
-        task.cancel()
     yield lambda: not runner.running()
     say("{}: longest gap during a compute: {}".format(name, gaps.stop()))
-    if Gui.Control.activeDialog():
-        click(panel_button(Cancel))
+    gaps = Gaps()
     yield no_panel
+    yield 0.5
+    made = doc.getObject("Envelope")
+    text = "{}: longest gap while {} triangles are taken over: {}"
+    say(text.format(name, made.Triangles, gaps.stop()))
+    shot("61_latency_" + name)
+    yield 0.8
     App.closeDocument(doc.Name)
     yield
 

@@ -422,7 +422,7 @@ def warnings_of(report):
 
 def apply(obj, outcome, hash_at_start):
     """Writes the result of a run that ended Ok."""
-    mesh = convert.mesh_from_arrays(outcome.vertices, outcome.triangles)
+    mesh = outcome.mesh or convert.mesh_from_arrays(outcome.vertices, outcome.triangles)
     mesh.Placement = _inside_groups(obj).multiply(mesh.Placement)
     obj.Mesh = mesh
     report = outcome.report

@@ -225,10 +225,10 @@ class EnvelopePanel:
         by_cell = self.by.currentData() == "CellSize"
         return MOST_CELLS if by_cell else min(self.resolution.value(), MOST_CELLS)
 
-    def show_preview(self, pieces):
+    def show_preview(self, surface):
         if self.coarse is None:
             self.coarse = CoarseEnvelope(self.document)
-        self.coarse.show(pieces)
+        self.coarse.show(surface)
 
     def _remove_coarse(self):
         if self.coarse is not None and widgets.alive(self.document):

@@ -320,9 +320,9 @@ class MotionPanel:
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))
 
-    def show_preview(self, pieces):
+    def show_preview(self, surface):
         if self.coarse is not None and self.coarse.root is not None:
-            self.coarse.show(pieces)
+            self.coarse.show(surface)
 
     def report_preview(self, text):
         self.preview_text.setText(text)

@@ -9,7 +9,7 @@ from ..convert import InputProblem
 from ..features import envelope
 from ..runner import Task
 from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
-from ..views.ghost import pieces_of
+from ..views.surface import drawn
 from .widgets import alive
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
@@ -58,7 +58,7 @@ class _PreviewTask(Task):
     def work(self, control):
         found = envelope.work(self.requests, self.requests[0].options, control, self.compute)
         self.seconds = found.report["seconds"]["total"]
-        return pieces_of(found.vertices, found.triangles)
+        return drawn(found.vertices, found.triangles)
 
     def finish(self, value):
         self.show(value)
@@ -68,8 +68,8 @@ class Preview:
     """Keeps at most one run under way. While wishes come, each run takes the newest and is coarse; when
     none came for a moment, a fine one follows and replaces what is shown.
 
-    A wish is a function: cells along the longest side -> requests for the core. show(pieces) draws
-    (views/ghost.py), report(text) tells of a failure ("": none), finest() gives the cells of the
+    A wish is a function: cells along the longest side -> requests for the core. show(drawn) draws
+    (views/surface.py), report(text) tells of a failure ("": none), finest() gives the cells of the
     fine run.
     """
 

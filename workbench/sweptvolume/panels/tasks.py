@@ -4,10 +4,11 @@ import os
 
 import FreeCAD as App
 
-from .. import export
+from .. import convert, export
 from ..features import clearance, envelope, solid
 from ..runner import Task
 from ..texts import mark, translate
+from ..views import surface
 
 
 class PlanTask(Task):
@@ -61,8 +62,13 @@ class EnvelopeTask(PlanTask):
 
     TITLE = mark("Messages", "Compute envelope")
     FEATURE = envelope
+    surface = None
 
     def read(self):
+        import Mesh  # noqa: F401 (modules of FreeCAD are loaded in the window's thread)
+
+        view = self.obj.ViewObject if self.obj is not None else None
+        self.most = getattr(view, "DrawnTriangles", surface.MOST)
         requests = self.plan.requests()
         return requests, self.plan.union_options(requests)
 
@@ -70,10 +76,17 @@ class EnvelopeTask(PlanTask):
         return envelope.make_envelope(self.document, [], None)
 
     def work(self, control):
-        return envelope.work(*self.request, control)
+        """The envelope, and what takes long of taking it over, which the window then need not do."""
+        found = envelope.work(*self.request, control)
+        found.mesh = convert.mesh_beside(found.vertices, found.triangles)
+        if 0 < self.most < len(found.triangles):
+            self.surface = surface.drawn(found.vertices, found.triangles, self.most)
+        return found
 
     def finish(self, value):
         super().finish(value)
+        if self.surface is not None:
+            self.obj.ViewObject.Proxy.display.show(self.surface)
         for warning in envelope.warnings_of(value.report):
             App.Console.PrintWarning("{}: {}\n".format(self.obj.Label, warning["text"]))
 

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "drawing.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+#include "arrays.h"
+
+namespace swept::python {
+namespace {
+
+using Triangle = std::array<std::int32_t, 3>;
+using Eigen::Vector3d;
+
+/// Thinning stops when there are at most this many times the triangles that were asked for.
+constexpr double kEnough = 1.2;
+/// Weight of a cell's mean point against the planes that meet in it.
+constexpr double kMeanWeight = 0.01;
+/// Cells along one side of the grid.
+constexpr double kMostCells = 0x1fffff;
+/// Corners of one vertex share a point while the cosine between their normals is above this.
+constexpr double kSameNormal = 0.999;
+
+/// Twice the area of a triangle along its normal.
+Vector3d areaNormal(const TriMesh& mesh, const Triangle& t) {
+  const Vector3d& a = mesh.vertices[t[0]];
+  return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+}
+
+double areaOf(const TriMesh& mesh) {
+  double twice = 0;
+  for (const Triangle& t : mesh.triangles) twice += areaNormal(mesh, t).norm();
+  return 0.5 * twice;
+}
+
+/// For each vertex the number of the grid's cell that it lies in, counted without gaps.
+std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t& count) {
+  Vector3d low = mesh.vertices[0];
+  for (const Vector3d& v : mesh.vertices) low = low.cwiseMin(v);
+  std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(mesh.vertices.size());
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    const Vector3d at = (mesh.vertices[i] - low) / cell;
+    std::uint64_t key = 0;
+    for (int k = 0; k < 3; ++k) {
+      key = (key << 21) | static_cast<std::uint64_t>(std::clamp(at[k], 0.0, kMostCells));
+    }
+    keyed[i] = {key, static_cast<std::int32_t>(i)};
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::int32_t> cells(keyed.size());
+  count = 0;
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    if (i > 0 && keyed[i].first != keyed[i - 1].first) ++count;
+    cells[static_cast<std::size_t>(keyed[i].second)] = count;
+  }
+  ++count;
+  return cells;
+}
+
+/// One point a cell, where the planes of the triangles at its vertices meet.
+TriMesh clustered(const TriMesh& mesh, double cell) {
+  std::int32_t count = 0;
+  const std::vector<std::int32_t> cells = cellsOf(mesh, cell, count);
+  TriMesh out;
+  out.vertices.assign(static_cast<std::size_t>(count), Vector3d::Zero());
+  std::vector<std::int32_t> members(out.vertices.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    out.vertices[cells[i]] += mesh.vertices[i];
+    ++members[cells[i]];
+  }
+  for (std::size_t c = 0; c < members.size(); ++c) out.vertices[c] /= members[c];
+  std::vector<Eigen::Matrix3d> planes(out.vertices.size(), Eigen::Matrix3d::Zero());
+  std::vector<Vector3d> pulls(out.vertices.size(), Vector3d::Zero());
+  for (const Triangle& t : mesh.triangles) {
+    const Vector3d normal = areaNormal(mesh, t);
+    const double weight = normal.norm();
+    if (!(weight > 0)) continue;
+    const Vector3d unit = normal / weight;
+    const Eigen::Matrix3d plane = weight * unit * unit.transpose();
+    for (const std::int32_t v : t) {
+      const std::int32_t c = cells[v];
+      planes[c] += plane;
+      pulls[c] += plane * (mesh.vertices[v] - out.vertices[c]);
+    }
+    const Triangle kept = {cells[t[0]], cells[t[1]], cells[t[2]]};
+    if (kept[0] != kept[1] && kept[1] != kept[2] && kept[2] != kept[0])
+      out.triangles.push_back(kept);
+  }
+  for (std::size_t c = 0; c < planes.size(); ++c) {
+    planes[c].diagonal().array() += kMeanWeight * planes[c].trace() + 1e-300;
+    Vector3d step = planes[c].ldlt().solve(pulls[c]);
+    if (step.norm() > cell) step *= cell / step.norm();
+    if (step.allFinite()) out.vertices[c] += step;
+  }
+  return out;
+}
+
+TriMesh thinned(const TriMesh& mesh, std::size_t most) {
+  const double wanted = static_cast<double>(most);
+  double cell = std::sqrt(3 * areaOf(mesh) / wanted);  // three triangles for each cell in a plane
+  TriMesh out = mesh;
+  for (int round = 0; round < 4 && cell > 0; ++round) {
+    out = clustered(mesh, cell);
+    const double ratio = static_cast<double>(out.triangles.size()) / wanted;
+    if (ratio <= kEnough) break;
+    cell *= std::sqrt(ratio);
+  }
+  return out;
+}
+
+/// Triangles round each vertex: those of vertex v stand in items from starts[v] to starts[v + 1].
+struct Stars {
+  std::vector<std::size_t> starts;
+  std::vector<std::int32_t> items;
+};
+
+Stars starsOf(const TriMesh& mesh) {
+  Stars stars;
+  stars.starts.assign(mesh.vertices.size() + 1, 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::int32_t v : t) ++stars.starts[static_cast<std::size_t>(v) + 1];
+  }
+  std::partial_sum(stars.starts.begin(), stars.starts.end(), stars.starts.begin());
+  stars.items.resize(3 * mesh.triangles.size());
+  std::vector<std::size_t> next(stars.starts.begin(), stars.starts.end() - 1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::int32_t v : mesh.triangles[t])
+      stars.items[next[v]++] = static_cast<std::int32_t>(t);
+  }
+  return stars;
+}
+
+/// The point of a corner: one of vertex v with nearly this normal, or a new one.
+std::int32_t pointFor(Drawable& out, std::size_t first, const Vector3d& at,
+                      const Vector3d& normal) {
+  const Eigen::Vector3f wanted = normal.cast<float>();
+  for (std::size_t p = first; p < out.points.size(); ++p) {
+    if (out.normals[p].dot(wanted) > kSameNormal) return static_cast<std::int32_t>(p);
+  }
+  out.points.push_back(at.cast<float>());
+  out.normals.push_back(wanted);
+  return static_cast<std::int32_t>(out.points.size() - 1);
+}
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// The triangle across each edge (from corner k to the next), kNone where there is not exactly one.
+std::vector<std::array<std::uint32_t, 3>> neighboursOf(const TriMesh& mesh) {
+  const Stars stars = starsOf(mesh);
+  std::vector<std::array<std::uint32_t, 3>> across(mesh.triangles.size(), {kNone, kNone, kNone});
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      int found = 0;
+      for (std::size_t i = stars.starts[a]; i < stars.starts[a + 1]; ++i) {
+        const Triangle& other = mesh.triangles[stars.items[i]];
+        if (static_cast<std::size_t>(stars.items[i]) == t) continue;
+        if (other[0] != b && other[1] != b && other[2] != b) continue;
+        across[t][k] = static_cast<std::uint32_t>(stars.items[i]);
+        ++found;
+      }
+      if (found != 1) across[t][k] = kNone;
+    }
+  }
+  return across;
+}
+
+template <class T>
+void append(std::string& to, const T* values, std::size_t count) {
+  to.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+}  // namespace
+
+Drawable drawableOf(const TriMesh& given, std::size_t most, double crease) {
+  const bool heavy = given.triangles.size() > most;
+  const TriMesh light = heavy ? thinned(given, most) : TriMesh{};
+  const TriMesh& mesh = heavy ? light : given;
+  std::vector<Vector3d> normals(mesh.triangles.size()), units(mesh.triangles.size());
+  for (std::size_t t = 0; t < normals.size(); ++t) {
+    normals[t] = areaNormal(mesh, mesh.triangles[t]);
+    units[t] = normals[t].normalized();
+  }
+  const Stars stars = starsOf(mesh);
+  const double cosine = std::cos(crease);
+  Drawable out;
+  out.points.reserve(mesh.vertices.size());
+  out.normals.reserve(mesh.vertices.size());
+  out.indices.assign(4 * mesh.triangles.size(), -1);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const std::size_t first = out.points.size();
+    for (std::size_t i = stars.starts[v]; i < stars.starts[v + 1]; ++i) {
+      const auto t = static_cast<std::size_t>(stars.items[i]);
+      Vector3d sum = Vector3d::Zero();
+      for (std::size_t j = stars.starts[v]; j < stars.starts[v + 1]; ++j) {
+        if (units[stars.items[j]].dot(units[t]) >= cosine) sum += normals[stars.items[j]];
+      }
+      if (!(sum.norm() > 0)) sum = Vector3d::UnitZ();
+      const std::int32_t point = pointFor(out, first, mesh.vertices[v], sum.normalized());
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (mesh.triangles[t][k] == static_cast<std::int32_t>(v)) out.indices[4 * t + k] = point;
+      }
+    }
+  }
+  return out;
+}
+
+std::string meshFile(const TriMesh& mesh) {
+  const auto points = static_cast<std::uint32_t>(mesh.vertices.size());
+  const auto facets = static_cast<std::uint32_t>(mesh.triangles.size());
+  const std::array<std::uint32_t, 2> head = {0xA0B0C0D0, 0x010000}, counts = {points, facets};
+  const auto across = neighboursOf(mesh);
+  std::string bytes;
+  bytes.reserve(296 + 12 * mesh.vertices.size() + 24 * mesh.triangles.size());
+  append(bytes, head.data(), head.size());
+  bytes.append(256, ' ');
+  append(bytes, counts.data(), counts.size());
+  Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
+  for (const Vector3d& vertex : mesh.vertices) {
+    const Eigen::Vector3f at = vertex.cast<float>();
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+    append(bytes, at.data(), 3);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    append(bytes, mesh.triangles[t].data(), 3);
+    append(bytes, across[t].data(), 3);
+  }
+  const std::array<float, 6> box = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+  append(bytes, box.data(), box.size());
+  return bytes;
+}
+
+namespace {
+
+constexpr const char* kDrawableDoc =
+    R"(drawable(vertices, triangles, most=100000, crease=0.6) -> (points, normals, indices)
+
+A mesh as a 3D view takes it: float32 (N, 3) points and unit normals, split along edges that turn by
+more than crease (rad), and int32 (4 M,): three points and -1 for each triangle. More than about
+`most` triangles are thinned for the eye.)";
+
+constexpr const char* kMeshFileDoc =
+    R"(freecad_mesh(vertices, triangles) -> bytes
+
+The content of a FreeCAD mesh file (.bms), single precision, with the neighbours of each triangle.)";
+
+py::tuple pyDrawable(const py::object& vertices, const py::object& triangles, std::size_t most,
+                     double crease) {
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  auto made = std::make_shared<Drawable>();
+  {
+    const py::gil_scoped_release release;
+    *made = drawableOf(mesh, std::max<std::size_t>(most, 1), crease);
+  }
+  const auto count = static_cast<py::ssize_t>(made->points.size());
+  const auto* points = reinterpret_cast<const float*>(made->points.data());
+  const auto* normals = reinterpret_cast<const float*>(made->normals.data());
+  return py::make_tuple(
+      readOnlyView(points, {count, 3}, made), readOnlyView(normals, {count, 3}, made),
+      readOnlyView(made->indices.data(), {static_cast<py::ssize_t>(made->indices.size())}, made));
+}
+
+py::bytes pyMeshFile(const py::object& vertices, const py::object& triangles) {
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  std::string bytes;
+  {
+    const py::gil_scoped_release release;
+    bytes = meshFile(mesh);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void bindDrawing(py::module_& module) {
+  module.def("drawable", &pyDrawable, kDrawableDoc, py::arg("vertices"), py::arg("triangles"),
+             py::arg("most") = 100000, py::arg("crease") = 0.6);
+  module.def("freecad_mesh", &pyMeshFile, kMeshFileDoc, py::arg("vertices"), py::arg("triangles"));
+}
+
+}  // namespace swept::python

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces for the 3D view, light enough that the window never stands still for them.
+
+drawn() is made in any thread, group_of() and FreeCAD's own display are changed in the window's. A
+picture of a million triangles takes the window a fifth of a second where no graphics card helps, and
+one of a thinned copy that nobody can tell from it a hundredth.
+"""
+import numpy as np
+from PySide import QtCore
+
+from .. import convert, core, runner
+
+#: Triangles that are drawn of one surface, about; edges that turn by more (rad) are drawn sharp.
+MOST, CREASE = 100000, 0.6
+
+
+def drawn(vertices, triangles, most=MOST):
+    """A mesh as group_of() takes it: lists, which Coin reads fastest."""
+    try:
+        found = core.drawable(vertices, triangles, most, CREASE)
+    except core.CoreMissing:
+        indices = np.full((len(triangles), 4), -1, dtype=np.int32)
+        indices[:, :3] = triangles
+        found = np.asarray(vertices, dtype=np.float32), np.zeros((0, 3)), indices.ravel()
+    return [part.tolist() for part in found]
+
+
+def nodes_of(points, normals, indices):
+    """Coin nodes that draw one of drawn()."""
+    from pivy import coin
+
+    where, faces, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.creaseAngle = CREASE
+    where.point.setValues(0, len(points), points)
+    faces.coordIndex.setValues(0, len(indices), indices)
+    nodes = [hints, where, faces]
+    if normals:
+        across, binding = coin.SoNormal(), coin.SoNormalBinding()
+        across.vector.setValues(0, len(normals), normals)
+        binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+        nodes[2:2] = [across, binding]
+    return nodes
+
+
+def group_of(surface):
+    """The same as one group."""
+    from pivy import coin
+
+    group = coin.SoGroup()
+    for node in nodes_of(*surface):
+        group.addChild(node)
+    return group
+
+
+def unsorted_blending():
+    """Coin node: transparent triangles in any order. To sort a million takes seconds a picture."""
+    from pivy import coin
+
+    blend = coin.SoTransparencyType()
+    blend.value = coin.SoGLRenderAction.DELAYED_BLEND
+    return blend
+
+
+class LightDisplay:
+    """Puts a thinned copy in the place of what FreeCAD draws of a heavy mesh; the mesh itself, its
+    colour and its display modes stay as they are. most(): triangles drawn at most; 0: all of them."""
+
+    def __init__(self, obj, most):
+        self.obj, self.most = obj, most
+        self._parent, self._own, self._round = None, [], 0
+
+    def full(self):
+        """FreeCAD's own display."""
+        self._round += 1
+        if self._parent is not None:
+            self._fill(self._own)
+            self._parent = None
+
+    def show(self, surface):
+        """Draws one of drawn()."""
+        self.full()
+        self._parent = _parent_of_faces(self.obj.ViewObject)
+        if self._parent is not None:
+            self._own = [self._parent.getChild(i) for i in range(self._parent.getNumChildren())]
+            self._fill(nodes_of(*surface))
+
+    def _fill(self, nodes):
+        self._parent.removeAllChildren()
+        for node in nodes:
+            self._parent.addChild(node)
+
+    def heavy(self):
+        return 0 < self.most() < self.obj.Mesh.CountFacets
+
+    def later(self):
+        """Draws the mesh as it is now, thinned as soon as that is made, if it is heavy."""
+        self.full()
+        if self.heavy():
+            # From the loop: not while the document is being opened or undone.
+            QtCore.QTimer.singleShot(0, lambda now=self._round: self._start(now))
+
+    def _start(self, now):
+        try:
+            if now == self._round and self.heavy():
+                runner.start(_Thinning(self, now))
+        except (ReferenceError, RuntimeError):
+            pass  # the object went meanwhile
+
+    def take(self, surface, now):
+        if now == self._round:
+            self.show(surface)
+
+
+class _Thinning(runner.Task):
+    """Makes the thinned copy of a mesh beside the window."""
+
+    writes = False
+
+    def __init__(self, display, now):
+        self.title, self.document = "Display", display.obj.Document
+        self.display, self.now, self.most = display, now, display.most()
+        self.mesh = display.obj.Mesh.copy()
+
+    def work(self, control):
+        return drawn(*convert.arrays_from_mesh(self.mesh), self.most)
+
+    def finish(self, surface):
+        self.display.take(surface, self.now)
+
+
+def _parent_of_faces(view):
+    """The node in which FreeCAD keeps the points and faces that it draws of a mesh, or None."""
+    from pivy import coin
+
+    kind = coin.SoType.fromName("SoFCIndexedFaceSet")
+    if kind.isBad():
+        return None
+    search = coin.SoSearchAction()
+    search.setType(kind)
+    search.setSearchingAll(True)
+    search.apply(view.RootNode)
+    path = search.getPath()
+    return path.getNodeFromTail(1) if path is not None and path.getLength() > 1 else None
