@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 /// Thinning stops when there are at most this many times the triangles that were asked for.
 constexpr double kEnough = 1.2;
 /// Weight of a cell's mean point against the planes that meet in it.
-constexpr double kMeanWeight = 0.01;
+constexpr double kMeanWeight = 0.001;
 /// Cells along one side of the grid.
 constexpr double kMostCells = 0x1fffff;
 /// Corners of one vertex share a point while the cosine between their normals is above this.

@@ -53,7 +53,7 @@ def demo():
     import tempfile
 
     from sweptvolume import runner
-    from sweptvolume.panels import file_panel
+    from sweptvolume.panels import file_dialogs, file_panel
 
     Gui.runCommand("SweptVolume_Demo")
     yield 1.0
@@ -140,12 +140,24 @@ def demo():
     yield no_panel
     select(made)
     Gui.runCommand("SweptVolume_Solid")
+    yield 0.8
+    Gui.Selection.clearSelection()
+    yield from picture("make_solid")
+    click(panel_button(Ok))
     yield no_panel
     yield 0.5
     Gui.Selection.clearSelection()
     yield from picture("solid")
     select(made)
     yield from in_dialog("export", lambda: Gui.runCommand("SweptVolume_Export"))
+    file_dialogs.ask_export = lambda name: os.path.join(folder, name + ".step")
+    select(made)
+    Gui.runCommand("SweptVolume_Export")
+    yield 0.8
+    Gui.Selection.clearSelection()
+    yield from picture("export_panel")
+    click(panel_button(Cancel))
+    yield no_panel
     App.closeDocument(doc.Name)
 
 

@@ -144,7 +144,7 @@
   </message>
   <message>
    <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way; a selected solid's tolerance and limits are taken</source>
-   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ oder OFF und prüft sie dabei; Toleranz und Grenzen eines gewählten Volumenkörpers gelten auch hier</translation>
+   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ oder OFF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -437,7 +437,7 @@ Versucht:
   </message>
   <message>
    <source>FreeCAD's own way gives no valid solid of this envelope; build the core with OpenCASCADE, or export a mesh file.</source>
-   <translation>FreeCADs eigener Weg ergibt keinen gültigen Volumenkörper aus dieser Hülle: den Rechenkern mit OpenCASCADE bauen oder eine Netzdatei exportieren.</translation>
+   <translation>FreeCADs eigener Weg ergibt keinen gültigen Festkörper aus dieser Hülle: den Rechenkern mit OpenCASCADE bauen oder eine Netzdatei exportieren.</translation>
   </message>
   <message>
    <source>the core was built without OpenCASCADE, and {0} triangles would become as many faces (limit {1}): simplify the envelope, or export STL, PLY or OBJ.</source>
@@ -469,7 +469,7 @@ Versucht:
   </message>
   <message>
    <source>the envelope is conservative, and a solid with a tolerance could cut into the swept volume: set the solid's Tolerance to 0.</source>
-   <translation>die Hülle ist konservativ, und ein Volumenkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Tolerance des Volumenkörpers auf 0 setzen.</translation>
+   <translation>die Hülle ist konservativ, und ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Tolerance des Festkörpers auf 0 setzen.</translation>
   </message>
   <message>
    <source>{0} solid</source>
@@ -1089,6 +1089,44 @@ Versucht:
    <translation>Warnungen: {0}</translation>
   </message>
   <message>
+   <source>{0} triangles: at most {1} faces,
+about {2:.1f} MB, {3:.1f} s</source>
+   <translation>{0} Dreiecke: höchstens {1} Flächen,
+etwa {2:.1f} MB, {3:.1f} s</translation>
+  </message>
+  <message>
+   <source>Solid</source>
+   <translation>Festkörper</translation>
+  </message>
+  <message>
+   <source>Flat regions become single faces</source>
+   <translation>Ebene Bereiche werden einzelne Flächen</translation>
+  </message>
+  <message>
+   <source>How far the solid may leave the mesh; 0: exact, if the budget allows</source>
+   <translation>Wie weit der Festkörper vom Netz abweichen darf; 0: genau, wenn die Grenzen es erlauben</translation>
+  </message>
+  <message>
+   <source>Without a tolerance the smallest one is taken that does</source>
+   <translation>Ohne Toleranz wird die kleinste genommen, die das erreicht</translation>
+  </message>
+  <message>
+   <source>no limit</source>
+   <translation>beliebig</translation>
+  </message>
+  <message>
+   <source>Faces at most</source>
+   <translation>Flächen höchstens</translation>
+  </message>
+  <message>
+   <source>Make solid</source>
+   <translation>Festkörper erzeugen</translation>
+  </message>
+  <message>
+   <source>File at most</source>
+   <translation>Datei höchstens</translation>
+  </message>
+  <message>
    <source>Motion from path object</source>
    <translation>Bewegung aus Bahnobjekt</translation>
   </message>
@@ -1425,11 +1463,11 @@ Versucht:
   </message>
   <message>
    <source>The solid may leave the mesh by this: cylinders, spheres and the like are found, the rest is simplified. 0: exact, unless MaxFaces asks for more</source>
-   <translation>So weit darf der Volumenkörper vom Netz abweichen: Zylinder, Kugeln und dergleichen werden erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces nicht mehr verlangt</translation>
+   <translation>So weit darf der Festkörper vom Netz abweichen: Zylinder, Kugeln und dergleichen werden erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces nicht mehr verlangt</translation>
   </message>
   <message>
    <source>Largest distance of the mesh from the solid, as measured</source>
-   <translation>Größter gemessener Abstand des Netzes vom Volumenkörper</translation>
+   <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
   </message>
   <message>
    <source>Why the last run failed</source>
@@ -1454,6 +1492,10 @@ Absolute: die Platzierung des Teils zu dieser Zeit anstelle der jetzigen (Vorgab
 Relative: eine Verschiebung gegenüber dem jetzigen Stand; die Einheit lässt es dort.
 RelativeToFirst: wie Relative, gemessen von der ersten Lage: Die Bewegung beginnt, wo das Teil jetzt steht.
 Mehrere Teile bewegen sich starr zusammen; Absolute setzt das erste davon.</translation>
+  </message>
+  <message>
+   <source>About so many triangles are drawn of a heavy mesh; 0: all</source>
+   <translation>So viele Dreiecke etwa werden von einem schweren Netz gezeichnet; 0: alle</translation>
   </message>
   <message>
    <source>Length of the axes drawn at each pose (mm); 0: automatic</source>

@@ -5,7 +5,7 @@ import numpy as np
 import Part
 
 from case import Case, V, shift, turn
-from sweptvolume import convert
+from sweptvolume import convert, core
 from sweptvolume.convert import InputProblem
 
 TETRA = (
@@ -30,6 +30,15 @@ class Convert(Case):
         self.assertTrue(np.array_equal(points, TETRA[0]))
         self.assertTrue(np.array_equal(facets, TETRA[1]))
         self.assert_placement(mesh.Placement, turn(30))
+
+    def test_mesh_made_beside_the_window_is_the_same(self):
+        if not core.available():
+            self.skipTest("the compiled core _swept is not built")
+        plain, beside = (f(*TETRA) for f in (convert.mesh_from_arrays, convert.mesh_beside))
+        self.assertEqual(plain.Topology, beside.Topology)
+        self.assertTrue(beside.isSolid())
+        for a, b in zip(plain.Facets, beside.Facets):
+            self.assertEqual(a.NeighbourIndices, b.NeighbourIndices)
 
     def test_poses_round_trip(self):
         places = [turn(77, V(1, 2, 3), V(4, 5, 6)), App.Placement()]

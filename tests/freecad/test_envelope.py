@@ -10,7 +10,7 @@ import Part
 from case import Case, V, shift, turn
 from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, motion, solid
+from sweptvolume.features import envelope, kept, motion, solid
 
 
 class Computed(Case):
@@ -205,11 +205,24 @@ class Envelope(Computed):
         after = json.loads(obj.Report)
         self.assertEqual(after["seconds"], before["seconds"], "sampled again")
         self.assertGreater(after["simplification_deviation"], before["simplification_deviation"])
-        core.forget()
+        kept.drop()
         found = obj.Mesh.Topology
         envelope.compute(obj)
         self.assertEqual(obj.Mesh.Topology, found, "not what a run of its own gives")
         self.assertNotEqual(json.loads(obj.Report)["seconds"], before["seconds"])
+
+    def test_kept_surface_goes_with_its_document(self):
+        obj = self.computed(Tolerance=0.05)
+        other = App.newDocument("Other")
+        obj.Tolerance = 0.5
+        self.assertTrue(envelope.can_recut(obj))
+        App.closeDocument(other.Name)
+        self.assertTrue(envelope.can_recut(obj))
+        obj.Offset = 1
+        self.assertFalse(envelope.can_recut(obj))
+        self.assertIsNotNone(kept._last)
+        App.closeDocument(self.doc.Name)
+        self.assertIsNone(kept._last)
 
     def test_position_filter(self):
         places = [shift(0.01 * k) for k in range(2001)]
@@ -260,7 +273,9 @@ class SolidAndFiles(Computed):
         self.doc.recompute()
         self.assertEqual(body.Status, solid.STALE)
         path = os.path.join(self.folder, "like.step")
-        self.assertEqual(export.write(export.request(obj, body), path)["tolerance"], 0.1)
+        self.assertEqual(
+            export.write(export.request(obj, solid.settings(body)), path)["tolerance"], 0.1
+        )
 
     def test_conservative_solid_is_exact(self):
         obj = self.envelope([self.box()], self.line(), Conservative=True, CellSize=2)

@@ -127,14 +127,15 @@ class Request:
 
 
 class Outcome:
-    """Result of a run that ended Ok. mesh: the same as a Mesh.Mesh, once one was made."""
+    """Result of a run that ended Ok. What others add to it: result: the module's own, if it can be cut
+    again; key: what it was made of; mesh, drawn: the same as a Mesh.Mesh and for the 3D view."""
 
     def __init__(self, report, vertices, triangles, contact_time):
         self.report = report
         self.vertices = vertices
         self.triangles = triangles
         self.contact_time = contact_time
-        self.mesh = None
+        self.result, self.key, self.mesh, self.drawn = None, "", None, None
 
 
 @contextlib.contextmanager
@@ -178,41 +179,31 @@ def _arguments(request):
     return request.vertices, request.triangles, motion, request.interpolation
 
 
-def _same_input(one, other):
-    """Whether two requests differ in nothing but the tolerance."""
-    if dict(one.options, tolerance=0) != dict(other.options, tolerance=0):
-        return False
-    if one.interpolation != other.interpolation:
-        return False
-    names = ("vertices", "triangles", "times", "translations", "rotations")
-    return all(np.array_equal(getattr(one, n), getattr(other, n)) for n in names)
-
-
-# The last simplified run: at another tolerance its surface is cut again, not sampled.
-_last_simplified = None
-
-
-def forget():
-    """Gives back what is kept between runs."""
-    global _last_simplified
-    _last_simplified = None
+def _outcome(found, request=None):
+    """The module's result as ours. request: with its tolerance the surface may be cut again."""
+    options = request.options if request is not None else {}
+    again = options.get("tolerance", 0) > 0 and not options.get("conservative")
+    if again:  # an open surface is left as it is
+        again = all(w["code"] != "NotSimplified" for w in found.report["warnings"])
+    outcome = Outcome(found.report, found.vertices, found.triangles, found.contact_time)
+    outcome.result = found if again else None
+    return outcome
 
 
 def compute(request, control):
-    """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError.
-
-    Where only the tolerance differs from the last simplified run, that one is cut again.
-    """
-    global _last_simplified
-    tolerance, last = request.options.get("tolerance", 0), _last_simplified
+    """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
     with _errors():
-        if tolerance > 0 and last is not None and _same_input(request, last[0]):
-            found = last[1].recut(tolerance, run=control.context)
-        else:
-            found = module().compute(*_arguments(request), run=control.context, **request.options)
-    if tolerance > 0 and not request.options.get("conservative"):
-        _last_simplified = request, found
-    return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
+        found = module().compute(*_arguments(request), run=control.context, **request.options)
+    return _outcome(found, request)
+
+
+def recut(result, tolerance, control):
+    """The `result` of an Outcome at another tolerance, not sampled again: Outcome."""
+    with _errors():
+        found = result.recut(tolerance, run=control.context)
+    again = _outcome(found)
+    again.result = found
+    return again
 
 
 class Sessions:
@@ -232,7 +223,7 @@ class Sessions:
             _, _, motion, interpolation = _arguments(request)
             sketch = not request.options.get("conservative")
             found = session.compute(motion, interpolation, run=control.context, sketch=sketch)
-        return Outcome(found.report, found.vertices, found.triangles, found.contact_time)
+        return _outcome(found)
 
     def _session(self, request):
         for kept in self._kept:
@@ -305,6 +296,12 @@ def write_mesh(vertices, triangles, path):
 def has_solids():
     """Whether the module was built with OpenCASCADE."""
     return bool(module().HAS_SOLIDS)
+
+
+def estimate_solid(vertices, triangles, control, **options):
+    """What write_solid() with the same options would give: triangles, faces, megabytes, seconds."""
+    with _errors():
+        return module().estimate_solid(vertices, triangles, run=control.context, **options)
 
 
 def write_solid(vertices, triangles, path, control, **options):

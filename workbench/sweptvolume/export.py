@@ -32,16 +32,19 @@ def check_target(path):
         raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
 
 
-def request(source, like=None):
-    """Reads the envelope in world coordinates. `like`: a solid object whose settings are taken."""
-    settings = solid.settings(like) if like is not None else {}
-    return solid.request_for(source, world=True, **settings)
+def is_solid_file(path):
+    return os.path.splitext(path)[1].lower() in SOLID_SUFFIXES
+
+
+def request(source, settings=None):
+    """Reads the envelope in world coordinates. settings: of the solid (features.solid.DEFAULTS)."""
+    return solid.request_for(source, world=True, **(settings or {}))
 
 
 def write(req, path, control=None):
     """Any thread. Returns a dict: bytes, and for solids the core's report."""
     check_target(path)
-    if os.path.splitext(path)[1].lower() in SOLID_SUFFIXES:
+    if is_solid_file(path):
         return req.write(path, control or core.Control())
     core.write_mesh(req.vertices, req.triangles, path)
     return {"file_bytes": os.path.getsize(path), "faces": len(req.triangles)}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The main job by real commands: motion, envelope, cancel, stale, solid, export, save and open."""
+"""The main job by real commands: motion, envelope, cancel, stale, light display, solid, export, another
+tolerance, save and open."""
 import os
 import sys
 import tempfile
@@ -23,6 +24,19 @@ from driver import (  # noqa: E402
     select,
     shot,
 )
+
+
+def drawn_faces(obj):
+    """Triangles in the 3D view of a mesh object."""
+    from pivy import coin
+
+    search = coin.SoSearchAction()
+    search.setType(coin.SoIndexedFaceSet.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.FIRST)
+    search.setSearchingAll(True)
+    search.apply(obj.ViewObject.RootNode)
+    return search.getPath().getTail().coordIndex.getNum() // 4
+
 
 CSV = "# t in s\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n2,4,4,0,0,0,0.7071068,0.7071068\n"
 
@@ -129,25 +143,78 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
+    # A mesh that is heavy for the view is drawn thinned, the mesh itself stays.
+    made.ViewObject.DrawnTriangles = 400
+    yield lambda: drawn_faces(made) < 800 and not runner.running()
+    made.ViewObject.DrawnTriangles = 0
+    yield lambda: drawn_faces(made) == facets
+    assert made.Mesh.CountFacets == facets
+
     # Solid and STEP.
     undo = doc.UndoCount
     select(made)
     Gui.runCommand("SweptVolume_Solid")
+    yield
+    expected = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+    yield lambda: "MB" in expected.text()
+    find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(9000)
+    shot("06_solid_panel")
+    yield 0.6
+    click(panel_button(Ok))
     yield no_panel
     body = doc.getObject("EnvelopeSolid")
     assert body.Shape.isValid() and len(body.Shape.Solids) == made.Shells
+    assert body.MaxFaces == 9000 and body.Status == envelope.UP_TO_DATE
     assert doc.UndoCount == undo + 1, (doc.UndoNames, undo)
     yield
     shot("07_solid")
     yield 0.5
+    body.MaxFaces = 8000
+    doc.recompute()
+    assert body.Status == envelope.STALE
+    body.MaxFaces = 9000
+    doc.recompute()
+    assert body.Status == envelope.UP_TO_DATE
+    select(body)
+    Gui.runCommand("SweptVolume_Solid")
+    yield
+    assert find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").value() == body.MaxFaces
+    click(panel_button(Cancel))
+    yield no_panel
     step = os.path.join(folder, "out.step")
     file_dialogs.ask_export = lambda name: step
     select(made)
     Gui.runCommand("SweptVolume_Export")
+    yield 0.5
+    shot("07_export_panel")
+    yield 0.6
+    click(panel_button(Ok))
     yield no_panel
     import Part
 
     assert abs(Part.read(step).Volume - made.Mesh.Volume) < 1e-3 * made.Mesh.Volume
+
+    # A simplified envelope is cut again as soon as its tolerance changes, without a command.
+    made.Tolerance = 0.5
+    doc.recompute()
+    assert made.Status == envelope.STALE and not runner.running(), "nothing to be cut is kept yet"
+    select(made)
+    Gui.runCommand("SweptVolume_Recompute")
+    yield no_panel
+    coarse, seconds = made.Mesh.CountFacets, made.Seconds
+    doc.openTransaction("Tolerance")  # as the property editor does
+    made.Tolerance = 0.05
+    doc.commitTransaction()
+    doc.recompute()
+    yield lambda: made.Status == envelope.UP_TO_DATE and not runner.running()
+    assert made.Mesh.CountFacets > coarse and made.Seconds == seconds, "sampled again"
+    doc.undo()
+    yield 0.3
+    assert made.Mesh.CountFacets == coarse and not runner.running()
+    doc.redo()
+    made.Tolerance = 0
+    yield lambda: made.Status == envelope.UP_TO_DATE and not runner.running()
+    assert made.Mesh.CountFacets == facets, (made.Mesh.CountFacets, facets)
 
     # Save, close, open: the results are there and nothing runs.
     path = os.path.join(folder, "job.FCStd")

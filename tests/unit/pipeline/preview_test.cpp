@@ -104,5 +104,35 @@ TEST(Preview, FailuresAreThoseOfARun) {
   EXPECT_EQ(session.compute(still, again).report.status, Status::Ok);
 }
 
+TEST(Preview, ASketchIsTheSurfaceBeforeItIsMendedAndChecked) {
+  RunContext run;
+  Options options;
+  options.resolution = 32;
+  Trajectory motion;
+  motion.poses = {poseOf(0, placement({0, 0, 1}, 0, {0, 0, 0})),
+                  poseOf(1, placement({0, 0, 1}, 40, {3, 1, 0}))};
+  PreviewSession session(makeBall({0, 0, 0}, 1, 2), options, run);
+  const Result whole = session.compute(motion, run), sketch = session.sketch(motion, run);
+  ASSERT_EQ(sketch.report.status, Status::Ok) << sketch.report.message;
+  const auto has = [](const Result& result, const char* code) {
+    return std::any_of(result.report.warnings.begin(), result.report.warnings.end(),
+                       [&](const Finding& f) { return f.code == code; });
+  };
+  EXPECT_TRUE(has(sketch, "NotChecked"));
+  EXPECT_FALSE(has(whole, "NotChecked"));
+  ASSERT_FALSE(has(whole, "Mended")) << "another case is needed: here nothing is to be mended";
+  EXPECT_EQ(sketch.mesh.vertices, whole.mesh.vertices);
+  EXPECT_EQ(sketch.mesh.triangles, whole.mesh.triangles);
+  EXPECT_FALSE(sketch.report.check.passes());
+}
+
+TEST(Preview, AConservativeEnvelopeIsNotSketched) {
+  RunContext run;
+  Options options;
+  options.conservative = true;
+  PreviewSession session(makeBall({0, 0, 0}, 1, 2), options, run);
+  EXPECT_THROW(session.sketch(Trajectory{}, run), Error);
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -15,7 +15,8 @@ class Command(BaseCommand):
     )
 
     def run(self, document):
-        from ..panels import file_dialogs, run_panel, selection, tasks
+        from .. import export
+        from ..panels import file_dialogs, run_panel, selection, solid_panel, tasks
 
         source, solid = selection.source(), selection.solid()
         if source is None and solid is not None:
@@ -23,5 +24,7 @@ class Command(BaseCommand):
         if source is None:
             raise InputProblem(translate("Messages", "Select an envelope first."))
         path = file_dialogs.ask_export(source.Label)
-        if path:
-            run_panel.show(tasks.ExportTask(source, path, solid), self.NAME)
+        if path and export.is_solid_file(path):
+            solid_panel.show(source, solid, path)
+        elif path:
+            run_panel.show(tasks.ExportTask(source, path), self.NAME)

@@ -15,9 +15,9 @@ class Command(BaseCommand):
     )
 
     def run(self, document):
-        from ..panels import run_panel, selection, tasks
+        from ..panels import selection, solid_panel
 
         obj, source = selection.solid(), selection.source()
         if obj is None and source is None:
             raise InputProblem(translate("Messages", "Select an envelope first."))
-        run_panel.show(tasks.SolidTask(document, source, obj), self.NAME)
+        solid_panel.show(source or obj.Source, obj)

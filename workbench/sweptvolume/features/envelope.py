@@ -2,7 +2,7 @@
 """Envelope: the swept volume of generators along a motion, a mesh in the document.
 
 `execute` never computes: it compares the inputs with those of the stored result and marks it stale.
-A run is three steps: request() reads the document (GUI thread), core.compute() works on plain arrays
+A run is three steps: prepare() reads the document (GUI thread), what it returns works on plain arrays
 (any thread), apply() writes the result (GUI thread).
 """
 import hashlib
@@ -15,6 +15,7 @@ from .. import convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
 from ..trajectory.poses import swept_box
+from . import kept
 from . import motion as motion_feature
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
@@ -319,10 +320,12 @@ class Plan:
             "backend": BACKENDS[v["Backend"]],
         }
 
-    def hash(self):
-        """Short text that stands for all the result depends on; "" while inputs are unusable."""
+    def hash(self, without=()):
+        """Short text that stands for all the result depends on; "" while inputs are unusable. without:
+        options that are left out."""
         options = self.options()
-        del options["backend"]  # the surface is the same whoever computes it
+        for name in ("backend",) + tuple(without):  # the surface is the same whoever computes it
+            del options[name]
         if not options["position_filter"]:
             del options["position_filter"]  # so are those made before there was one
         words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
@@ -409,6 +412,39 @@ def work(requests, union_options, control, compute=core.compute):
     return core.join(found, union_options, control)
 
 
+def prepare(plan, document):
+    """Reads what a run needs; returns run(control) for any thread, which gives an Outcome.
+
+    Where only the tolerance is not that of the last simplified result, that one is cut again.
+    Raises InputProblem.
+    """
+    key = plan.hash(without=("tolerance",))
+    before = kept.find(document, key)
+    if before is None:
+        requests = plan.requests()
+        union_options = plan.union_options(requests)
+
+    def run(control):
+        if before is None:
+            found = work(requests, union_options, control)
+        else:
+            found = core.recut(before, plan.options()["tolerance"], control)
+        found.key = key
+        return found
+
+    return run
+
+
+def can_recut(obj):
+    """Whether a new tolerance made the stored result stale that can be cut again without sampling."""
+    if not obj.InputHash:
+        return False
+    plan = Plan.of(obj)
+    if plan.hash() == obj.InputHash:
+        return False
+    return kept.find(obj.Document, plan.hash(without=("tolerance",))) is not None
+
+
 def update_status(obj):
     """Compares inputs and stored result."""
     plan = Plan.of(obj)
@@ -436,6 +472,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Report = json.dumps(report)
     obj.Message = "\n".join(w["text"] for w in warnings_of(report))
     obj.InputHash = hash_at_start
+    kept.keep(obj.Document, outcome.key, outcome)
     update_status(obj)
 
 
@@ -459,9 +496,7 @@ def compute(obj, control=None):
     hash_at_start = plan.hash()
     document = obj.Document
     try:
-        requests = plan.requests()
-        options = plan.union_options(requests)
-        outcome = work(requests, options, control or core.Control())
+        outcome = prepare(plan, document)(control or core.Control())
     except (core.CoreError, InputProblem) as error:
         fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
         raise

@@ -13,6 +13,9 @@ import numpy as np
 from ..convert import InputProblem
 from ..texts import mark, translate
 
+#: Of a face, about: in a STEP file, and to make and write it.
+MEGABYTES, SECONDS = 0.0024, 0.001
+
 NOTE = mark(
     "Messages",
     "the core was built without OpenCASCADE: FreeCAD made a face of every triangle, and no surfaces "

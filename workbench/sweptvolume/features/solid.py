@@ -23,6 +23,12 @@ TYPE = "Part::FeaturePython"
 SINGLE_PRECISION = 2.0**-22
 
 
+#: Budget of faces of a new solid.
+MAX_FACES = 20000
+#: What request_for() takes for a new one; max_megabytes: of a file, 0: any size.
+DEFAULTS = {"merge": True, "max_faces": MAX_FACES, "tolerance": 0.0, "max_megabytes": 0.0}
+
+
 class Solid(Feature):
     """Proxy of the solid."""
 
@@ -51,7 +57,7 @@ class Solid(Feature):
                 "MaxFaces",
                 "Solid",
                 mark("Properties", "At most this many faces; without a Tolerance it is chosen so"),
-                20000,
+                MAX_FACES,
                 0,
             ),
             (
@@ -138,6 +144,8 @@ def input_hash(obj):
     # With the defaults as before these properties: solids of older documents stay current.
     if obj.Tolerance.Value > 0:
         words.append(repr(obj.Tolerance.Value))
+    if obj.MaxFaces != MAX_FACES:
+        words.append("at most {} faces".format(obj.MaxFaces))
     if envelope_feature.is_envelope(source):
         words.append(source.InputHash)
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
@@ -158,36 +166,62 @@ def update_status(obj):
 class Request:
     """A mesh and how it becomes a solid; no document behind it."""
 
-    def __init__(self, vertices, triangles, name, merge, max_faces, tolerance, exact):
+    def __init__(self, vertices, triangles, name, exact, settings):
         self.vertices = vertices
         self.triangles = triangles
         self.name = name
-        self.merge = merge
-        self.max_faces = max_faces
-        self.tolerance = tolerance
         self.exact = exact
+        self.settings = settings
+
+    def but(self, given):
+        """The same mesh with other settings. Raises InputProblem."""
+        wanted = dict(self.settings, **given)
+        if self.exact and wanted["tolerance"] > 0:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "the envelope is conservative, and a solid with a tolerance could cut into the swept "
+                    "volume: set the solid's Tolerance to 0.",
+                )
+            )
+        return Request(self.vertices, self.triangles, self.name, self.exact, wanted)
+
+    def options(self):
+        """As the core takes them."""
+        reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
+        return {
+            "merge_coplanar": self.settings["merge"],
+            "planar_tolerance": max(1e-6, reach * SINGLE_PRECISION),
+            "max_faces": self.settings["max_faces"],
+            "max_megabytes": self.settings["max_megabytes"],
+            "tolerance": self.settings["tolerance"],
+            "exact": self.exact,
+        }
+
+    def estimate(self, control):
+        """Any thread: triangles, faces, megabytes, seconds. Raises core.CoreError."""
+        if core.has_solids():
+            return core.estimate_solid(self.vertices, self.triangles, control, **self.options())
+        count = len(self.triangles)  # of each a face
+        return {
+            "triangles": count,
+            "faces": count,
+            "megabytes": faceted.MEGABYTES * count,
+            "seconds": faceted.SECONDS * count,
+        }
 
     def write(self, path, control):
         """Writes STEP or BREP by suffix; returns the core's report (dict). Raises core.CoreError."""
         if not core.has_solids():
-            return faceted.write(self.vertices, self.triangles, path, self.max_faces)
-        reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
+            return faceted.write(self.vertices, self.triangles, path, self.settings["max_faces"])
         return core.write_solid(
-            self.vertices,
-            self.triangles,
-            path,
-            control,
-            merge_coplanar=self.merge,
-            planar_tolerance=max(1e-6, reach * SINGLE_PRECISION),
-            max_faces=self.max_faces,
-            tolerance=self.tolerance,
-            exact=self.exact,
-            product_name=self.name,
+            self.vertices, self.triangles, path, control, product_name=self.name, **self.options()
         )
 
 
-def request_for(source, merge=True, max_faces=20000, tolerance=0.0, world=False):
-    """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame.
+def request_for(source, world=False, **given):
+    """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame;
+    given: what differs from DEFAULTS.
 
     The solid of a conservative envelope is exact: simplified it could cut into the swept volume."""
     if source is None or not can_be_source(source):
@@ -197,28 +231,29 @@ def request_for(source, merge=True, max_faces=20000, tolerance=0.0, world=False)
             )
         )
     exact = envelope_feature.is_envelope(source) and bool(source.Conservative)
-    if exact and tolerance > 0:
-        raise InputProblem(
-            translate(
-                "Messages",
-                "the envelope is conservative, and a solid with a tolerance could cut into the swept "
-                "volume: set the solid's Tolerance to 0.",
-            )
-        )
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
     if world:
         placement = convert.global_placement(*convert.root_path(source))
         vertices = convert.transform(convert.matrix_of(placement), vertices)
-    return Request(vertices, triangles, source.Label, merge, max_faces, tolerance, exact)
+    return Request(vertices, triangles, source.Label, exact, DEFAULTS).but(given)
 
 
 def settings(obj):
     """What a solid object says about solids, as request_for() takes it."""
-    return {
-        "merge": bool(obj.MergeCoplanar),
-        "max_faces": int(obj.MaxFaces),
-        "tolerance": obj.Tolerance.Value,
-    }
+    return dict(
+        DEFAULTS,
+        merge=bool(obj.MergeCoplanar),
+        max_faces=int(obj.MaxFaces),
+        tolerance=obj.Tolerance.Value,
+    )
+
+
+def set_settings(obj, wanted):
+    """The way back: writes them into a solid object."""
+    set_changed(obj, "MergeCoplanar", wanted["merge"])
+    set_changed(obj, "MaxFaces", wanted["max_faces"])
+    if obj.Tolerance.Value != wanted["tolerance"]:
+        obj.Tolerance = wanted["tolerance"]
 
 
 def request(obj):

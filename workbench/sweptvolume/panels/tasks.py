@@ -4,7 +4,7 @@ import os
 
 import FreeCAD as App
 
-from .. import convert, export
+from .. import export
 from ..features import clearance, envelope, solid
 from ..runner import Task
 from ..texts import mark, translate
@@ -62,31 +62,20 @@ class EnvelopeTask(PlanTask):
 
     TITLE = mark("Messages", "Compute envelope")
     FEATURE = envelope
-    surface = None
 
     def read(self):
-        import Mesh  # noqa: F401 (modules of FreeCAD are loaded in the window's thread)
-
-        view = self.obj.ViewObject if self.obj is not None else None
-        self.most = getattr(view, "DrawnTriangles", surface.MOST)
-        requests = self.plan.requests()
-        return requests, self.plan.union_options(requests)
+        self.most = surface.most_of(self.obj)
+        return envelope.prepare(self.plan, self.document)
 
     def make(self):
         return envelope.make_envelope(self.document, [], None)
 
     def work(self, control):
-        """The envelope, and what takes long of taking it over, which the window then need not do."""
-        found = envelope.work(*self.request, control)
-        found.mesh = convert.mesh_beside(found.vertices, found.triangles)
-        if 0 < self.most < len(found.triangles):
-            self.surface = surface.drawn(found.vertices, found.triangles, self.most)
-        return found
+        return surface.ready(self.request(control), self.most)
 
     def finish(self, value):
         super().finish(value)
-        if self.surface is not None:
-            self.obj.ViewObject.Proxy.display.show(self.surface)
+        surface.show(self.obj, value)
         for warning in envelope.warnings_of(value.report):
             App.Console.PrintWarning("{}: {}\n".format(self.obj.Label, warning["text"]))
 
@@ -117,14 +106,17 @@ def warn_of(report, label):
 
 
 class SolidTask(Task):
-    """Makes the solid of an envelope; makes the object if there is none yet. One undo step."""
+    """Makes the solid of an envelope; makes the object if there is none yet. One undo step.
 
-    def __init__(self, document, source=None, obj=None):
+    settings: as features.solid.DEFAULTS; else those of the object."""
+
+    def __init__(self, document, source=None, obj=None, settings=None):
         self.title = translate("Messages", "Make solid")
         self.document = document
         self.obj = obj
         self.source = source or obj.Source
-        self.request = solid.request(obj) if obj else solid.request_for(self.source)
+        self.settings = settings or (solid.settings(obj) if obj else solid.DEFAULTS)
+        self.request = solid.request_for(self.source, **self.settings)
         self.watched = [self.source] + ([obj] if obj else [])
 
     def work(self, control):
@@ -134,6 +126,7 @@ class SolidTask(Task):
         try:
             if self.obj is None:
                 self.obj = solid.make_solid(self.document, self.source)
+            solid.set_settings(self.obj, self.settings)
         except BaseException:
             os.remove(value[0])
             raise
@@ -151,13 +144,13 @@ class SolidTask(Task):
 class ExportTask(Task):
     """Writes an envelope to a file; the document stays as it is."""
 
-    def __init__(self, source, path, like=None):
+    def __init__(self, source, path, settings=None):
         self.title = translate("Messages", "Export envelope")
         self.document = source.Document
         self.watched = [source]
         self.path = path
         export.check_target(path)
-        self.request = export.request(source, like)
+        self.request = export.request(source, settings)
 
     def work(self, control):
         return export.write(self.request, self.path, control)

@@ -1,11 +1,47 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How an envelope looks: translucent, so that the parts inside stay visible; a heavy one is drawn by a
 thinned copy."""
+from PySide import QtCore
+
+from .. import runner
+from ..features import envelope
 from ..texts import mark, translate
 from . import surface
 from .base import View, run_command, set_if_there, state_icon
 
 COLOUR = (0.35, 0.60, 0.90)
+
+
+class _Recut(runner.Task):
+    """A new tolerance: the kept surface is cut again, the other properties stay as they are."""
+
+    def __init__(self, obj):
+        self.title = translate("Messages", "Compute envelope")
+        self.document, self.obj, self.watched = obj.Document, obj, [obj]
+        plan = envelope.Plan.of(obj)
+        self.hash, self.most = plan.hash(), surface.most_of(obj)
+        self.run = envelope.prepare(plan, obj.Document)
+
+    def work(self, control):
+        return surface.ready(self.run(control), self.most)
+
+    def finish(self, found):
+        envelope.apply(self.obj, found, self.hash)
+        surface.show(self.obj, found)
+        self.obj.purgeTouched()
+
+    def fail(self, text, cancelled=False):
+        envelope.fail(self.obj, text, self.hash, cancelled)
+
+
+def recut(obj):
+    """Cuts an envelope at its new tolerance at once, if that takes no sampling."""
+    try:
+        if not runner.is_running(obj) and envelope.can_recut(obj):
+            run = runner.start(_Recut(obj))
+            run.ended.connect(lambda ended: recut(obj) if ended.state == "ok" else None)
+    except ReferenceError:
+        pass  # the object went meanwhile
 
 
 class EnvelopeView(View):
@@ -37,6 +73,9 @@ class EnvelopeView(View):
         super().updateData(obj, name)
         if name == "Mesh" and hasattr(self, "display"):
             self.display.later()
+        if name == "Tolerance" and not getattr(obj.Document, "Transacting", False):
+            # From the loop, when all that changes with it has been written.
+            QtCore.QTimer.singleShot(0, lambda: recut(obj))
 
     def onChanged(self, view, name):
         if name == "DrawnTriangles" and hasattr(self, "display"):

@@ -5,6 +5,7 @@ drawn() is made in any thread, group_of() and FreeCAD's own display are changed 
 picture of a million triangles takes the window a fifth of a second where no graphics card helps, and
 one of a thinned copy that nobody can tell from it a hundredth.
 """
+import FreeCAD as App
 import numpy as np
 from PySide import QtCore
 
@@ -62,9 +63,33 @@ def unsorted_blending():
     return blend
 
 
+def most_of(obj):
+    """Triangles drawn at most of an envelope (None: of a new one); 0: all."""
+    import Mesh  # noqa: F401 (a module of FreeCAD is loaded in the window's thread, ready() needs it)
+
+    if not App.GuiUp:
+        return 0
+    return getattr(obj.ViewObject, "DrawnTriangles", MOST) if obj is not None else MOST
+
+
+def ready(outcome, most):
+    """Any thread: adds to an envelope (core.Outcome) what takes long of taking it over."""
+    outcome.mesh = convert.mesh_beside(outcome.vertices, outcome.triangles)
+    if 0 < most < len(outcome.triangles):
+        outcome.drawn = drawn(outcome.vertices, outcome.triangles, most)
+    return outcome
+
+
+def show(obj, outcome):
+    """Draws the thinned copy of an envelope that was just written to its object."""
+    if outcome.drawn is not None:
+        obj.ViewObject.Proxy.display.show(outcome.drawn)
+
+
 class LightDisplay:
     """Puts a thinned copy in the place of what FreeCAD draws of a heavy mesh; the mesh itself, its
-    colour and its display modes stay as they are. most(): triangles drawn at most; 0: all of them."""
+    colour and its display modes stay as they are. most(): triangles drawn at most; 0: all of them.
+    """
 
     def __init__(self, obj, most):
         self.obj, self.most = obj, most

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel: what a solid may cost, before it is made or written to a file. Tolerance, budget of faces
+and of megabytes; an estimate; the run."""
+import FreeCADGui as Gui
+from PySide import QtCore
+
+from .. import core, export, runner
+from ..convert import InputProblem
+from ..features import solid
+from ..texts import translate
+from . import tasks, widgets
+from .widgets import QtWidgets
+
+#: ms after the last change before the estimate is made anew.
+ESTIMATE_DELAY = 250
+
+#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+opened = []
+
+
+class _Estimate(runner.Task):
+    """What the solid would take, found beside the window."""
+
+    writes = False
+
+    def __init__(self, document, request, show):
+        self.title, self.document = "Estimate", document
+        self.request, self.show = request, show
+
+    def work(self, control):
+        return self.request.estimate(control)
+
+    def finish(self, found):
+        self.show(found)
+
+
+class SolidPanel:
+    """Makes the solid of `source` (again: obj), or with a path writes it there."""
+
+    def __init__(self, source, obj=None, path=""):
+        self.mesh = solid.request_for(source, world=bool(path))
+        self.document, self.source, self.obj, self.path = source.Document, source, obj, path
+        self.run, self.looking, self.button = None, None, None
+        values = solid.settings(obj) if obj is not None else solid.DEFAULTS
+        if path:
+            head = translate("Panels", "Export envelope"), "SweptVolume_Export"
+        else:
+            head = translate("Panels", "Make solid"), "SweptVolume_Solid"
+        self.form, self.layout = widgets.window(*head)
+        self.box, self.message = widgets.RunBox(), widgets.message_label()
+        for widget in (self.box, self.message):
+            self.layout.addWidget(widget)
+        self._build(values)
+        self.layout.addStretch(1)
+        self.timer = QtCore.QTimer(self.form)
+        self.timer.setSingleShot(True)
+        self.timer.timeout.connect(self.estimate)
+        self.timer.start(0)
+
+    def _build(self, values):
+        rows = widgets.group(translate("Panels", "Solid"), self.layout)
+        self.fields = rows.parentWidget()
+        self.merge = QtWidgets.QCheckBox(translate("Panels", "Flat regions become single faces"))
+        self.merge.setChecked(values["merge"])
+        self.tolerance = widgets.length(values["tolerance"])
+        self.tolerance.setObjectName("SweptVolumeSolidTolerance")
+        widgets.hint(
+            self.tolerance,
+            translate(
+                "Panels", "How far the solid may leave the mesh; 0: exact, if the budget allows"
+            ),
+        )
+        self.faces = QtWidgets.QSpinBox()
+        self.faces.setObjectName("SweptVolumeMaxFaces")
+        self.faces.setRange(4, 10000000)
+        self.faces.setSingleStep(1000)
+        self.faces.setValue(values["max_faces"])
+        widgets.hint(
+            self.faces,
+            translate("Panels", "Without a tolerance the smallest one is taken that does"),
+        )
+        self.megabytes = QtWidgets.QDoubleSpinBox()
+        self.megabytes.setObjectName("SweptVolumeMaxMegabytes")
+        self.megabytes.setRange(0, 100000)
+        self.megabytes.setSuffix(" MB")
+        self.megabytes.setSpecialValueText(translate("Panels", "no limit"))
+        rows.addRow(self.merge)
+        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
+        rows.addRow(translate("Panels", "Faces at most"), self.faces)
+        if self.path:
+            rows.addRow(translate("Panels", "File at most"), self.megabytes)
+            where = QtWidgets.QLabel(self.path)
+            where.setWordWrap(True)
+            self.layout.addWidget(where)
+        self.expected = QtWidgets.QLabel()
+        self.expected.setObjectName("SweptVolumeSolidEstimate")
+        self.expected.setWordWrap(True)
+        rows.addRow(self.expected)
+        self.merge.toggled.connect(self._changed)
+        for field in (self.tolerance, self.faces, self.megabytes):
+            field.valueChanged.connect(self._changed)
+
+    def settings(self):
+        """As features.solid takes them."""
+        return {
+            "merge": self.merge.isChecked(),
+            "tolerance": float(self.tolerance.property("rawValue")),
+            "max_faces": self.faces.value(),
+            "max_megabytes": self.megabytes.value(),
+        }
+
+    # --- estimate
+
+    def _changed(self, *ignored):
+        self.timer.start(ESTIMATE_DELAY)
+
+    def estimate(self):
+        """Asks what the solid would take; the newest wish counts."""
+        if self.run is not None or not widgets.alive(self.document):
+            return
+        if self.looking is not None:
+            self.timer.start(ESTIMATE_DELAY)
+            return
+        try:
+            request = self.mesh.but(self.settings())
+            self.looking = runner.start(_Estimate(self.document, request, self.show_estimate))
+        except (InputProblem, core.CoreMissing) as problem:
+            self.expected.setText(str(problem))
+            return
+        self.looking.ended.connect(self._estimated)
+
+    def _estimated(self, run):
+        self.looking = None
+        if run.state == "failed":
+            self.expected.setText(run.message)
+
+    def show_estimate(self, found):
+        text = translate("Panels", "{0} triangles: at most {1} faces,\nabout {2:.1f} MB, {3:.1f} s")
+        self.expected.setText(
+            text.format(
+                found["triangles"], found["faces"], found["megabytes"], max(found["seconds"], 0.1)
+            )
+        )
+
+    # --- run
+
+    def task(self):
+        if self.path:
+            return tasks.ExportTask(self.source, self.path, self.settings())
+        return tasks.SolidTask(self.document, self.source, self.obj, self.settings())
+
+    def start(self):
+        widgets.show_message(self.message, "")
+        try:
+            self.run = runner.start(self.task())
+        except (InputProblem, core.CoreMissing) as problem:
+            widgets.show_message(self.message, str(problem))
+            return
+        self._enable(False)
+        self.box.follow(self.run)
+        self.run.ended.connect(self.ended)
+
+    def _enable(self, on):
+        self.fields.setEnabled(on)
+        if self.button is not None:
+            self.button.setEnabled(on)
+
+    def ended(self, run):
+        self.run = None
+        if run.state == "ok" or not widgets.alive(self.document):
+            self._close()
+            return
+        self.box.hide()
+        self._enable(True)
+        text = run.message
+        if run.state == "cancelled":
+            text = translate("Messages", "Cancelled. Nothing was changed.")
+        widgets.show_message(self.message, text)
+
+    # --- task panel
+
+    def getStandardButtons(self):
+        box = QtWidgets.QDialogButtonBox
+        return widgets.standard_buttons(box.Ok, box.Cancel)
+
+    def modifyStandardButtons(self, box):
+        """FreeCAD hands over the buttons of the open panel."""
+        self.button = box.button(QtWidgets.QDialogButtonBox.Ok)
+        self._button_box = box  # keeps the wrappers of the buttons alive
+
+    def accept(self):
+        if self.run is None:
+            self.start()
+        return False
+
+    def reject(self):
+        """Cancel: stops a run first; nothing was written before it ended."""
+        if self.run is not None:
+            self.run.ended.disconnect(self.ended)
+            self.run.cancel()
+        return self._close()
+
+    def _close(self):
+        self.timer.stop()
+        if self.looking is not None:
+            self.looking.ended.disconnect(self._estimated)
+            self.looking.cancel()
+            self.looking = None
+        Gui.Control.closeDialog()
+        return True
+
+
+def show(source, obj=None, path=""):
+    """Opens the panel. obj: the solid that is made again; path: a STEP or BREP file to be written.
+    Raises InputProblem."""
+    if path:
+        export.check_target(path)
+    panel = SolidPanel(source, obj, path)
+    opened[:] = [panel]
+    Gui.Control.showDialog(panel)
+    return panel
