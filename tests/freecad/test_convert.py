@@ -34,7 +34,7 @@ class Convert(Case):
     def test_mesh_made_beside_the_window_is_the_same(self):
         if not core.available():
             self.skipTest("the compiled core _swept is not built")
-        plain, beside = (f(*TETRA) for f in (convert.mesh_from_arrays, convert.mesh_beside))
+        plain, beside = (convert.mesh_from_arrays(*TETRA, beside=b) for b in (False, True))
         self.assertEqual(plain.Topology, beside.Topology)
         self.assertTrue(beside.isSolid())
         for a, b in zip(plain.Facets, beside.Facets):

@@ -74,9 +74,10 @@ def most_of(obj):
 
 def ready(outcome, most):
     """Any thread: adds to an envelope (core.Outcome) what takes long of taking it over."""
-    outcome.mesh = convert.mesh_beside(outcome.vertices, outcome.triangles)
+    outcome.mesh = convert.mesh_from_arrays(outcome.vertices, outcome.triangles, beside=True)
     if 0 < most < len(outcome.triangles):
-        outcome.drawn = drawn(outcome.vertices, outcome.triangles, most)
+        local = outcome.vertices - np.array(tuple(outcome.mesh.Placement.Base))
+        outcome.drawn = drawn(local, outcome.triangles, most)
     return outcome
 
 
