@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel: what a solid may cost, before it is made or written to a file. Tolerance, budget of faces
 and of megabytes; an estimate; the run."""
+import os
+
 import FreeCADGui as Gui
 from PySide import QtCore
 
@@ -89,9 +91,9 @@ class SolidPanel:
         rows.addRow(translate("Panels", "Faces at most"), self.faces)
         if self.path:
             rows.addRow(translate("Panels", "File at most"), self.megabytes)
-            where = QtWidgets.QLabel(self.path)
-            where.setWordWrap(True)
-            self.layout.addWidget(where)
+            where = QtWidgets.QLabel(os.path.basename(self.path))
+            widgets.hint(where, self.path)
+            rows.addRow(translate("Panels", "File"), where)
         self.expected = QtWidgets.QLabel()
         self.expected.setObjectName("SweptVolumeSolidEstimate")
         self.expected.setWordWrap(True)
