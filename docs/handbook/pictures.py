@@ -5,6 +5,7 @@
 """
 import os
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "tests", "freecad", "gui"))
@@ -29,6 +30,8 @@ from driver import (  # noqa: E402
     shot,
 )
 
+import engine_bay  # noqa: E402
+
 CSV = "# a lift and a quarter turn\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,0,0,5,0,0,0,1\n"
 CSV += "2,0,20,5,0,0,0.7071068,0.7071068\n"
 
@@ -50,8 +53,6 @@ def show_parts():
 
 
 def demo():
-    import tempfile
-
     from sweptvolume import runner
     from sweptvolume.panels import file_dialogs, file_panel
 
@@ -199,6 +200,12 @@ def clearance(made):
     click(panel_button(Close))
     yield no_panel
     made.Document.removeObject("Clearance")
+
+
+def bay():
+    """The first tutorial."""
+    yield from engine_bay.work(picture, tempfile.mkdtemp())
+    App.closeDocument(App.ActiveDocument.Name)
 
 
 def block(doc, name, size, place):
@@ -358,7 +365,7 @@ def scenario():
     open_workbench()
     Gui.getMainWindow().showNormal()
     yield
-    for part in (demo, joint, slider, selected, preferences):
+    for part in (bay, demo, joint, slider, selected, preferences):
         yield from part()
     yield
 
