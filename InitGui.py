@@ -19,6 +19,7 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
     def Initialize(self):
         from sweptvolume import commands
 
+        commands.load()
         commands.register()
         commands.fill_workbench(self)
 

@@ -118,9 +118,13 @@ def mesh_from_arrays(vertices, triangles, beside=False):
         return mesh
     mesh = Mesh.Mesh()
     if beside:
-        mesh.read(_Stream(core.mesh_file(vertices, triangles)), "BMS")
+        try:
+            mesh.read(_Stream(core.mesh_file(vertices, triangles)), "BMS")
+        except Exception as problem:  # a FreeCAD that takes no such stream
+            App.Console.PrintLog("Swept Volume: mesh not read as BMS: {}\n".format(problem))
         if (mesh.CountPoints, mesh.CountFacets) == (len(vertices), len(triangles)):
             return mesh
+        mesh = Mesh.Mesh()
     mesh.read(io.BytesIO(_ply(vertices, triangles)), "PLY")
     return mesh
 

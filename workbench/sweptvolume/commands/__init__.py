@@ -44,6 +44,16 @@ def register():
         _names.append(command.NAME)
 
 
+def load():
+    """Loads what the commands need of FreeCAD and of ours, a fifth of a second: the first use of a
+    command need not wait for it."""
+    import Mesh  # noqa: F401
+    import MeshPart  # noqa: F401
+
+    from ..panels import envelope_panel, motion_panel, solid_panel  # noqa: F401
+    from ..views import envelope_view, solid_view  # noqa: F401
+
+
 def fill_workbench(workbench):
     shown = [name for name in _names if name not in _MENU_ONLY]
     workbench.appendToolbar(menu("Swept Volume"), shown)

@@ -291,7 +291,7 @@ class EnvelopePanel:
             self.obj = run.task.obj
             Gui.Selection.clearSelection()
             if self.close_when_done:
-                self._close()
+                QtCore.QTimer.singleShot(0, self._close)  # taking over the mesh was enough for now
             else:
                 self.read_outs.show_result(self.obj)
             return

@@ -13,6 +13,8 @@ from ..views.surface import drawn
 from .widgets import alive
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
+#: Triangles that are drawn: each new one has to reach the view, and is seen for a moment.
+MOST_TRIANGLES = 50000
 #: Cells of the fine envelope at most; more would keep the cores busy without being asked.
 MOST_CELLS = 192
 #: ms without a change before the fine envelope is computed.
@@ -58,7 +60,7 @@ class _PreviewTask(Task):
     def work(self, control):
         found = envelope.work(self.requests, self.requests[0].options, control, self.compute)
         self.seconds = found.report["seconds"]["total"]
-        return drawn(found.vertices, found.triangles)
+        return drawn(found.vertices, found.triangles, MOST_TRIANGLES)
 
     def finish(self, value):
         self.show(value)

@@ -8,8 +8,8 @@ from . import path, surface
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
 ENVELOPE_COLOUR = (0.35, 0.60, 0.90)
-#: A ghost is drawn many times, and only to be looked through.
-GHOST_TRIANGLES = 3000
+#: Triangles of the part where it moves, and at its keys, where it is drawn many times.
+MOVING_TRIANGLES, KEY_TRIANGLES = 6000, 1500
 
 
 class Overlay:
@@ -70,9 +70,12 @@ class Ghosts(Overlay):
         from pivy import coin
 
         super().__init__(document)
-        shape = surface.group_of(surface.drawn(vertices, triangles, GHOST_TRIANGLES))
+        at_keys, shape = (
+            surface.group_of(surface.drawn(vertices, triangles, most))
+            for most in (KEY_TRIANGLES, MOVING_TRIANGLES)
+        )
         self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
-        self.copies.addChild(shape)
+        self.copies.addChild(at_keys)
         self.path = coin.SoAnnotation()  # seen through the parts
         self.root.addChild(self.path)
         self.add(KEY_COLOUR, 0.75, self.copies)
