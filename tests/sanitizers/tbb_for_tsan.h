@@ -53,13 +53,6 @@ void watched_for(Index first, Index last, const Body& body) {
   const watched::Region here;
   parallel_for(first, last, item);
 }
-template <class Range, class Value, class Body, class Join>
-Value watched_reduce(const Range& range, const Value& start, const Body& body, const Join& join) {
-  const auto item = watched::item(body);
-  const auto joinItem = watched::item(join);
-  const watched::Region here;
-  return parallel_reduce(range, start, item, joinItem);
-}
 template <class... Bodies>
 void watched_invoke(const Bodies&... bodies) {
   const auto call = [](const auto&... items) {
@@ -67,6 +60,20 @@ void watched_invoke(const Bodies&... bodies) {
     parallel_invoke(items...);
   };
   call(watched::item(bodies)...);
+}
+// TBB's own would write the values of its parts after the item has ended, which cannot be told.
+template <class Range, class Value, class Body, class Join>
+Value reduce_parts(Range range, const Value& start, const Body& body, const Join& join, int depth) {
+  if (depth == 0 || !range.is_divisible()) return body(range, start);
+  Range right(range, split());
+  Value one = start, other = start;
+  watched_invoke([&] { one = reduce_parts(range, start, body, join, depth - 1); },
+                 [&] { other = reduce_parts(right, start, body, join, depth - 1); });
+  return join(one, other);
+}
+template <class Range, class Value, class Body, class Join>
+Value watched_reduce(const Range& range, const Value& start, const Body& body, const Join& join) {
+  return reduce_parts(range, start, body, join, 4);
 }
 // Its items are of TBB's own making.
 template <class Iterator, class... Less>
