@@ -25,19 +25,32 @@ void forCells(const Eigen::Vector3i& low, const Eigen::Vector3i& high, const Vis
   }
 }
 
-float below(double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); }
-float above(double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); }
+/// More than what rounding to float takes away.
+constexpr double kFloatStep = 1.2e-7;
+float below(double x) { return static_cast<float>(x - kFloatStep * std::abs(x)); }
+float above(double x) { return static_cast<float>(x + kFloatStep * std::abs(x)); }
+
+/// Cell of a place in the frame, which does not lie far below its origin.
+int cellOf(double x) {
+  constexpr int kBelow = 4;
+  return static_cast<int>(x + kBelow) - kBelow;
+}
 
 }  // namespace
+
+bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
+  return !certainlyApart(mesh, first, second) && trianglesIntersect(mesh, first, second) &&
+         !hasNoArea(mesh, first) && !hasNoArea(mesh, second);
+}
 
 NearPairs::Box NearPairs::boxOf(std::int32_t triangle, CellRange& cells) const {
   const auto& tri = mesh_.triangles[triangle];
   const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]], &c = mesh_.vertices[tri[2]];
-  const Eigen::Vector3d least = (a.cwiseMin(b).cwiseMin(c) - frame_.origin) / frame_.cell;
-  const Eigen::Vector3d most = (a.cwiseMax(b).cwiseMax(c) - frame_.origin) / frame_.cell;
-  const Eigen::Vector3d low = least.array() - kSlack, high = most.array() + kSlack;
-  cells.low = low.array().floor().matrix().cast<int>();
-  cells.high = high.array().floor().matrix().cast<int>();
+  const auto slack = Eigen::Vector3d::Constant(kSlack);
+  const Eigen::Vector3d low = (a.cwiseMin(b).cwiseMin(c) - frame_.origin) * cellsPerUnit_ - slack;
+  const Eigen::Vector3d high = (a.cwiseMax(b).cwiseMax(c) - frame_.origin) * cellsPerUnit_ + slack;
+  cells.low = {cellOf(low[0]), cellOf(low[1]), cellOf(low[2])};
+  cells.high = {cellOf(high[0]), cellOf(high[1]), cellOf(high[2])};
   return {{below(low[0]), below(low[1]), below(low[2])},
           {above(high[0]), above(high[1]), above(high[2])},
           triangle};
@@ -60,7 +73,7 @@ void NearPairs::forBricks(const CellRange& cells, const Visit& visit) {
 
 NearPairs::NearPairs(const TriMesh& mesh, const CellFrame& frame,
                      const std::vector<std::int32_t>& members, RunContext& run)
-    : mesh_(mesh), frame_(frame), run_(run) {
+    : mesh_(mesh), frame_(frame), cellsPerUnit_(1 / frame.cell), run_(run) {
   isMember_.assign(mesh.triangles.size(), 0);
   boxes_.resize(members.size());
   std::vector<CellRange> cells(members.size());
@@ -135,9 +148,7 @@ void NearPairs::ask(std::int32_t triangle, Pairs& out) const {
       if (!box.meets(other)) continue;
       const std::int32_t member = other.triangle;
       if (member == triangle || (isMember && member > triangle)) continue;
-      if (certainlyApart(mesh_, member, triangle)) continue;
-      if (!trianglesIntersect(mesh_, member, triangle)) continue;
-      if (hasNoArea(mesh_, member) || hasNoArea(mesh_, triangle)) continue;
+      if (!meetWrongly(mesh_, member, triangle)) continue;
       out.emplace_back(std::min(member, triangle), std::max(member, triangle));
     }
   });

@@ -26,6 +26,9 @@ struct CellFrame {
   double cell = 1;
 };
 
+/// Do two triangles with area meet where they should not?
+bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second);
+
 class NearPairs {
  public:
   /// `mesh` must outlive this and stay as it is; no vertex may lie below the frame's origin by more
@@ -94,6 +97,7 @@ class NearPairs {
 
   const TriMesh& mesh_;
   CellFrame frame_;
+  double cellsPerUnit_;
   RunContext& run_;
   std::vector<std::uint8_t> isMember_;  // by triangle
   std::vector<Box> boxes_;              // by member

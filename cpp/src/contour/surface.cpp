@@ -363,7 +363,7 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
   std::copy(rim.begin(), rim.end(),
             mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangleCount));
   surface.dualVertices = dualVertices;
-  surface.alone.resize(dualVertices);
+  surface.lodging.resize(dualVertices);
   surface.contactTime.resize(vertexCount);
   const auto place = [&](std::size_t at, const Eigen::Vector3d& g, double time) {
     mesh.vertices[at] = grid.plan.origin + grid.plan.cell * g;
@@ -381,8 +381,10 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
       for (std::size_t v = 0; v < layer.size(); ++v) {
         const DualVertex& d = layer[v];
         const bool inside = d.local.minCoeff() > 1e-5f && d.local.maxCoeff() < 1 - 1e-5f;
-        surface.alone[dual.firstVertex[i] + v] = inside && (v == 0 || !sameCell(v - 1, v)) &&
-                                                 (v + 1 == layer.size() || !sameCell(v, v + 1));
+        surface.lodging[dual.firstVertex[i] + v] = static_cast<std::uint8_t>(
+            (inside ? Surface::kInside : 0) |
+            (v > 0 && sameCell(v - 1, v) ? Surface::kWithBefore : 0) |
+            (v + 1 < layer.size() && sameCell(v, v + 1) ? Surface::kWithAfter : 0));
         place(dual.firstVertex[i] + v, d.local.cast<double>() + Eigen::Vector3d(d.i, d.j, d.k),
               d.timeSeconds);
       }

@@ -28,8 +28,11 @@ struct Surface {
   std::vector<std::uint32_t> crossingOf;
   std::size_t dualVertices =
       0;  ///< the first so many vertices are those of components, then extra ones
-  /// Per component vertex: 1 if it is the only one of its cell and lies inside it.
-  std::vector<std::uint8_t> alone;
+  /// Per component vertex, bits: how it lives in its cell.
+  std::vector<std::uint8_t> lodging;
+  static constexpr std::uint8_t kInside = 1;      ///< lies inside its own cell
+  static constexpr std::uint8_t kWithBefore = 2;  ///< the vertex before it has the same cell
+  static constexpr std::uint8_t kWithAfter = 4;   ///< the vertex after it has the same cell
   std::int64_t fans = 0;         ///< quads fanned about their crossing
   std::int64_t facePoints = 0;   ///< vertices put on cell faces
   std::int64_t rimPolygons = 0;  ///< that close the ends of thin walls

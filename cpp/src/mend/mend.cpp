@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "check/near_pairs.h"
 #include "mend/region.h"
+#include "mend/wall_sides.h"
 
 namespace swept {
 namespace {
@@ -23,8 +24,6 @@ constexpr double kCellMargin = 1e-4;
 constexpr double kWaysBack[] = {1e-3, 1e-2, 0.1, 1};  ///< of a vertex whose triangle has no area
 
 using Triangle = std::array<std::int32_t, 3>;
-/// Vertex, and a triangle at it that is part of a crossing's polygon; sorted by vertex.
-using Around = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 void sortUnique(std::vector<std::int32_t>& list) {
   tbb::parallel_sort(list.begin(), list.end());
@@ -80,17 +79,32 @@ class Mender {
       }
     }
     sortUnique(vertices);
-    const std::vector<std::int32_t> near = nearPairs(&region_);
-    if (round > 0) {
-      const Around around = trianglesAround(vertices, near);
-      if (round >= 4) {  // the neighbours follow
-        for (const auto& [v, t] : around) polygons.push_back(t);
+    const std::vector<FacingSides> sides = facingSides(surface_, pairs_);
+    if (round >= 4) {  // the neighbours follow
+      for (const auto& [v, t] : trianglesAround(vertices, nearPairs(&region_))) {
+        polygons.push_back(t);
       }
-      for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
-      relax(vertices, around, round < 3 ? 0.5 : 1.0);
     }
-    changed_ = round > 0 ? touching(vertices, near) : std::vector<std::int32_t>{};
-    if (round != 1) fan(polygons);
+    changed_.clear();
+    fan(polygons);
+    sortUnique(changed_);
+    blocks_.update(mesh_, changed_);
+    const std::vector<std::int32_t> near = nearPairs(&region_);
+    if (round == 0) {
+      vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                                    [&](std::int32_t v) { return settled(v); }),
+                     vertices.end());
+    }
+    const TrianglesAround around = trianglesAround(vertices, near);
+    for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
+    relax(vertices, around, round < 3 ? 0.5 : 1.0);
+    // Ever thinner, until displacements are small beside the triangles.
+    const std::vector<std::int32_t> laid =
+        layTogether(surface_, grid_, sides, around, std::max(0.1, std::pow(0.6, round)));
+    vertices.insert(vertices.end(), laid.begin(), laid.end());
+    sortUnique(vertices);
+    const std::vector<std::int32_t> moved = touching(vertices, near);
+    changed_.insert(changed_.end(), moved.begin(), moved.end());
     sortUnique(changed_);
     blocks_.update(mesh_, changed_);
     findAgain(near);
@@ -128,10 +142,10 @@ class Mender {
     return forTouching<std::int32_t>(
         vertices, near, [](std::int32_t, std::int32_t t, List& part) { part.push_back(t); });
   }
-  Around trianglesAround(const std::vector<std::int32_t>& vertices,
-                         const std::vector<std::int32_t>& near) {
-    Around out = forTouching<Around::value_type>(
-        vertices, near, [&](std::int32_t v, std::int32_t t, Around& part) {
+  TrianglesAround trianglesAround(const std::vector<std::int32_t>& vertices,
+                                  const std::vector<std::int32_t>& near) {
+    TrianglesAround out = forTouching<TrianglesAround::value_type>(
+        vertices, near, [&](std::int32_t v, std::int32_t t, TrianglesAround& part) {
           if (surface_.crossingOf[t] != Surface::kNoCrossing) part.emplace_back(v, t);
         });
     tbb::parallel_sort(out.begin(), out.end());
@@ -139,7 +153,8 @@ class Mender {
   }
 
   /// Moves component vertices towards their mass points.
-  void relax(const std::vector<std::int32_t>& vertices, const Around& around, double weight) {
+  void relax(const std::vector<std::int32_t>& vertices, const TrianglesAround& around,
+             double weight) {
     parallelBlocks(vertices.size(), 64, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> crossings;
       for (std::size_t n = begin; n < end; ++n) {
@@ -169,6 +184,12 @@ class Mender {
     mass = mass.cwiseMax((cell.array() + kCellMargin).matrix())
                .cwiseMin((cell.array() + 1 - kCellMargin).matrix());
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
+  }
+
+  /// A vertex inside a cell of its own: that its polygons are fanned is enough.
+  bool settled(std::int32_t v) const {
+    return static_cast<std::size_t>(v) >= surface_.dualVertices ||
+           surface_.lodging[v] == Surface::kInside;
   }
 
   bool hasArea(std::int32_t t) const {

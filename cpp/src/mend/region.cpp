@@ -35,20 +35,20 @@ BlockSet::BlockSet(const TriangleBlocks& blocks)
 void BlockSet::add(const TriMesh& mesh, std::int32_t triangle, int reach) {
   constexpr int kBlockCells = TriangleBlocks::kBlockCells;
   const Eigen::Vector3i most = blocks_.size_ - Eigen::Vector3i::Ones();
-  for (const std::int32_t v : mesh.triangles[triangle]) {
-    const Eigen::Vector3i cell = blocks_.cellOf(mesh.vertices[v]);
-    const Eigen::Vector3i low = (cell - Eigen::Vector3i::Constant(reach)).cwiseMax(0) / kBlockCells;
-    const Eigen::Vector3i high =
-        ((cell + Eigen::Vector3i::Constant(reach)) / kBlockCells).cwiseMin(most);
-    for (int x = low[0]; x <= high[0]; ++x) {
-      for (int y = low[1]; y <= high[1]; ++y) {
-        for (int z = low[2]; z <= high[2]; ++z) {
-          const std::size_t block = blocks_.number({x, y, z});
-          const std::uint64_t bit = std::uint64_t{1} << (block & 63);
-          const std::atomic_ref<std::uint64_t> word(bits_[block >> 6]);
-          if ((word.load(std::memory_order_relaxed) & bit) == 0) {
-            word.fetch_or(bit, std::memory_order_relaxed);
-          }
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Eigen::Vector3i p = blocks_.cellOf(mesh.vertices[a]), q = blocks_.cellOf(mesh.vertices[b]),
+                        r = blocks_.cellOf(mesh.vertices[c]);
+  const Eigen::Vector3i around = Eigen::Vector3i::Constant(reach);
+  const Eigen::Vector3i low = (p.cwiseMin(q).cwiseMin(r) - around).cwiseMax(0) / kBlockCells;
+  const Eigen::Vector3i high = ((p.cwiseMax(q).cwiseMax(r) + around) / kBlockCells).cwiseMin(most);
+  for (int x = low[0]; x <= high[0]; ++x) {
+    for (int y = low[1]; y <= high[1]; ++y) {
+      for (int z = low[2]; z <= high[2]; ++z) {
+        const std::size_t block = blocks_.number({x, y, z});
+        const std::uint64_t bit = std::uint64_t{1} << (block & 63);
+        const std::atomic_ref<std::uint64_t> word(bits_[block >> 6]);
+        if ((word.load(std::memory_order_relaxed) & bit) == 0) {
+          word.fetch_or(bit, std::memory_order_relaxed);
         }
       }
     }

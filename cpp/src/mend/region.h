@@ -21,7 +21,7 @@ class TriangleBlocks {
 
  private:
   friend class BlockSet;
-  static constexpr int kBlockCells = 8;
+  static constexpr int kBlockCells = 4;
   Eigen::Vector3i cellOf(const Eigen::Vector3d& x) const;
   std::size_t number(const Eigen::Vector3i& block) const {
     return (static_cast<std::size_t>(block[0]) * size_[1] + block[1]) * size_[2] + block[2];
@@ -36,7 +36,7 @@ class TriangleBlocks {
 class BlockSet {
  public:
   explicit BlockSet(const TriangleBlocks& blocks);
-  /// All blocks within `reach` cells of the triangle's corners. Many threads may add at once.
+  /// All blocks within `reach` cells of the triangle's box. Many threads may add at once.
   void add(const TriMesh& mesh, std::int32_t triangle, int reach);
   /// Does the triangle's first corner lie in one of the blocks?
   bool holds(std::size_t triangle) const {

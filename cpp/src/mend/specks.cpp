@@ -175,7 +175,7 @@ Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunCo
       [](std::int32_t v) { return v >= 0; }));
   compact(mesh.vertices, vertex);
   compact(surface.contactTime, vertex);
-  compact(surface.alone, vertex);
+  compact(surface.lodging, vertex);
   SelfIntersections left;
   for (const auto& [a, b] : pairs.pairs) {
     if (triangle[a] >= 0 && triangle[b] >= 0) left.pairs.emplace_back(triangle[a], triangle[b]);

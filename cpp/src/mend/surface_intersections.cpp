@@ -1,37 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mend/surface_intersections.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
 #include "check/near_pairs.h"
+#include "mend/crowded_cells.h"
+#include "mend/polygons.h"
+#include "mend/region.h"
 
 namespace swept {
 namespace {
 
 constexpr double kMargin = 1e-7;  ///< cells, far above rounding
 constexpr double kOnEdge = 1e-9;  ///< cells
-constexpr std::uint32_t kNone = 0xffffffffu;
 using Triangle = std::array<std::int32_t, 3>;
-
-/// First triangle of every crossing's polygon; a polygon's triangles stand together.
-std::vector<std::uint32_t> polygonStarts(const Surface& surface, std::size_t crossings) {
-  std::vector<std::uint32_t> start(crossings, kNone);
-  const auto& of = surface.crossingOf;
-  parallelBlocks(of.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      if (of[t] == Surface::kNoCrossing || (t > 0 && of[t] == of[t - 1])) continue;
-      start[of[t]] = static_cast<std::uint32_t>(t);
-    }
-  });
-  return start;
-}
-
-/// Polygon of one crossing as a run of triangles.
-struct Polygon {
-  std::uint32_t first, count;
-};
 
 /// The lattice edge (axis, i, j, k) that a polygon goes round.
 struct Place {
@@ -42,9 +28,11 @@ struct Place {
 class PolygonSorter {
  public:
   PolygonSorter(const Surface& surface, const HermiteGrid& grid)
-      : surface_(surface), grid_(grid), start_(polygonStarts(surface, grid.crossings.size())) {}
+      : surface_(surface), grid_(grid), polygons_(surface, grid.crossings.size()) {}
 
-  /// use(place, polygon, sides) for the polygons of one lattice layer.
+  const Polygons& polygons() const { return polygons_; }
+
+  /// use(place, crossing) for the polygons of one lattice layer.
   template <class Use>
   void forLayer(std::size_t i, const Use& use) const {
     const HermiteLayer& layer = grid_.layers[i];
@@ -55,7 +43,7 @@ class PolygonSorter {
           const HermiteEdge& edge = layer.edges[axis][e];
           const Place place{axis, {static_cast<int>(i), static_cast<int>(j), edge.k}};
           for (std::uint32_t c = edge.first; c < edge.first + (edge.sides == 3 ? 2 : 1); ++c) {
-            if (start_[c] != kNone) use(place, polygon(c), edge.sides);
+            if (polygons_.has(c)) use(place, c);
           }
         }
       }
@@ -63,22 +51,16 @@ class PolygonSorter {
   }
 
   /// True only if the polygon certainly lies in the tetrahedra of its own lattice edge.
-  bool lies(const Place& place, const Polygon& polygon, std::uint8_t sides) const {
-    if (sides == 3) return false;  // two polygons round one edge may share their vertices
-    const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
-    return polygon.count == 2 && alone(triangles[0][0]) ? quadLies(place, triangles)
-                                                        : fanLies(place, polygon);
+  bool lies(const Place& place, std::uint32_t crossing) const {
+    const Polygon polygon = polygons_.of(crossing);
+    return polygon.count == 2 ? quadLies(place, polygons_.triangles(polygon))
+                              : fanLies(place, polygon);
   }
 
  private:
-  Polygon polygon(std::uint32_t crossing) const {
-    const std::uint32_t first = start_[crossing];
-    std::uint32_t end = first + 1;
-    while (end < surface_.crossingOf.size() && surface_.crossingOf[end] == crossing) ++end;
-    return {first, end - first};
-  }
-  bool alone(std::int32_t v) const {
-    return static_cast<std::size_t>(v) < surface_.alone.size() && surface_.alone[v] != 0;
+  bool inside(std::int32_t v) const {
+    return static_cast<std::size_t>(v) < surface_.lodging.size() &&
+           (surface_.lodging[v] & Surface::kInside) != 0;
   }
   /// A fan about a point of the lattice edge.
   bool fanLies(const Place& place, const Polygon& polygon) const {
@@ -114,9 +96,9 @@ class PolygonSorter {
     return b.inside || d.inside || (b.atEdge && d.atEdge);
   }
 
-  /// Which of the four cells round the edge holds this vertex, if it is the cell's only one; or -1.
+  /// Which of the four cells round the edge holds this vertex, if it is that cell's; or -1.
   int quadrant(const Place& place, std::int32_t v) const {
-    if (!alone(v)) return -1;
+    if (!inside(v)) return -1;
     const Eigen::Vector3d x = local(place, v);
     const bool near = std::abs(x[0]) < 1 - kMargin && std::abs(x[1]) < 1 - kMargin &&
                       x[2] > kMargin && x[2] < 1 - kMargin;
@@ -148,7 +130,7 @@ class PolygonSorter {
 
   const Surface& surface_;
   const HermiteGrid& grid_;
-  std::vector<std::uint32_t> start_;
+  Polygons polygons_;
 };
 
 void append(std::vector<std::int32_t>& to, const std::vector<std::vector<std::int32_t>>& parts) {
@@ -173,18 +155,24 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
                                            RunContext& run, std::int64_t* unsure) {
   const PolygonSorter sorter(surface, grid);
   const std::size_t layers = grid.layers.size();
-  const auto addTo = [](std::vector<std::int32_t>& list, const Polygon& polygon) {
+  const auto addTo = [&](std::vector<std::int32_t>& list, std::uint32_t crossing) {
+    const Polygon polygon = sorter.polygons().of(crossing);
     for (std::uint32_t n = 0; n < polygon.count; ++n) {
       list.push_back(static_cast<std::int32_t>(polygon.first + n));
     }
   };
-  std::vector<std::vector<std::int32_t>> bad(layers + 1);
-  std::vector<std::vector<std::uint8_t>> lies(layers);
+  std::vector<std::uint8_t> settled(grid.crossings.size(), 0);
   parallelFor(layers, [&](std::size_t i) {
     run.checkpoint(Phase::Check);
-    sorter.forLayer(i, [&](const Place& place, const Polygon& polygon, std::uint8_t sides) {
-      lies[i].push_back(sorter.lies(place, polygon, sides));
-      if (lies[i].back() == 0) addTo(bad[i], polygon);
+    sorter.forLayer(i, [&](const Place& place, std::uint32_t crossing) {
+      settled[crossing] = sorter.lies(place, crossing);
+    });
+  });
+  const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
+  std::vector<std::vector<std::int32_t>> bad(layers + 1);
+  parallelFor(layers, [&](std::size_t i) {
+    sorter.forLayer(i, [&](const Place&, std::uint32_t crossing) {
+      if (settled[crossing] == 0) addTo(bad[i], crossing);
     });
   });
   for (std::size_t t = 0; t < surface.crossingOf.size(); ++t) {
@@ -200,13 +188,28 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
   std::vector<std::vector<std::int32_t>> good(layers);
   parallelFor(layers, [&](std::size_t i) {
     run.checkpoint(Phase::Check);
-    std::size_t n = 0;
-    sorter.forLayer(i, [&](const Place& place, const Polygon& polygon, std::uint8_t) {
-      if (lies[i][n++] != 0 && reached(near, place)) addTo(good[i], polygon);
+    sorter.forLayer(i, [&](const Place& place, std::uint32_t crossing) {
+      if (settled[crossing] != 0 && reached(near, place)) addTo(good[i], crossing);
     });
   });
   append(members, good);
-  return near.find(members);
+  SelfIntersections found = near.find(members);
+  const auto more = gather<std::pair<std::int32_t, std::int32_t>>(
+      entangled.size(), [&](std::size_t n, auto& part) {
+        const Polygon p = sorter.polygons().of(entangled[n].first);
+        const Polygon q = sorter.polygons().of(entangled[n].second);
+        for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
+          for (std::uint32_t u = q.first; u < q.first + q.count; ++u) {
+            const auto low = static_cast<std::int32_t>(std::min(t, u));
+            const auto high = static_cast<std::int32_t>(std::max(t, u));
+            if (meetWrongly(surface.mesh, low, high)) part.emplace_back(low, high);
+          }
+        }
+      });
+  found.pairs.insert(found.pairs.end(), more.begin(), more.end());
+  tbb::parallel_sort(found.pairs.begin(), found.pairs.end());
+  found.count = static_cast<std::int64_t>(found.pairs.size());
+  return found;
 }
 
 }  // namespace swept

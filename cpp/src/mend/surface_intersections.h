@@ -7,9 +7,9 @@
 // of F lies in these two cells, and all such tetrahedra fill space without overlap. A fan about a
 // crossing on e lies in those of e; so does a quad cut along a diagonal that passes through the
 // triangle of e and one of the other two corners. Polygons of this kind therefore meet at common
-// vertices and edges only. Each is tested for it with a margin far above rounding; what fails, or
-// touches a cell with several vertices or one whose vertex has left it, is compared exactly with
-// everything near it.
+// vertices and edges only. Each is tested for it with a margin far above rounding. In a cell with
+// several vertices a plane has to part their polygons as well (crowded_cells.h). What fails, or
+// has a vertex that has left its cell, is compared exactly with everything near it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

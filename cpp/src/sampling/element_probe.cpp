@@ -62,6 +62,12 @@ bool meetsCube(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
 /// Set of elements, made for a few dozen of them.
 class SeenElements {
  public:
+  void clear() {
+    constexpr std::size_t kMostKept = 4096;
+    if (slots_.size() > kMostKept) slots_.clear();
+    std::fill(slots_.begin(), slots_.end(), kFree);
+    count_ = 0;
+  }
   /// False if it was in before.
   bool insert(const SweptElement& element) {
     if (2 * count_ >= slots_.size()) grow();
@@ -168,12 +174,14 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Use& use) co
   }
 }
 
-std::vector<ElementProbe::Piece> ElementProbe::gather(
-    const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings) const {
+void ElementProbe::gather(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+                          std::vector<Piece>& pieces) const {
   const Eigen::Vector3d centre = cell.cast<double>().array() + 0.5;
-  std::vector<Piece> pieces;
-  std::vector<SweptElement> waiting;
-  SeenElements seen;
+  thread_local std::vector<SweptElement> waiting;  // kept: asked for every end of a wall
+  thread_local SeenElements seen;
+  pieces.clear();
+  waiting.clear();
+  seen.clear();
   const auto visit = [&](const SweptElement& element) {
     if (!seen.insert(element)) return;
     const Piece piece = pieceOf(element);
@@ -192,7 +200,6 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
     forNeighbours(element, visit);
   }
   if (pieces.size() > kMostPieces) pieces.clear();
-  return pieces;
 }
 
 void ElementProbe::castOne(const std::vector<Piece>& pieces, ProbeLine& line) {
@@ -223,7 +230,8 @@ void ElementProbe::castOne(const std::vector<Piece>& pieces, ProbeLine& line) {
 
 void ElementProbe::cast(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
-  const std::vector<Piece> pieces = gather(cell, crossings);
+  thread_local std::vector<Piece> pieces;
+  gather(cell, crossings, pieces);
   for (ProbeLine& line : lines) castOne(pieces, line);
 }
 

@@ -31,8 +31,8 @@ class ElementProbe : public SurfaceProbe {
     double start = 0, end = 0;  // s
   };
   Piece pieceOf(const SweptElement& element) const;
-  std::vector<Piece> gather(const Eigen::Vector3i& cell,
-                            const std::vector<std::uint32_t>& crossings) const;
+  void gather(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+              std::vector<Piece>& pieces) const;
   template <class Use>
   void forNeighbours(const SweptElement& element, const Use& use) const;
   static void castOne(const std::vector<Piece>& pieces, ProbeLine& line);
