@@ -1227,6 +1227,94 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
    <translation>Geschwindigkeit entlang {0} (mm/s)</translation>
   </message>
   <message>
+   <source>None</source>
+   <translation>Keine</translation>
+  </message>
+  <message>
+   <source>Linear</source>
+   <translation>Linear</translation>
+  </message>
+  <message>
+   <source>Screw</source>
+   <translation>Schraubung</translation>
+  </message>
+  <message>
+   <source>Spline</source>
+   <translation>Spline</translation>
+  </message>
+  <message>
+   <source>Absolute</source>
+   <translation>Absolut</translation>
+  </message>
+  <message>
+   <source>Relative</source>
+   <translation>Relativ</translation>
+  </message>
+  <message>
+   <source>RelativeToFirst</source>
+   <translation>Relativ zur ersten</translation>
+  </message>
+  <message>
+   <source>Consistent</source>
+   <translation>Stimmig</translation>
+  </message>
+  <message>
+   <source>DualContouring</source>
+   <translation>DualContouring</translation>
+  </message>
+  <message>
+   <source>DualMarchingCubes</source>
+   <translation>DualMarchingCubes</translation>
+  </message>
+  <message>
+   <source>Equivalence</source>
+   <translation>Äquivalenz</translation>
+  </message>
+  <message>
+   <source>Greedy</source>
+   <translation>Gierig</translation>
+  </message>
+  <message>
+   <source>Auto</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>input</source>
+   <translation>Eingabe</translation>
+  </message>
+  <message>
+   <source>motion</source>
+   <translation>Bewegung</translation>
+  </message>
+  <message>
+   <source>sampling</source>
+   <translation>Abtasten</translation>
+  </message>
+  <message>
+   <source>signs</source>
+   <translation>Innen und außen</translation>
+  </message>
+  <message>
+   <source>contour</source>
+   <translation>Oberfläche</translation>
+  </message>
+  <message>
+   <source>simplify</source>
+   <translation>Vereinfachen</translation>
+  </message>
+  <message>
+   <source>check</source>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <source>export</source>
+   <translation>Schreiben</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <translation>fertig</translation>
+  </message>
+  <message>
    <source>Progress</source>
    <translation>Fortschritt</translation>
   </message>
@@ -1488,10 +1576,10 @@ Relative: a displacement on top of where the part stands now; the identity leave
 RelativeToFirst: as Relative, measured from the first pose: the motion starts where the part stands now.
 Several parts move rigidly together; Absolute places the first of them.</source>
    <translation>Was eine Lage bedeutet.
-Absolute: die Platzierung des Teils zu dieser Zeit anstelle der jetzigen (Vorgabe; so sind übernommene Platzierungen und aufgezeichnete Bewegungen).
-Relative: eine Verschiebung gegenüber dem jetzigen Stand; die Einheit lässt es dort.
-RelativeToFirst: wie Relative, gemessen von der ersten Lage: Die Bewegung beginnt, wo das Teil jetzt steht.
-Mehrere Teile bewegen sich starr zusammen; Absolute setzt das erste davon.</translation>
+Absolut: die Platzierung des Teils zu dieser Zeit anstelle der jetzigen (Vorgabe; so sind übernommene Platzierungen und aufgezeichnete Bewegungen).
+Relativ: eine Verschiebung gegenüber dem jetzigen Stand; die Einheit lässt es dort.
+Relativ zur ersten: wie Relativ, gemessen von der ersten Lage: Die Bewegung beginnt, wo das Teil jetzt steht.
+Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon.</translation>
   </message>
   <message>
    <source>About so many triangles are drawn of a heavy mesh; 0: all</source>

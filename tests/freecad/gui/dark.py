@@ -48,6 +48,7 @@ def scenario():
         ("EditMotion", (box, path)),
         ("EditEnvelope", (hull,)),
         ("Clearance", (hull,)),
+        ("Solid", (hull,)),
     ):
         select(*items)
         Gui.runCommand("SweptVolume_" + name)

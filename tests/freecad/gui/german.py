@@ -35,6 +35,7 @@ def texts_of_panel():
 
 def scenario():
     from sweptvolume import runner
+    from sweptvolume.features import envelope
     from sweptvolume.panels import motion_panel
 
     Gui.setLocale("German")
@@ -64,6 +65,20 @@ def scenario():
             assert any(text in line for line in said), (text, said)
         click(panel_button(Cancel if name != "Clearance" else QtWidgets.QDialogButtonBox.Close))
         yield no_panel
+
+    hull = envelope.make_envelope(doc, [starter], path, Resolution=32)
+    envelope.compute(hull)
+    select(hull)
+    Gui.runCommand("SweptVolume_Solid")
+    yield
+    label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+    yield lambda: "Dreiecke" in label.text()
+    Gui.Selection.clearSelection()
+    shot("70_german_Solid")
+    yield 0.8
+    assert "Flächen höchstens" in texts_of_panel()
+    click(panel_button(Cancel))
+    yield no_panel
 
     # The document goes while the path editor is open and its preview runs.
     select(starter, path)

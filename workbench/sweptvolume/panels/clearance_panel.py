@@ -278,7 +278,7 @@ class ClearancePanel:
             cells = (
                 _Cell(row["name"], row["name"].lower()),
                 _Cell(verdict, RANK[row["verdict"]]),
-                _Cell("{:.4g}".format(row["distance"]), row["distance"]),
+                _Cell("{:.4g}".format(round(row["distance"], 9)), row["distance"]),
                 _Cell("{:.4g}".format(round(row["time_seconds"], 6)), row["time_seconds"]),
                 _Cell("{:.3g}".format(deep) if deep else "", -deep),
             )

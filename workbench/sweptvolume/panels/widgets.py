@@ -10,7 +10,7 @@ except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
     QtWidgets = QtGui
 
 from .. import icon
-from ..texts import translate
+from ..texts import mark, translate
 
 
 #: Left, top, right, bottom inside a titled box: the title stands on the upper border.
@@ -57,6 +57,33 @@ def _quantity(unit, value, minimum, step):
     return field
 
 
+#: Values of properties, and stages of a run as the core names them, that panels show.
+_NAMES = [
+    mark("Panels", "None"),
+    mark("Panels", "Linear"),
+    mark("Panels", "Screw"),
+    mark("Panels", "Spline"),
+    mark("Panels", "Absolute"),
+    mark("Panels", "Relative"),
+    mark("Panels", "RelativeToFirst"),
+    mark("Panels", "Consistent"),
+    mark("Panels", "DualContouring"),
+    mark("Panels", "DualMarchingCubes"),
+    mark("Panels", "Equivalence"),
+    mark("Panels", "Greedy"),
+    mark("Panels", "Auto"),
+    mark("Panels", "input"),
+    mark("Panels", "motion"),
+    mark("Panels", "sampling"),
+    mark("Panels", "signs"),
+    mark("Panels", "contour"),
+    mark("Panels", "simplify"),
+    mark("Panels", "check"),
+    mark("Panels", "export"),
+    mark("Panels", "done"),
+]
+
+
 def choice(names, now, texts=None):
     """Combo box; the data of an entry is its untranslated name."""
     box = QtWidgets.QComboBox()
@@ -64,7 +91,7 @@ def choice(names, now, texts=None):
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumContentsLength(8)
     for i, name in enumerate(names):
-        box.addItem(texts[i] if texts else name, name)
+        box.addItem(texts[i] if texts else translate("Panels", name), name)
     if now in names:
         box.setCurrentIndex(list(names).index(now))
     return box
@@ -157,7 +184,7 @@ class RunBox(QtWidgets.QGroupBox):
 
     def _progress(self, part, phase):
         self.bar.setValue(int(part * 1000))
-        self.stage.setText(phase)
+        self.stage.setText(translate("Panels", phase))
 
 
 def warn(title, text):
