@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "clearance/penetration.h"
 #include "input/body_check.h"
@@ -299,7 +300,9 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
     fail(report, Status::OutOfMemory, "OutOfMemory",
          "not enough memory for the clearance check; use coarser neighbours or fewer at a time");
   } catch (const std::exception& e) {
-    fail(report, Status::InternalError, "InternalError", e.what());
+    fail(
+        report, Status::InternalError, "InternalError",
+        std::string(e.what()) + ": a fault of the program; please report it with parts and motion");
   }
   return report;
 }

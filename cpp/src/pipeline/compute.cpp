@@ -467,20 +467,24 @@ void fail(Result& result, Status status, const char* code, const char* message,
   }
 }
 
+/// What to do about a failure that nobody foresaw.
+constexpr const char* kReport =
+    ": a fault of the program; another cell size may avoid it. Please report it with body, motion "
+    "and options";
+
 /// The one wall where exceptions become a status.
 template <class Body>
 void guarded(Result& result, const Body& body) {
   try {
     body();
   } catch (const Error& error) {
-    fail(result, error.status(), error.code().c_str(), error.what());
+    const bool unforeseen = error.code() == "InternalError";
+    fail(result, error.status(), error.code().c_str(), error.what(), unforeseen ? kReport : "");
   } catch (const std::bad_alloc&) {
     fail(result, Status::OutOfMemory, "OutOfMemory",
          "memory ran out although the estimate was within the limit; use a larger cell");
   } catch (const std::exception& error) {
-    fail(result, Status::InternalError, "InternalError", error.what(),
-         ": a fault of the program; another cell size may avoid it. Please report it with body, "
-         "motion and options");
+    fail(result, Status::InternalError, "InternalError", error.what(), kReport);
   }
 }
 

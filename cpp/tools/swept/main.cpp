@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "commands.h"
 #include "runner.h"
@@ -84,9 +85,13 @@ int main(int argc, char** argv) {
     cli::printError(error.status(), error.code(), error.what());
     return error.code() == "BadOption" ? cli::kExitUsage : cli::exitStatus(error.status());
   } catch (const std::bad_alloc&) {
-    cli::printError(Status::OutOfMemory, "OutOfMemory", "memory ran out");
+    cli::printError(Status::OutOfMemory, "OutOfMemory",
+                    "memory ran out; use a larger cell or smaller files");
   } catch (const std::exception& error) {
-    cli::printError(Status::InternalError, "Unexpected", error.what());
+    cli::printError(
+        Status::InternalError, "Unexpected",
+        std::string(error.what()) +
+            ": a fault of the program; please report it with the files and the command");
   }
   return cli::kExitFailed;
 }
