@@ -88,14 +88,18 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion) {
         ((c + reach).array() <= box.max().array()).all()) {
       return;
     }
-    Eigen::Vector3d low = c, high = c;
-    for (const auto& v : body.vertices) {
-      const Eigen::Vector3d x = p.apply(v);
-      low = low.cwiseMin(x);
-      high = high.cwiseMax(x);
-    }
-    box.extend(low);
-    box.extend(high);
+    constexpr std::size_t kBlock = 4096;
+    std::vector<Eigen::AlignedBox3d> parts(body.vertices.size() / kBlock + 1);
+    parallelBlocks(body.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      Eigen::Vector3d low = c, high = c;
+      for (std::size_t v = begin; v < end; ++v) {
+        const Eigen::Vector3d x = p.apply(body.vertices[v]);
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+      }
+      parts[begin / kBlock] = {low, high};
+    });
+    for (const Eigen::AlignedBox3d& part : parts) box.extend(part);
   };
   for (std::size_t i = 0; i < n; i += stride) add(motion.placements[i]);
   add(motion.placements.back());

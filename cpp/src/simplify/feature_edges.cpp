@@ -61,18 +61,28 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>
       wanted.push_back(v);
     }
   }
+  // Found on all cores, added in order: the sums do not depend on the number of threads.
+  std::vector<std::vector<std::size_t>> parts(mesh.triangles.size() / kBlock + 1);
+  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& c = mesh.triangles[t];
+      if ((place[c[0]] & place[c[1]] & place[c[2]]) != kNone) parts[begin / kBlock].push_back(t);
+    }
+  });
   std::vector<Quadric> quadrics(wanted.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  const auto addTriangle = [&](std::size_t t) {
     const auto& c = mesh.triangles[t];
-    if ((place[c[0]] & place[c[1]] & place[c[2]]) == kNone) continue;
     const Eigen::Vector3d normal = normalOf(mesh, t);
     const double area = normal.norm();
-    if (!(area > 0)) continue;
+    if (!(area > 0)) return;
     // Only the directions count: planes through the origin.
     for (const std::int32_t v : c) {
       if (place[v] == kNone) continue;
       quadrics[place[v]].addPlane(normal / area, Eigen::Vector3d::Zero(), area);
     }
+  };
+  for (const auto& part : parts) {
+    for (const std::size_t t : part) addTriangle(t);
   }
   std::vector<std::uint8_t> feature(mesh.vertices.size());
   parallelBlocks(wanted.size(), 1024, [&](std::size_t begin, std::size_t end) {
