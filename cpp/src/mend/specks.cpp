@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMostVolume = 0.01;  ///< cubic cells
 constexpr double kMostSize = 2;       ///< cells
+constexpr double kMostTurned = 4;     ///< cells
 
 constexpr std::size_t kBlock = 1 << 14;
 
@@ -183,6 +184,22 @@ Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunCo
   left.count = pairs.count - static_cast<std::int64_t>(pairs.pairs.size() - left.pairs.size());
   pairs = left;
   return found;
+}
+
+std::int64_t turnInsideOut(Surface& surface, double cell, RunContext& run) {
+  TriMesh& mesh = surface.mesh;
+  const std::vector<std::int32_t> shellOf = shellsOf(mesh, run);
+  std::vector<bool> small(mesh.vertices.size());
+  for (const Shell& shell : boxesOf(mesh, shellOf)) {
+    small[shell.first] = shell.box.diagonal().norm() < kMostTurned * cell;
+  }
+  const std::unordered_map<std::int32_t, double> volumes = volumesOf(mesh, shellOf, small);
+  for (auto& [a, b, c] : mesh.triangles) {
+    const auto volume = volumes.find(shellOf[a]);
+    if (volume != volumes.end() && volume->second < 0) std::swap(b, c);
+  }
+  return std::count_if(volumes.begin(), volumes.end(),
+                       [](const auto& shell) { return shell.second < 0; });
 }
 
 }  // namespace swept

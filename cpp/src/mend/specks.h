@@ -26,4 +26,9 @@ struct Specks {
 /// brought up to date.
 Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunContext& run);
 
+/// Turns over shells less than 4 cells across that came out inside out, as a sheet thinner than the
+/// rounding of its vertices may: where no hollow spaces are kept, all shells face outward. Returns
+/// how many.
+std::int64_t turnInsideOut(Surface& surface, double cell, RunContext& run);
+
 }  // namespace swept

@@ -387,6 +387,9 @@ class Run {
       if (pairs.count > 0) mend(surface, hermite, pairs);
       dropSpecks(surface, pairs);
       report_.check = checkMesh(surface.mesh, topology_, run_);
+      if (!report_.check.oriented && turnInsideOut(surface)) {
+        report_.check = checkMesh(surface.mesh, topology_, run_);
+      }
       report_.check.selfIntersections = pairs.count;
       for (const auto& pair : pairs.pairs) {
         if (report_.check.firstIntersections.size() == 32) break;
@@ -419,6 +422,19 @@ class Run {
          << "dropped, the largest " << specks.largestSize * cell << " mm across, "
          << specks.largestVolume * cell * cell * cell << " mm^3";
     report_.warnings.push_back({"SpecksDropped", specks.count, {}, text.str()});
+  }
+
+  bool turnInsideOut(Surface& surface) {
+    if (options_.keepCavities) return false;
+    const std::int64_t count = swept::turnInsideOut(surface, prepared_.grid.cell, run_);
+    if (count == 0) return false;
+    report_.warnings.push_back({"ShellsTurned",
+                                count,
+                                {},
+                                std::to_string(count) +
+                                    " shells of a few cells, thinner than their vertices are "
+                                    "exact, came out inside out and were turned over"});
+    return true;
   }
 
   void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs) {

@@ -60,5 +60,20 @@ TEST(Specks, TheLastShellStays) {
   EXPECT_EQ(surface.mesh.triangles.size(), surface.crossingOf.size());
 }
 
+TEST(Specks, SmallShellsInsideOutAreTurnedAndNoOthers) {
+  Surface surface;
+  append(surface, makeBox({0, 0, 0}, {9, 9, 9}), 0);
+  TriMesh small = makeBox({20, 0, 0}, {20.1, 0.1, 1e-5});
+  append(surface, small, 1);
+  for (auto& t : small.triangles) std::swap(t[1], t[2]);
+  for (auto& v : small.vertices) v.y() += 5;
+  append(surface, small, 2);
+  RunContext run;
+  ASSERT_FALSE(checkMesh(surface.mesh, false, run).oriented);
+  EXPECT_EQ(turnInsideOut(surface, 1, run), 1);
+  EXPECT_TRUE(checkMesh(surface.mesh, false, run).oriented);
+  EXPECT_EQ(turnInsideOut(surface, 1, run), 0);
+}
+
 }  // namespace
 }  // namespace swept::test
