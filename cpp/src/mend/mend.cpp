@@ -79,7 +79,7 @@ class Mender {
       }
     }
     sortUnique(vertices);
-    const std::vector<FacingSides> sides = facingSides(surface_, pairs_);
+    const std::vector<FacingSides> facing = facingSides(surface_, pairs_);
     if (round >= 4) {  // the neighbours follow
       for (const auto& [v, t] : trianglesAround(vertices, nearPairs(&region_))) {
         polygons.push_back(t);
@@ -97,12 +97,9 @@ class Mender {
     }
     const TrianglesAround around = trianglesAround(vertices, near);
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
-    relax(vertices, around, round < 3 ? 0.5 : 1.0);
-    // Ever thinner, until displacements are small beside the triangles.
-    const std::vector<std::int32_t> laid =
-        layTogether(surface_, grid_, sides, around, std::max(0.1, std::pow(0.6, round)));
-    vertices.insert(vertices.end(), laid.begin(), laid.end());
-    sortUnique(vertices);
+    relax(vertices, around, round == 0 ? 0.5 : 1.0);
+    // What the one does not mend the other often does.
+    if (round % 2 == 0) layTogether(surface_, grid_, facing, around);
     const std::vector<std::int32_t> moved = touching(vertices, near);
     changed_.insert(changed_.end(), moved.begin(), moved.end());
     sortUnique(changed_);

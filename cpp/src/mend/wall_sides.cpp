@@ -50,8 +50,7 @@ Vec3 directionAmong(const std::vector<Vec3>& normals) {
 
 /// A lattice edge through the wall.
 struct Through {
-  Vec3 middle, across;            // in cells; `across` leads from the side of a to that of b
-  std::int32_t centreA, centreB;  // of the polygons' fans, or -1
+  Vec3 middle, across;  // in cells; `across` leads from the side of a to that of b
 };
 
 class Layer {
@@ -73,8 +72,6 @@ class Layer {
         edge.middle = Vec3(p.i, p.j, p.k);
         edge.middle[p.axis] += (from + to) / 2;
         edge.across = Vec3::Unit(p.axis) * (to - from);
-        edge.centreA = centreOf(sides.a, c);
-        edge.centreB = centreOf(sides.b, other);
         out.push_back(edge);
       }
     }
@@ -96,7 +93,7 @@ class Layer {
   }
 
   /// Half the way from a to b, in cells, once both lie on the place between them.
-  Vec3 half(const FacingSides& sides, const std::vector<Through>& edges, double share) const {
+  Vec3 half(const FacingSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // into the wall from the side of a
     addNormals(sides.a, -1, normals);
     addNormals(sides.b, 1, normals);
@@ -105,7 +102,7 @@ class Layer {
     double thickness = 0;
     for (const Through& edge : edges) thickness += std::abs(direction.dot(edge.across));
     thickness /= static_cast<double>(edges.size());
-    return direction * std::min(std::max(share * thickness / 2, kLeastHalf), roomAt(sides));
+    return direction * std::min(std::max(thickness / 2, kLeastHalf), roomAt(sides));
   }
 
  private:
@@ -126,19 +123,6 @@ class Layer {
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
-  }
-  /// The vertex that the triangles of a fan at v have in common besides v.
-  std::int32_t centreOf(std::int32_t v, std::uint32_t crossing) const {
-    std::vector<std::int32_t> corners;
-    for (auto at = firstAt(v); at != around_.end() && at->first == v; ++at) {
-      if (surface_.crossingOf[at->second] != crossing) continue;
-      for (const std::int32_t w : surface_.mesh.triangles[at->second]) {
-        if (w == v || static_cast<std::size_t>(w) < surface_.dualVertices) continue;
-        if (std::find(corners.begin(), corners.end(), w) != corners.end()) return w;
-        corners.push_back(w);
-      }
-    }
-    return -1;
   }
   void addNormals(std::int32_t v, double sign, std::vector<Vec3>& out) const {
     for (auto at = firstAt(v); at != around_.end() && at->first == v; ++at) {
@@ -187,12 +171,10 @@ std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersect
   return out;
 }
 
-std::vector<std::int32_t> layTogether(Surface& surface, const HermiteGrid& grid,
-                                      const std::vector<FacingSides>& sides,
-                                      const TrianglesAround& around, double share) {
+void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
+                 const TrianglesAround& around) {
   const Layer layer(surface, grid, around);
   auto& x = surface.mesh.vertices;
-  const auto toWorld = [&](const Vec3& g) -> Vec3 { return grid.plan.origin + grid.plan.cell * g; };
   constexpr std::size_t kBlock = 64;
   const auto forAll = [&](const auto& use) {
     parallelBlocks(sides.size(), kBlock, [&](std::size_t begin, std::size_t end) {
@@ -201,29 +183,19 @@ std::vector<std::int32_t> layTogether(Surface& surface, const HermiteGrid& grid,
   };
   std::vector<std::vector<Through>> edges(sides.size());
   forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n]); });
-  std::vector<std::int32_t> moved;
-  for (std::size_t n = 0; n < sides.size(); ++n) {
-    for (const Through& edge : edges[n]) {
-      if (edge.centreA < 0 || edge.centreB < 0) continue;
-      x[edge.centreA] = toWorld(edge.middle - share / 2 * edge.across);
-      x[edge.centreB] = toWorld(edge.middle + share / 2 * edge.across);
-      moved.insert(moved.end(), {edge.centreA, edge.centreB});
-    }
-    if (!edges[n].empty()) moved.insert(moved.end(), {sides[n].a, sides[n].b});
-  }
   forAll([&](std::size_t n) {
     if (edges[n].empty()) return;
-    x[sides[n].a] = x[sides[n].b] = toWorld(layer.place(sides[n], edges[n]));
+    x[sides[n].a] = x[sides[n].b] =
+        grid.plan.origin + grid.plan.cell * layer.place(sides[n], edges[n]);
   });
   std::vector<Vec3> half(sides.size(), Vec3::Zero());
   forAll([&](std::size_t n) {
-    if (!edges[n].empty()) half[n] = grid.plan.cell * layer.half(sides[n], edges[n], share);
+    if (!edges[n].empty()) half[n] = grid.plan.cell * layer.half(sides[n], edges[n]);
   });
   forAll([&](std::size_t n) {
     x[sides[n].a] -= half[n];
     x[sides[n].b] += half[n];
   });
-  return moved;
 }
 
 }  // namespace swept

@@ -30,11 +30,8 @@ struct FacingSides {
 /// Those to which triangles belong that meet; no vertex twice.
 std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersections& pairs);
 
-/// Lays both vertices of each pair side by side, and the centres of the fans about the lattice
-/// edges through the wall; `share`: how much of the wall's thickness stays. Pairs without a common
-/// lattice edge stay as they are. Returns what was moved.
-std::vector<std::int32_t> layTogether(Surface& surface, const HermiteGrid& grid,
-                                      const std::vector<FacingSides>& sides,
-                                      const TrianglesAround& around, double share);
+/// Lays both vertices of each pair side by side; pairs without a common lattice edge stay.
+void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
+                 const TrianglesAround& around);
 
 }  // namespace swept

@@ -50,6 +50,7 @@ NOTES = {
     "PositionFiltered",
     "Mended",
     "SpecksDropped",
+    "ShellsTurned",
     "CavitiesKept",
     "Offset",
     "Conservative",
