@@ -131,7 +131,7 @@ class LightDisplay:
             if now == self._round and self.heavy():
                 runner.start(_Thinning(self, now))
         except (ReferenceError, RuntimeError):
-            pass  # the object went meanwhile
+            pass  # the object went meanwhile, or there is no core to thin it
 
     def take(self, surface, now):
         if now == self._round:
