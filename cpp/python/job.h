@@ -1,6 +1,6 @@
 // Long calls: the core runs on a thread of its own without the interpreter's lock, while this
 // thread lets Python handle its signals, so that Ctrl-C cancels the run instead of waiting for its
-// end.
+// end. The threads of runs may be told to stand back behind the others of the process.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <future>
 #include <optional>
 
+#include "priority.h"
 #include "swept/run_context.h"
 
 namespace swept::python {
@@ -18,7 +19,10 @@ namespace swept::python {
 template <class Job>
 auto runWithoutLock(RunContext& run, Job job) -> decltype(job()) {
   namespace py = pybind11;
-  auto done = std::async(std::launch::async, std::move(job));
+  auto done = std::async(std::launch::async, [job = std::move(job)]() mutable {
+    standBackIfAsked();
+    return job();
+  });
   std::optional<py::error_already_set> interrupt;
   {
     const py::gil_scoped_release release;

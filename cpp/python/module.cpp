@@ -13,6 +13,7 @@
 #include "drawing.h"
 #include "errors.h"
 #include "job.h"
+#include "priority.h"
 #include "swept/compute.h"
 #include "swept/io.h"
 #include "swept/preview.h"
@@ -365,6 +366,10 @@ void bindPreview(py::module_& module) {
 }
 
 void bindFunctions(py::module_& module) {
+  module.def(
+      "stand_back", &standBack,
+      "From now on runs leave the processor to other threads of this process first. Ask before "
+      "the first run.");
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none());
   module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),

@@ -17,6 +17,9 @@ import numpy as np
 from . import ROOT, settings
 from .texts import translate
 
+#: Triangles above which a body is lightened for quick looks, and cells along its longest side then.
+HEAVY, LIGHT_CELLS = 20000, 64
+
 _module = None
 _problem = None
 _told = False
@@ -81,6 +84,8 @@ def module():
         if _module is None:
             _problem = _missing_text(tried)
             raise CoreMissing(_problem)
+        if App.GuiUp:
+            _module.stand_back()  # the window answers first
     return _module
 
 
@@ -206,6 +211,25 @@ def recut(result, tolerance, control):
     return again
 
 
+def _lightened(vertices, triangles, control):
+    """A heavy body for a quick look: its envelope at rest with far fewer triangles; may take seconds."""
+    still = np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
+    tolerance = 0.5 * float(np.ptp(vertices, axis=0).max()) / LIGHT_CELLS
+    options = {"resolution": LIGHT_CELLS, "tolerance": tolerance}
+    try:
+        found = module().compute(vertices, triangles, still, "none", run=control.context, **options)
+    except module().InvalidInput:  # an open body has no envelope at rest
+        return vertices, triangles
+    lighter = len(found.triangles) < len(triangles) / 2
+    return (found.vertices, found.triangles) if lighter else (vertices, triangles)
+
+
+def _same_body(one, other):
+    return np.array_equal(one.vertices, other.vertices) and np.array_equal(
+        one.triangles, other.triangles
+    )
+
+
 class Sessions:
     """Coarse runs of bodies whose motion is edited: what the core finds out about a body alone is
     kept from run to run, for the last few bodies and settings. From any thread, one run at a time.
@@ -214,7 +238,7 @@ class Sessions:
     MOST = 4
 
     def __init__(self):
-        self._kept, self._lock = [], threading.Lock()
+        self._kept, self._light, self._lock = [], [], threading.Lock()
 
     def compute(self, request, control):
         """As the module's compute(), but the surface is only good to be looked at."""
@@ -225,19 +249,30 @@ class Sessions:
             found = session.compute(motion, interpolation, run=control.context, sketch=sketch)
         return _outcome(found)
 
+    def lighten(self, request, control):
+        """In a quiet moment: runs of a heavy body take a lighter one from now on."""
+        with self._lock, _errors():
+            if len(request.triangles) <= HEAVY or self._light_of(request):
+                return
+            body = _lightened(request.vertices, request.triangles, control)
+            self._light = [(request, body)] + self._light[: self.MOST - 1]
+            self._kept = [kept for kept in self._kept if not _same_body(kept[0], request)]
+
+    def _light_of(self, request):
+        for known, body in self._light:
+            if _same_body(known, request):
+                return body
+        return None
+
     def _session(self, request):
         for kept in self._kept:
             known, session = kept
-            if known.options == request.options and (
-                np.array_equal(known.vertices, request.vertices)
-                and np.array_equal(known.triangles, request.triangles)
-            ):
+            if known.options == request.options and _same_body(known, request):
                 self._kept.remove(kept)
                 break
         else:
-            session = module().PreviewSession(
-                request.vertices, request.triangles, **request.options
-            )
+            body = self._light_of(request) or (request.vertices, request.triangles)
+            session = module().PreviewSession(*body, **request.options)
         self._kept = [(request, session)] + self._kept[: self.MOST - 1]
         return session
 

@@ -112,7 +112,12 @@ class Run(QtCore.QObject):
             self._conclude()
             for obj in self.task.watched:
                 _refresh_icon(obj)
+        QtCore.QTimer.singleShot(0, self._forget)
         self.ended.emit(self)
+
+    def _forget(self):
+        """Gives the result back, in a turn of its own: it may be large, and the run lives on for a while."""
+        self._thread.value = None
 
     def _conclude(self):
         error = self._thread.error

@@ -33,7 +33,9 @@ CELLS, SECONDS, LEAST, LIMIT = 128, 4.0, 3, 100.0
 
 
 def dragging(panel, row):
-    """Moves a key as the mouse would, forty times a second; a generator."""
+    """Moves a key as the mouse would, as often as the dragger is looked at; a generator."""
+    from sweptvolume.views import dragger
+
     began, n, home = time.perf_counter(), 0, App.Placement(panel.keys.placements[row])
     way = 0.05 * max(b.Base.distanceToPoint(home.Base) for b in panel.keys.placements)
     base, back = panel.base(), panel.handle
@@ -44,7 +46,7 @@ def dragging(panel, row):
         place = App.Placement(home)
         place.Base.z += way * (1 - abs(n % 40 - 20) / 20.0)
         panel.dragged(place.multiply(base.inverse()).multiply(panel.body.placement).multiply(back))
-        yield 0.025
+        yield dragger.POLL / 1000
 
 
 def one(name, mesh_name):

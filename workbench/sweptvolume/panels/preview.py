@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The envelope that follows a panel: coarse while something changes, then fine; computed beside the GUI
 and drawn in the view only."""
+import threading
+
 import numpy as np
 from PySide import QtCore
 
@@ -19,6 +21,9 @@ MOST_TRIANGLES = 50000
 MOST_CELLS = 192
 #: ms without a change before the fine envelope is computed.
 REST = 300
+#: ms between two looks for what a run has made, if no wish comes meanwhile: with a wish the view is
+#: drawn anyway, and each picture takes time.
+LOOK = 60
 #: s that a coarse run may take, and below which the next one may be finer by the factor STEP.
 SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
 #: Straight pieces of a smooth motion leave it by at most this part of the path's size.
@@ -46,29 +51,55 @@ def request_for(body, poses, frame, interpolation, resolution):
 
 
 class _PreviewTask(Task):
-    """compute: core.compute, or that of sessions which know the body already."""
+    """Envelopes of wishes, the newest each time, until none is left; what was made waits to be taken.
+
+    compute: core.compute, or that of sessions which know the body already. after(request, control): what
+    is done when no wish is left."""
 
     writes = False
 
-    def __init__(self, document, requests, compute, show):
+    def __init__(self, document, requests, compute, after=None):
         self.title = "Preview"
         self.document = document
-        self.requests, self.compute = requests, compute
-        self.show = show
-        self.seconds = 0.0
+        self.compute, self.after = compute, after
+        self._lock, self._next, self._made, self._over = threading.Lock(), requests, None, False
+
+    def offer(self, requests):
+        """A newer wish, from the window's thread; False if it comes too late."""
+        with self._lock:
+            if not self._over:
+                self._next = requests
+            return not self._over
+
+    def take(self):
+        """The newest of what was made since the last call: (drawn, seconds), or None."""
+        with self._lock:
+            made, self._made = self._made, None
+        return made
 
     def work(self, control):
-        found = envelope.work(self.requests, self.requests[0].options, control, self.compute)
-        self.seconds = found.report["seconds"]["total"]
-        return drawn(found.vertices, found.triangles, MOST_TRIANGLES)
+        while True:
+            with self._lock:
+                requests, self._next = self._next, None
+                self._over = requests is None
+            if requests is None:
+                return
+            control.enter(0, 1)
+            found = envelope.work(requests, requests[0].options, control, self.compute)
+            made = drawn(found.vertices, found.triangles, MOST_TRIANGLES)
+            with self._lock:
+                self._made = made, found.report["seconds"]["total"]
+            for request in requests if self.after is not None else ():
+                self.after(request, control)
 
     def finish(self, value):
-        self.show(value)
+        pass
 
 
 class Preview:
-    """Keeps at most one run under way. While wishes come, each run takes the newest and is coarse; when
-    none came for a moment, a fine one follows and replaces what is shown.
+    """Keeps at most one run under way. While wishes come, it makes coarse envelopes one after the other,
+    each of the newest wish, and does not wait for the window to show them; when no wish came for a
+    moment, a fine one follows and replaces what is shown.
 
     A wish is a function: cells along the longest side -> requests for the core. show(drawn) draws
     (views/surface.py), report(text) tells of a failure ("": none), finest() gives the cells of the
@@ -86,47 +117,74 @@ class Preview:
         self.timer = QtCore.QTimer()
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self._refine)
+        self.looks = QtCore.QTimer()
+        self.looks.timeout.connect(self._take)
 
     def want(self, wish):
-        self.wish, self.waiting = wish, True
+        self.wish = wish
         self.timer.stop()
         if self.run is None:
             self._start(fine=False)
         elif self.fine:
+            self.waiting = True
             self.run.cancel()
+        else:
+            self._take()
+            requests = self._requests(min(self.cells, self.finest()))
+            self.waiting = requests is not None and not self.run.task.offer(requests)
 
     def settled(self):
         """Whether nothing is under way and nothing is to follow."""
         return self.run is None and not self.timer.isActive()
 
+    def _requests(self, cells):
+        """The wish for the core; None, and a report, if it cannot be had."""
+        try:
+            return self.wish(cells)
+        except (InputProblem, core.CoreMissing, core.CoreError) as problem:
+            self.report(str(problem))
+            return None
+
     def _start(self, fine):
+        self.waiting = False
         if not alive(self.document):
             self.stop()
             return
-        self.fine, finest = fine, self.finest()
-        if not fine:
-            self.waiting = False
+        finest = self.finest()
+        requests = self._requests(finest if fine else min(self.cells, finest))
+        if requests is None:
+            return
+        self.fine = fine
         compute = core.compute if fine else self.sessions.compute
         try:
-            requests = self.wish(finest if fine else min(self.cells, finest))
-            task = _PreviewTask(self.document, requests, compute, self.show)
-            self.run = runner.start(task)
-        except (InputProblem, core.CoreMissing) as problem:
+            after = self.sessions.lighten if fine else None
+            self.run = runner.start(_PreviewTask(self.document, requests, compute, after))
+        except core.CoreMissing as problem:
             self.report(str(problem))
             return
         self.run.ended.connect(self._ended)
+        self.looks.start(LOOK)
 
     def _refine(self):
         if self.run is None and self.wish is not None and self.finest() > self.cells:
             self._start(fine=True)
 
-    def _ended(self, run):
-        self.run = None
-        if run.state == "ok" and self.fine:
+    def _take(self):
+        """Shows what was made since the last look."""
+        made = self.run.task.take()
+        if made is None:
+            return
+        self.show(made[0])
+        if self.fine:
             self.fine_updates += 1
-        elif run.state == "ok":
+        else:
             self.updates += 1
-            self._adapt(run.task.seconds)
+            self._adapt(made[1])
+
+    def _ended(self, run):
+        self.looks.stop()
+        self._take()
+        self.run = None
         if run.state != "cancelled":
             self.report(run.message)
         if self.waiting:
@@ -146,6 +204,7 @@ class Preview:
     def stop(self):
         self.wish, self.waiting = None, False
         self.timer.stop()
+        self.looks.stop()
         if self.run is not None:
             self.run.ended.disconnect(self._ended)
             self.run.cancel()

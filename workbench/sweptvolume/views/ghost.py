@@ -57,7 +57,7 @@ class CoarseEnvelope(Overlay):
         """Draws one of surface.drawn()."""
         if self.root is not None:
             self.clear()
-            self.surface.addChild(surface.group_of(drawn))
+            self.surface.addChild(surface.group_of(drawn, solid=True))
 
     def clear(self):
         self.surface.removeAllChildren()
@@ -70,8 +70,9 @@ class Ghosts(Overlay):
         from pivy import coin
 
         super().__init__(document)
+        solid = surface.is_solid(vertices, triangles)
         at_keys, shape = (
-            surface.group_of(surface.drawn(vertices, triangles, most))
+            surface.group_of(surface.drawn(vertices, triangles, most), solid)
             for most in (KEY_TRIANGLES, MOVING_TRIANGLES)
         )
         self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
