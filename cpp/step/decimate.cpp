@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "decimate.h"
 
-#include <Eigen/Cholesky>
+#include <tbb/parallel_sort.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
+#include <numeric>
 
+#include "base/parallel.h"
+#include "collapse.h"
 #include "curve.h"
 #include "simplify/nearest_triangle.h"
 
@@ -18,81 +22,89 @@ using Eigen::Vector3d;
 // Points of long edges that are watched like vertices: their distance, in tolerances, and number.
 constexpr double kWatchSpacing = 3;
 constexpr int kMostWatched = 3;
-
-struct Quadric {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Vector3d b = Vector3d::Zero();
-  double c = 0;
-
-  void addPlane(const Vector3d& normal, const Vector3d& point, double weight) {
-    const double d = -normal.dot(point);
-    a += weight * normal * normal.transpose();
-    b += weight * d * normal;
-    c += weight * d * d;
-  }
-  Quadric operator+(const Quadric& o) const { return {a + o.a, b + o.b, c + o.c}; }
-  double at(const Vector3d& p) const { return p.dot(a * p) + 2 * b.dot(p) + c; }
-};
-
-struct Entry {
-  double cost;
-  std::int32_t from, to;  // `from` disappears into `to`
-  std::uint32_t stampFrom, stampTo;
-  bool operator<(const Entry& o) const {
-    if (cost != o.cost) return cost > o.cost;
-    return std::tie(from, to) > std::tie(o.from, o.to);
-  }
-};
+// Parts of a mesh that are worked on at the same time: fixed, so that the result does not depend on
+// the number of threads.
+constexpr std::int32_t kParts = 16;
+constexpr std::size_t kWorthParts = 20000;  // triangles
 
 class Decimator {
  public:
   Decimator(Decimated start, double tolerance, RunContext& run)
       : in_(std::move(start.mesh)),
         partition_(std::move(start.partition)),
-        tolerance_(tolerance),
         run_(run),
-        attached_(std::move(start.attached)),
-        watched_(std::move(start.watched)) {}
+        watched_(std::move(start.watched)) {
+    state_.tolerance = tolerance;
+    state_.attached = std::move(start.attached);
+  }
 
   Decimated work() {
     prepare();
-    for (std::size_t v = 0; v < points_.size(); ++v) pushAround(static_cast<std::int32_t>(v), true);
-    std::uint64_t steps = 0;
-    const std::uint64_t total = 5 * points_.size();
-    while (!queue_.empty()) {
-      if ((++steps & 2047U) == 0) run_.checkpoint(Phase::Export, std::min(steps, total), 8 * total);
-      const Entry entry = queue_.top();
-      queue_.pop();
-      if (gone_[entry.from] || gone_[entry.to]) continue;
-      if (stamp_[entry.from] != entry.stampFrom || stamp_[entry.to] != entry.stampTo) continue;
-      collapse(entry.from, entry.to);
+    if (state_.triangles.size() > kWorthParts) {
+      const std::vector<std::vector<std::int32_t>> members = findParts();
+      parallelFor(members.size(), [&](std::size_t part) {
+        Collapser(state_, static_cast<std::int32_t>(part), run_).work(members[part]);
+      });
     }
+    std::vector<std::int32_t> all;
+    for (std::size_t v = 0; v < state_.points.size(); ++v) {
+      if (!state_.gone[v]) all.push_back(static_cast<std::int32_t>(v));
+    }
+    Collapser(state_, -1, run_).work(all);
     return result();
   }
 
  private:
-  enum Kind : char { kFree, kBorder, kFixed };
+  // Slabs across the longest side, with the same number of vertices each.
+  std::vector<std::vector<std::int32_t>> findParts() {
+    const std::size_t count = state_.points.size();
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : state_.points) box.extend(p);
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    std::vector<std::int32_t> order(count), slab(count);
+    std::iota(order.begin(), order.end(), 0);
+    tbb::parallel_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+      const double x = state_.points[a][axis], y = state_.points[b][axis];
+      return x != y ? x < y : a < b;
+    });
+    for (std::size_t i = 0; i < count; ++i)
+      slab[order[i]] = static_cast<std::int32_t>(i * kParts / count);
+    state_.part.assign(count, -1);
+    std::vector<std::vector<std::int32_t>> members(kParts);
+    for (std::size_t v = 0; v < count; ++v) {
+      const bool inside =
+          std::all_of(state_.around[v].begin(), state_.around[v].end(), [&](std::int32_t t) {
+            const auto& tri = state_.triangles[t];
+            return slab[tri[0]] == slab[v] && slab[tri[1]] == slab[v] && slab[tri[2]] == slab[v];
+          });
+      if (!inside) continue;
+      state_.part[v] = slab[v];
+      members[slab[v]].push_back(static_cast<std::int32_t>(v));
+    }
+    return members;
+  }
 
   void prepare() {
-    points_ = in_.points;
-    triangles_ = in_.triangles;
-    label_ = partition_.patchOf;
-    const std::size_t count = points_.size();
-    around_.resize(count);
-    quadric_.resize(count);
-    attached_.resize(triangles_.size());
-    watched_.resize(triangles_.size(), 0);
+    state_.points = in_.points;
+    state_.triangles = in_.triangles;
+    state_.label = partition_.patchOf;
+    const std::size_t count = state_.points.size();
+    state_.around.resize(count);
+    state_.quadric.resize(count);
+    state_.attached.resize(state_.triangles.size());
+    watched_.resize(state_.triangles.size(), 0);
     watchLongEdges();
-    gone_.assign(count, 0);
-    dead_.assign(triangles_.size(), 0);
-    stamp_.assign(count, 0);
-    kind_.assign(count, kFree);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    state_.gone.assign(count, 0);
+    state_.dead.assign(state_.triangles.size(), 0);
+    state_.stamp.assign(count, 0);
+    state_.kind.assign(count, VertexKind::Free);
+    for (std::size_t t = 0; t < state_.triangles.size(); ++t) {
       const Vector3d area = in_.areaVector(static_cast<std::int32_t>(t));
       const double twice = area.norm();
-      for (const std::int32_t v : triangles_[t]) {
-        around_[v].push_back(static_cast<std::int32_t>(t));
-        if (twice > 0) quadric_[v].addPlane(area / twice, points_[v], twice);
+      for (const std::int32_t v : state_.triangles[t]) {
+        state_.around[v].push_back(static_cast<std::int32_t>(t));
+        if (twice > 0) state_.quadric[v].addPlane(area / twice, state_.points[v], twice);
       }
     }
     classify();
@@ -101,23 +113,25 @@ class Decimator {
 
   // Corners near the new triangles do not yet keep the inside of a long triangle near them.
   void watchLongEdges() {
-    const double spacing = kWatchSpacing * tolerance_;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (label_[t] >= 0 || watched_[t]) continue;
+    const double spacing = kWatchSpacing * state_.tolerance;
+    for (std::size_t t = 0; t < state_.triangles.size(); ++t) {
+      if (state_.label[t] >= 0 || watched_[t]) continue;
       bool isLong = false;
       for (int k = 0; k < 3; ++k) {
-        const Vector3d &a = points_[triangles_[t][k]], &b = points_[triangles_[t][(k + 1) % 3]];
+        const Vector3d &a = state_.points[state_.triangles[t][k]],
+                       &b = state_.points[state_.triangles[t][(k + 1) % 3]];
         const auto between = std::min(kMostWatched, static_cast<int>((b - a).norm() / spacing));
         isLong = isLong || between > 0;
         const std::size_t h = 3 * t + k;
-        if (static_cast<std::int32_t>(h) > in_.opposite[h] && label_[in_.opposite[h] / 3] < 0)
+        if (static_cast<std::int32_t>(h) > in_.opposite[h] && state_.label[in_.opposite[h] / 3] < 0)
           continue;
         for (int i = 1; i <= between; ++i)
-          attached_[t].push_back(a + (b - a) * (static_cast<double>(i) / (between + 1)));
+          state_.attached[t].push_back(a + (b - a) * (static_cast<double>(i) / (between + 1)));
       }
       if (!isLong) continue;
-      const auto& tri = triangles_[t];
-      attached_[t].push_back((points_[tri[0]] + points_[tri[1]] + points_[tri[2]]) / 3);
+      const auto& tri = state_.triangles[t];
+      state_.attached[t].push_back(
+          (state_.points[tri[0]] + state_.points[tri[1]] + state_.points[tri[2]]) / 3);
     }
   }
 
@@ -125,35 +139,35 @@ class Decimator {
   // be off.
   void putBordersOnSurfaces() {
     std::vector<const Surface*> surfaces;
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      if (kind_[v] == kFree) continue;
+    for (std::size_t v = 0; v < state_.points.size(); ++v) {
+      if (state_.kind[v] == VertexKind::Free) continue;
       surfaces.clear();
       std::int32_t open = -1;
-      for (const std::int32_t t : around_[v]) {
-        if (label_[t] < 0) {
+      for (const std::int32_t t : state_.around[v]) {
+        if (state_.label[t] < 0) {
           open = t;
           continue;
         }
-        const Surface* surface = &partition_.patches[label_[t]].surface;
+        const Surface* surface = &partition_.patches[state_.label[t]].surface;
         if (std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end())
           surfaces.push_back(surface);
       }
       if (open < 0) continue;
-      const Vector3d moved = meetingPoint(points_[v], surfaces);
-      const double off = (moved - points_[v]).norm();
-      if (off <= 1e-9 || !(off <= tolerance_)) continue;
-      attached_[open].push_back(points_[v]);
-      points_[v] = moved;
+      const Vector3d moved = meetingPoint(state_.points[v], surfaces);
+      const double off = (moved - state_.points[v]).norm();
+      if (off <= 1e-9 || !(off <= state_.tolerance)) continue;
+      state_.attached[open].push_back(state_.points[v]);
+      state_.points[v] = moved;
     }
   }
 
   // Border: exactly one patch and open ground around it, passed once. Fixed: anything more
   // involved.
   void classify() {
-    std::vector<std::int32_t> borders(points_.size(), 0), patch(points_.size(), -1);
-    std::vector<char> open(points_.size(), 0), several(points_.size(), 0);
+    std::vector<std::int32_t> borders(state_.points.size(), 0), patch(state_.points.size(), -1);
+    std::vector<char> open(state_.points.size(), 0), several(state_.points.size(), 0);
     for (std::size_t h = 0; h < in_.opposite.size(); ++h) {
-      const std::int32_t own = label_[h / 3], other = label_[in_.opposite[h] / 3];
+      const std::int32_t own = state_.label[h / 3], other = state_.label[in_.opposite[h] / 3];
       const std::int32_t v = in_.origin(static_cast<std::int32_t>(h));
       if (own != other) ++borders[v];
       if (own < 0) {
@@ -163,197 +177,38 @@ class Decimator {
         patch[v] = own;
       }
     }
-    for (std::size_t v = 0; v < points_.size(); ++v) {
+    for (std::size_t v = 0; v < state_.points.size(); ++v) {
       if (patch[v] < 0) continue;
-      kind_[v] = open[v] && !several[v] && borders[v] == 2 ? kBorder : kFixed;
+      state_.kind[v] =
+          open[v] && !several[v] && borders[v] == 2 ? VertexKind::Border : VertexKind::Fixed;
     }
-  }
-
-  std::vector<std::int32_t> neighbours(std::int32_t v) const {
-    std::vector<std::int32_t> result;
-    for (const std::int32_t t : around_[v]) {
-      for (const std::int32_t w : triangles_[t]) {
-        if (w != v) result.push_back(w);
-      }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-  bool isBorderEdge(std::int32_t a, std::int32_t b) const {
-    bool open = false, patch = false;
-    for (const std::int32_t t : around_[a]) {
-      const auto& tri = triangles_[t];
-      if (tri[0] != b && tri[1] != b && tri[2] != b) continue;
-      (label_[t] < 0 ? open : patch) = true;
-    }
-    return open && patch;
-  }
-
-  bool mayGo(std::int32_t from, std::int32_t to) const {
-    if (kind_[from] == kFree) return true;
-    return kind_[from] == kBorder && kind_[to] != kFree && isBorderEdge(from, to);
-  }
-
-  Vector3d placeFor(std::int32_t from, std::int32_t to) const {
-    if (kind_[from] != kFree || kind_[to] != kFree) return points_[to];
-    const Quadric q = quadric_[from] + quadric_[to];
-    Eigen::Matrix3d a = q.a;
-    a.diagonal().array() += 1e-6 * q.a.trace();
-    const Vector3d middle = 0.5 * (points_[from] + points_[to]);
-    const Vector3d best = middle + a.ldlt().solve(-q.b - q.a * middle);
-    const double length = (points_[from] - points_[to]).norm();
-    return best.allFinite() && (best - middle).norm() <= 2 * length ? best : middle;
-  }
-
-  void push(std::int32_t a, std::int32_t b) {
-    if (!mayGo(a, b)) {
-      if (!mayGo(b, a)) return;
-      std::swap(a, b);
-    } else if (kind_[a] == kFree && kind_[b] == kFree && b < a) {
-      std::swap(a, b);
-    }
-    const Vector3d place = placeFor(a, b);
-    const Quadric q = quadric_[a] + quadric_[b];
-    // The small length term makes flat regions collapse evenly.
-    const double cost =
-        std::max(0.0, q.at(place)) + 1e-9 * q.a.trace() * (points_[a] - points_[b]).squaredNorm();
-    queue_.push({cost, a, b, stamp_[a], stamp_[b]});
-  }
-
-  void pushAround(std::int32_t v, bool once) {
-    for (const std::int32_t w : neighbours(v)) {
-      if (!once || v < w) push(v, w);
-    }
-  }
-
-  bool linkIsSimple(std::int32_t from, std::int32_t to) const {
-    const std::vector<std::int32_t> a = neighbours(from), b = neighbours(to);
-    std::vector<std::int32_t> common;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-    if (common.size() != 2) return false;
-    // A tetrahedron would fold flat.
-    return around_[from].size() > 3 || around_[to].size() > 3;
-  }
-
-  static bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {
-    return tri[0] == v || tri[1] == v || tri[2] == v;
-  }
-
-  bool collapse(std::int32_t from, std::int32_t to) {
-    if (!mayGo(from, to) || !linkIsSimple(from, to)) return false;
-    const Vector3d place = placeFor(from, to);
-    std::vector<std::int32_t> staying, dying;
-    for (const std::int32_t v : {from, to}) {
-      for (const std::int32_t t : around_[v]) {
-        if (has(triangles_[t], from) && has(triangles_[t], to)) {
-          if (v == from) dying.push_back(t);
-        } else if (v == from || place != points_[to]) {
-          staying.push_back(t);
-        }
-      }
-    }
-    // Two triangles of different kinds would fall on one another when the third corners agree.
-    std::vector<std::array<Vector3d, 3>> corners;
-    for (const std::int32_t t : staying) {
-      std::array<Vector3d, 3> now, next;
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t v = triangles_[t][k];
-        now[k] = points_[v];
-        next[k] = v == from || v == to ? place : points_[v];
-      }
-      corners.push_back(next);
-      if (label_[t] >= 0) continue;
-      const Vector3d before = (now[1] - now[0]).cross(now[2] - now[0]);
-      const Vector3d after = (next[1] - next[0]).cross(next[2] - next[0]);
-      const double longest =
-          std::max({(next[1] - next[0]).squaredNorm(), (next[2] - next[1]).squaredNorm(),
-                    (next[0] - next[2]).squaredNorm()});
-      if (!(after.norm() > 0.01 * longest)) return false;
-      if (before.dot(after) < 0.3 * before.norm() * after.norm()) return false;
-    }
-    if (!reattach(from, to, staying, dying, corners)) return false;
-    apply(from, to, place, dying);
-    return true;
-  }
-
-  // Points that lie on the triangles about to change find their nearest new one, within the
-  // tolerance.
-  bool reattach(std::int32_t from, std::int32_t to, const std::vector<std::int32_t>& staying,
-                const std::vector<std::int32_t>& dying,
-                const std::vector<std::array<Vector3d, 3>>& corners) {
-    std::vector<Vector3d> moved{points_[from]};
-    if (kind_[to] == kFree) moved.push_back(points_[to]);
-    for (const auto* list : {&staying, &dying}) {
-      for (const std::int32_t t : *list) {
-        if (label_[t] < 0) moved.insert(moved.end(), attached_[t].begin(), attached_[t].end());
-      }
-    }
-    std::vector<std::int32_t> home(moved.size(), -1);
-    const double limit = tolerance_ * tolerance_;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      double least = limit;
-      for (std::size_t k = 0; k < staying.size(); ++k) {
-        if (label_[staying[k]] >= 0) continue;
-        const double d = squaredDistance(moved[i], corners[k][0], corners[k][1], corners[k][2]);
-        if (d > least) continue;
-        least = d;
-        home[i] = static_cast<std::int32_t>(k);
-        if (d < 1e-4 * limit) break;
-      }
-      if (home[i] < 0) return false;
-    }
-    for (const std::int32_t t : staying) attached_[t].clear();
-    for (const std::int32_t t : dying) attached_[t].clear();
-    for (std::size_t i = 0; i < moved.size(); ++i) attached_[staying[home[i]]].push_back(moved[i]);
-    return true;
-  }
-
-  void apply(std::int32_t from, std::int32_t to, const Vector3d& place,
-             const std::vector<std::int32_t>& dying) {
-    for (const std::int32_t t : dying) {
-      dead_[t] = 1;
-      for (const std::int32_t v : triangles_[t]) std::erase(around_[v], t);
-    }
-    for (const std::int32_t t : around_[from]) {
-      for (std::int32_t& v : triangles_[t]) {
-        if (v == from) v = to;
-      }
-      around_[to].push_back(t);
-    }
-    around_[from].clear();
-    gone_[from] = 1;
-    points_[to] = place;
-    quadric_[to] = quadric_[from] + quadric_[to];
-    ++stamp_[to];
-    pushAround(to, false);
   }
 
   Decimated result() {
     TriMesh small;
-    std::vector<std::int32_t> id(points_.size(), -1);
+    std::vector<std::int32_t> id(state_.points.size(), -1);
     Decimated out;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (dead_[t]) continue;
-      for (const Vector3d& p : attached_[t]) {
-        out.deviation = std::max(
-            out.deviation, squaredDistance(p, points_[triangles_[t][0]], points_[triangles_[t][1]],
-                                           points_[triangles_[t][2]]));
+    for (std::size_t t = 0; t < state_.triangles.size(); ++t) {
+      if (state_.dead[t]) continue;
+      for (const Vector3d& p : state_.attached[t]) {
+        out.deviation =
+            std::max(out.deviation, squaredDistance(p, state_.points[state_.triangles[t][0]],
+                                                    state_.points[state_.triangles[t][1]],
+                                                    state_.points[state_.triangles[t][2]]));
       }
       std::array<std::int32_t, 3> tri{};
       for (int k = 0; k < 3; ++k) {
-        const std::int32_t v = triangles_[t][k];
+        const std::int32_t v = state_.triangles[t][k];
         if (id[v] < 0) {
           id[v] = static_cast<std::int32_t>(small.vertices.size());
-          small.vertices.push_back(points_[v]);
+          small.vertices.push_back(state_.points[v]);
         }
         tri[k] = id[v];
       }
       small.triangles.push_back(tri);
-      out.partition.patchOf.push_back(label_[t]);
-      out.watched.push_back(label_[t] < 0);
-      out.attached.push_back(std::move(attached_[t]));
+      out.partition.patchOf.push_back(state_.label[t]);
+      out.watched.push_back(state_.label[t] < 0);
+      out.attached.push_back(std::move(state_.attached[t]));
     }
     out.deviation = std::sqrt(out.deviation);
     out.mesh = buildHalfEdges(small, run_);
@@ -369,25 +224,17 @@ class Decimator {
 
   const HalfEdgeMesh in_;
   const Partition partition_;
-  double tolerance_;
   RunContext& run_;
-  std::vector<std::vector<Vector3d>>
-      attached_;  // removed vertices, by the triangle nearest to them
+  CollapseState state_;
   std::vector<char> watched_;
-  std::vector<Vector3d> points_;
-  std::vector<std::array<std::int32_t, 3>> triangles_;
-  std::vector<std::int32_t> label_;
-  std::vector<std::vector<std::int32_t>> around_;
-  std::vector<Quadric> quadric_;
-  std::vector<char> gone_, dead_, kind_;
-  std::vector<std::uint32_t> stamp_;
-  std::priority_queue<Entry> queue_;
 };
 
 }  // namespace
 
 Decimated decimate(Decimated start, double tolerance, RunContext& run) {
-  return Decimator(std::move(start), tolerance, run).work();
+  // The second time starts from the planes of what the first has left, which shows edges to
+  // collapse that the planes of the mesh before did not.
+  return Decimator(Decimator(std::move(start), tolerance, run).work(), tolerance, run).work();
 }
 
 }  // namespace swept::step

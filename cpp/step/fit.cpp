@@ -178,7 +178,8 @@ bool isSane(const Surface& s, const Frame& frame) {
     case SurfaceKind::Cylinder:
       return s.radius > 1e-6 && s.radius < limit;
     case SurfaceKind::Cone:
-      return s.radius > 0 && s.radius < limit;
+      return s.radius > 0 && s.radius < limit && std::abs(s.halfAngle) > 0.01 &&
+             std::abs(s.halfAngle) < 1.5;
     case SurfaceKind::Torus:
       return s.minor > 1e-6 && s.radius < limit && s.radius > 1.02 * s.minor;
     default:
@@ -200,6 +201,9 @@ Surface moved(const Surface& from, const Vector3d& e1, const Vector3d& e2, const
 
 // How the distance of p changes with each of the parameters of moved().
 using Gradient = Eigen::Matrix<double, 7, 1>;
+// Of as many parameters as are free, without memory from the heap.
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
 Gradient gradientOf(const Surface& s, const Vector3d& p, const Vector3d& e1, const Vector3d& e2,
                     double size) {
   const Vector3d d = p - s.point, outward = s.normal(p);
@@ -299,8 +303,8 @@ void refineSurface(const Samples& samples, Surface& surface) {
       if (surface.kind == SurfaceKind::Cone) surface.radius += along * std::tan(surface.halfAngle);
     }
     const Vector3d e1 = anyOrthogonal(surface.axis), e2 = surface.axis.cross(e1);
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(count), row(count);
+    SmallMatrix normal = SmallMatrix::Zero(count, count);
+    SmallVector right = SmallVector::Zero(count), row(count);
     for (std::size_t i = 0; i < samples.points.size(); i += stride) {
       const Gradient all = gradientOf(surface, samples.points[i], e1, e2, frame.size);
       for (int k = 0; k < count; ++k) row[k] = all[parameters[k]];
@@ -309,10 +313,10 @@ void refineSurface(const Samples& samples, Surface& surface) {
     }
     bool better = false;
     for (int attempt = 0; attempt < 4 && !better; ++attempt) {
-      Eigen::MatrixXd damped = normal;
+      SmallMatrix damped = normal;
       damped.diagonal() *= 1 + damping;
       damped.diagonal().array() += 1e-14 * normal.trace();
-      const Eigen::VectorXd solution = damped.ldlt().solve(right);
+      const SmallVector solution = damped.ldlt().solve(right);
       double delta[7] = {};
       for (int k = 0; k < count; ++k) delta[parameters[k]] = solution[k];
       const Surface next = moved(surface, e1, e2, delta, frame.size);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <string>
 
+#include "base/parallel.h"
+
 namespace swept::step {
 namespace {
 
@@ -42,13 +44,25 @@ struct EdgeKey {
 
 void pairHalfEdges(HalfEdgeMesh& mesh, RunContext& run) {
   const auto count = static_cast<std::int32_t>(3 * mesh.triangles.size());
+  // Sorted by their lower vertex by counting, then the few of each vertex.
+  std::vector<std::int32_t> start(mesh.points.size() + 1, 0);
+  for (std::int32_t h = 0; h < count; ++h) ++start[std::min(mesh.origin(h), mesh.target(h))];
+  exclusiveScan(start);
   std::vector<EdgeKey> keys(count);
-  for (std::int32_t h = 0; h < count; ++h) {
-    const auto [low, high] = std::minmax({mesh.origin(h), mesh.target(h)});
-    keys[h] = {low, high, h};
+  {
+    std::vector<std::int32_t> at(start.begin(), start.end() - 1);
+    for (std::int32_t h = 0; h < count; ++h) {
+      const auto [low, high] = std::minmax({mesh.origin(h), mesh.target(h)});
+      keys[at[low]++] = {low, high, h};
+    }
   }
-  std::sort(keys.begin(), keys.end(), [](const EdgeKey& a, const EdgeKey& b) {
-    return std::tie(a.low, a.high, a.halfEdge) < std::tie(b.low, b.high, b.halfEdge);
+  parallelBlocks(mesh.points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::sort(keys.begin() + start[v], keys.begin() + start[v + 1],
+                [](const EdgeKey& a, const EdgeKey& b) {
+                  return std::tie(a.high, a.halfEdge) < std::tie(b.high, b.halfEdge);
+                });
+    }
   });
   run.checkpoint(Phase::Export);
   mesh.opposite.assign(count, -1);

@@ -144,11 +144,14 @@ Built describe(Model model, Brep brep, const HalfEdgeMesh& whole, const Decimate
   return built;
 }
 
+// Of the tolerance: for the thinning before surfaces are looked for, and for faces after it.
+constexpr double kThinShare = 0.15, kFaceShare = 0.83;
+
 Partition partitionOf(const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
   if (options.tolerance > 0 && options.recognise) {
-    recogniseSurfaces(mesh, options.tolerance, partition, run);
+    recogniseSurfaces(mesh, kFaceShare * options.tolerance, partition, run);
   }
   return partition;
 }
@@ -172,8 +175,6 @@ void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t kno
   } while (h != first);
 }
 
-// Of the tolerance: for the thinning before surfaces are looked for, and for facets after it.
-constexpr double kThinShare = 0.15, kFacetShare = 0.8;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
 
 // Faces that the kernel refuses, as patches: recognised ones lose their surface, flat regions fall
@@ -210,7 +211,7 @@ std::optional<Built> tryBuild(const HalfEdgeMesh& whole, const HalfEdgeMesh& den
   const auto known = static_cast<std::int32_t>(start.partition.patches.size());
   for (int round = 0; round <= kRounds; ++round) {
     if (options.tolerance > 0)
-      start = decimate(std::move(start), kFacetShare * options.tolerance, run);
+      start = decimate(std::move(start), kFaceShare * options.tolerance, run);
     Decimated small = start;
     if (options.mergeCoplanar)
       growPlanes(small.mesh, options.planarTolerance, small.partition, run);

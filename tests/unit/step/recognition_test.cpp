@@ -1,6 +1,7 @@
 // Recognised surfaces: the right kinds, exact sizes, a valid solid; facets where nothing fits.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -190,6 +191,29 @@ TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
   const MeshCheck check = checkMesh(output, run);
   EXPECT_TRUE(check.passes());
   EXPECT_NEAR(check.volume, meshVolume(input), 0.1 * check.area);
+}
+
+// Large enough to be worked on in parts, which must neither show nor depend on the threads.
+TEST_F(Recognition, DecimationInPartsIsTheSameWithOneThread) {
+  const TriMesh input = torusMesh(20, 6, 220, 90);
+  RunContext run;
+  const step::HalfEdgeMesh mesh = step::buildHalfEdges(input, run);
+  ASSERT_GT(mesh.triangles.size(), 30000U);
+  step::Partition nothing;
+  nothing.patchOf.assign(mesh.triangles.size(), -1);
+  const auto decimated = [&] { return step::decimate({mesh, nothing, {}, {}, 0}, 0.1, run); };
+  const step::Decimated parallel = decimated();
+  tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const step::Decimated serial = decimated();
+  EXPECT_EQ(parallel.mesh.triangles, serial.mesh.triangles);
+  EXPECT_EQ(parallel.mesh.points, serial.mesh.points);
+  EXPECT_LE(parallel.deviation, 0.1);
+  // An even net of this bound on the torus has about 1,000 triangles.
+  EXPECT_LT(parallel.mesh.triangles.size(), 1500U);
+  TriMesh output;
+  output.vertices = parallel.mesh.points;
+  output.triangles = parallel.mesh.triangles;
+  EXPECT_TRUE(checkMesh(output, run).passes());
 }
 
 }  // namespace

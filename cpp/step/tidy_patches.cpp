@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "tidy_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFacetsOfPlane = 3;      // that a plane saves, whatever its size
+constexpr double kAreaPerFacet = 5.2;     // of tolerance times radius, on a sphere
+constexpr double kLeastArea = 1.0 / 400;  // of the whole: a smaller patch has to save this many
+constexpr double kLeastSaved = 8;
+constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make a facet outside
+constexpr int kStepsBeyond = 6;        // triangles
+constexpr double kSteep = 0.12;        // about 7 degrees
+constexpr double kSteepFrom = 0.25;    // of the tolerance: how far a patch may be off at its border
+
+class Tidier {
+ public:
+  Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
+         Partition& partition)
+      : mesh_(mesh),
+        normal_(shapes.normal),
+        area_(shapes.area),
+        thin_(shapes.thin),
+        tolerance_(tolerance),
+        partition_(partition) {}
+
+  void tidy() {
+    absorbLeftovers();
+    mergePatches();
+    absorbLeftovers();
+    fillHoles();
+    dropCostly();
+  }
+
+ private:
+  // Unassigned triangles beside a patch go to it while their corners lie on its surface; repeated,
+  // so that strips along creases close. Thin ones may lean as they like.
+  void absorbLeftovers() {
+    std::vector<std::int32_t> front;
+    for (std::size_t t = 0; t < partition_.patchOf.size(); ++t) {
+      if (partition_.patchOf[t] < 0) front.push_back(static_cast<std::int32_t>(t));
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      std::vector<std::int32_t> rest;
+      for (const std::int32_t t : front) {
+        std::int32_t best = -1;
+        double least = tolerance_;
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+          if (patch < 0) continue;
+          const Surface& surface = partition_.patches[patch].surface;
+          double worst = 0;
+          Vector3d centre = Vector3d::Zero();
+          for (const std::int32_t v : mesh_.triangles[t]) {
+            worst = std::max(worst, std::abs(surface.distance(mesh_.points[v])));
+            centre += mesh_.points[v] / 3;
+          }
+          if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
+          if (worst <= least) {
+            least = worst;
+            best = patch;
+          }
+        }
+        if (best < 0) {
+          rest.push_back(t);
+          continue;
+        }
+        partition_.patchOf[t] = best;
+        partition_.patches[best].triangles.push_back(t);
+        changed = true;
+      }
+      front.swap(rest);
+    }
+  }
+
+  // Small islands inside one patch go to it if their corners lie on its surface, however they lean.
+  void fillHoles() {
+    std::vector<char> seen(mesh_.triangles.size(), 0);
+    for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
+      if (seen[first]) continue;
+      const std::int32_t own = partition_.patchOf[first];
+      if (own >= 0 && partition_.patches[own].triangles.size() > kLeastTriangles) continue;
+      std::vector<std::int32_t> island{static_cast<std::int32_t>(first)};
+      seen[first] = 1;
+      std::int32_t around = -1;
+      bool mixed = false;
+      for (std::size_t i = 0; i < island.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t t = mesh_.opposite[3 * island[i] + k] / 3;
+          if (partition_.patchOf[t] == own) {
+            if (!seen[t]) island.push_back(t);
+            seen[t] = 1;
+          } else {
+            mixed = mixed || partition_.patchOf[t] < 0 ||
+                    (around >= 0 && around != partition_.patchOf[t]);
+            around = partition_.patchOf[t];
+          }
+        }
+      }
+      if (mixed || around < 0 || island.size() > kLeastTriangles) continue;
+      const Surface& surface = partition_.patches[around].surface;
+      const bool near = std::all_of(island.begin(), island.end(), [&](std::int32_t t) {
+        return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
+                           [&](std::int32_t v) {
+                             return std::abs(surface.distance(mesh_.points[v])) <= tolerance_;
+                           });
+      });
+      if (!near) continue;
+      if (own >= 0) partition_.patches[own].triangles.clear();
+      for (const std::int32_t t : island) {
+        partition_.patchOf[t] = around;
+        partition_.patches[around].triangles.push_back(t);
+      }
+    }
+    dropEmptyPatches();
+  }
+
+  bool liesOn(const std::vector<std::int32_t>& triangles, const Surface& surface) const {
+    for (const std::int32_t t : triangles) {
+      Vector3d centre = Vector3d::Zero();
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        if (!(std::abs(surface.distance(mesh_.points[v])) <= tolerance_)) return false;
+        centre += mesh_.points[v] / 3;
+      }
+      if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) return false;
+    }
+    return true;
+  }
+
+  // Pieces of one surface that were found apart become one patch, the smaller joining the larger.
+  void mergePatches() {
+    std::vector<std::int32_t> order(partition_.patches.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+      return partition_.patches[a].triangles.size() < partition_.patches[b].triangles.size();
+    });
+    for (const std::int32_t p : order) {
+      std::vector<std::int32_t> neighbours;
+      for (const std::int32_t t : partition_.patches[p].triangles) {
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t q = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+          if (q >= 0 && q != p) neighbours.push_back(q);
+        }
+      }
+      std::sort(neighbours.begin(), neighbours.end());
+      neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+      std::int32_t best = -1;
+      for (const std::int32_t q : neighbours) {
+        const std::size_t size = partition_.patches[q].triangles.size();
+        if (size < partition_.patches[p].triangles.size()) continue;
+        if (best >= 0 && size <= partition_.patches[best].triangles.size()) continue;
+        if (liesOn(partition_.patches[p].triangles, partition_.patches[q].surface)) best = q;
+      }
+      if (best < 0) continue;
+      for (const std::int32_t t : partition_.patches[p].triangles) partition_.patchOf[t] = best;
+      auto& into = partition_.patches[best].triangles;
+      into.insert(into.end(), partition_.patches[p].triangles.begin(),
+                  partition_.patches[p].triangles.end());
+      partition_.patches[p].triangles.clear();
+    }
+    dropEmptyPatches();
+  }
+
+  // Many a free form comes near enough to a plane or cylinder here and there. Such a patch ends
+  // where the body goes on smoothly, along a jagged line; its vertices make more facets outside
+  // than the surface saves inside. What the body was made of ends at creases or at other patches.
+  void dropCostly() {
+    const std::vector<char> turns = turningBorders();
+    std::vector<double> saved;
+    for (Patch& patch : partition_.patches) {
+      saved.push_back(facetsSaved(patch));
+      if (areaOf(patch) < kLeastArea * mesh_.area && saved.back() < kLeastSaved) release(patch);
+    }
+    std::vector<std::int32_t> smooth(partition_.patches.size());
+    for (bool changed = true; changed;) {
+      changed = false;
+      std::fill(smooth.begin(), smooth.end(), 0);
+      for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+        const std::int32_t own = partition_.patchOf[h / 3];
+        if (own >= 0 && !turns[h] && partition_.patchOf[mesh_.opposite[h] / 3] < 0) ++smooth[own];
+      }
+      for (std::size_t p = 0; p < partition_.patches.size(); ++p) {
+        if (smooth[p] <= kBorderPerFacet * saved[p] || partition_.patches[p].triangles.empty())
+          continue;
+        release(partition_.patches[p]);
+        changed = true;
+      }
+    }
+    dropEmptyPatches();
+  }
+
+  double areaOf(const Patch& patch) const {
+    double area = 0;
+    for (const std::int32_t t : patch.triangles) area += area_[t];
+    return area;
+  }
+
+  void release(Patch& patch) {
+    for (const std::int32_t t : patch.triangles) partition_.patchOf[t] = -1;
+    patch.triangles.clear();
+  }
+
+  // How many facets the best triangulation within the tolerance would need, about.
+  double facetsSaved(const Patch& patch) const {
+    const Surface& s = patch.surface;
+    if (s.isPlanar()) return kFacetsOfPlane;
+    const double area = areaOf(patch);
+    if (s.kind == SurfaceKind::Sphere) return area / (kAreaPerFacet * tolerance_ * s.radius);
+    if (s.kind == SurfaceKind::Torus) {
+      const double radius = std::sqrt(s.minor * (s.radius + s.minor));
+      return area / (kAreaPerFacet * tolerance_ * radius);
+    }
+    // Strips along the axis, two facets each.
+    Vector3d mean = Vector3d::Zero();
+    for (const std::int32_t t : patch.triangles) mean += area_[t] * normal_[t];
+    mean -= mean.dot(s.axis) * s.axis;
+    double least = 1;
+    for (const std::int32_t t : patch.triangles) {
+      const Vector3d around = normal_[t] - normal_[t].dot(s.axis) * s.axis;
+      const double length = around.norm() * mean.norm();
+      if (!thin_[t] && length > 0) least = std::min(least, around.dot(mean) / length);
+    }
+    return 2 * std::acos(std::max(-1.0, least)) / std::sqrt(4 * tolerance_ / s.radius);
+  }
+
+  // By half-edge: whether the mesh leaves the patch's surface steeply just beyond its border.
+  std::vector<char> turningBorders() const {
+    std::vector<char> turns(mesh_.opposite.size(), 0);
+    parallelBlocks(turns.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t h = begin; h < end; ++h) {
+        const std::int32_t own = partition_.patchOf[h / 3];
+        if (own >= 0 && own != partition_.patchOf[mesh_.opposite[h] / 3])
+          turns[h] = turnsAway(static_cast<std::int32_t>(h), partition_.patches[own].surface);
+      }
+    });
+    return turns;
+  }
+
+  bool turnsAway(std::int32_t border, const Surface& surface) const {
+    const Vector3d from =
+        (mesh_.points[mesh_.origin(border)] + mesh_.points[mesh_.target(border)]) / 2;
+    std::int32_t h = mesh_.opposite[border];
+    for (int step = 0; step < kStepsBeyond; ++step) {
+      const Vector3d& p = mesh_.points[mesh_.origin(HalfEdgeMesh::previous(h))];
+      const double off = std::abs(surface.distance(p));
+      if (off > kSteep * (p - from).norm() + kSteepFrom * tolerance_) return true;
+      h = mesh_.opposite[step % 2 == 0 ? HalfEdgeMesh::next(h) : HalfEdgeMesh::previous(h)];
+    }
+    return false;
+  }
+
+  void dropEmptyPatches() {
+    std::vector<Patch> left;
+    for (Patch& patch : partition_.patches) {
+      if (patch.triangles.empty()) continue;
+      const auto id = static_cast<std::int32_t>(left.size());
+      for (const std::int32_t t : patch.triangles) partition_.patchOf[t] = id;
+      patch.surfaceId = id;
+      left.push_back(std::move(patch));
+    }
+    partition_.patches.swap(left);
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const std::vector<Vector3d>& normal_;
+  const std::vector<double>& area_;
+  const std::vector<char>& thin_;
+  double tolerance_;
+  Partition& partition_;
+};
+
+}  // namespace
+
+TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
+  const std::size_t count = mesh.triangles.size();
+  TriangleShapes shapes{std::vector<Vector3d>(count), std::vector<double>(count),
+                        std::vector<char>(count)};
+  parallelBlocks(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Vector3d vector = mesh.areaVector(static_cast<std::int32_t>(t));
+      const double twice = vector.norm();
+      double longest = 0;
+      for (int k = 0; k < 3; ++k) {
+        longest = std::max(longest, (mesh.points[mesh.triangles[t][k]] -
+                                     mesh.points[mesh.triangles[t][(k + 1) % 3]])
+                                        .norm());
+      }
+      shapes.area[t] = 0.5 * twice;
+      shapes.normal[t] = twice > 0 ? Vector3d(vector / twice) : Vector3d::Zero();
+      shapes.thin[t] = twice < 0.05 * longest * longest;
+    }
+  });
+  return shapes;
+}
+
+void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
+                 Partition& partition) {
+  Tidier(mesh, shapes, tolerance, partition).tidy();
+}
+
+}  // namespace swept::step
