@@ -134,12 +134,10 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
   for (std::size_t begin = 0; begin < dual.ambiguous.size();) {
     std::size_t end = begin + 1;
     while (end < dual.ambiguous.size() && !dual.ambiguous[end].firstOfFace) ++end;
-    for (std::size_t s = begin; s < end; ++s) {
+    for (std::size_t s = begin + 1; s < end; ++s) {
       const auto mine = ends(dual.ambiguous[s]);
       bool shared = false;
-      for (std::size_t r = begin; r < end; ++r) {
-        shared |= r != s && ends(dual.ambiguous[r]) == mine;
-      }
+      for (std::size_t r = begin; r < s; ++r) shared |= ends(dual.ambiguous[r]) == mine;
       if (!shared) continue;
       const FaceSegment& segment = dual.ambiguous[s];
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();

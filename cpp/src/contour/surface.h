@@ -6,7 +6,7 @@
 // Invariants (consistent components): closed, edge- and vertex-manifold, oriented outward. The
 // polygons of the dual surface form a closed surface by construction; two things could still make
 // it non-manifold as a set of triangles, and are mended where they occur: two segments of one face
-// that join the same two components (each gets a vertex on the face), and the two quads of
+// that join the same two components (the second gets a vertex on the face), and the two quads of
 // one lattice edge choosing the same diagonal (both are fanned about their crossing).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
