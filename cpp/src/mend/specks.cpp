@@ -168,9 +168,11 @@ Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunCo
   const auto triangle = numberKept(keepsTriangle), vertex = numberKept(keepsVertex);
   compact(mesh.triangles, triangle);
   compact(surface.crossingOf, triangle);
-  for (auto& t : mesh.triangles) {
-    for (std::int32_t& v : t) v = vertex[v];
-  }
+  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      for (std::int32_t& v : mesh.triangles[t]) v = vertex[v];
+    }
+  });
   surface.dualVertices = static_cast<std::size_t>(std::count_if(
       vertex.begin(), vertex.begin() + static_cast<std::ptrdiff_t>(surface.dualVertices),
       [](std::int32_t v) { return v >= 0; }));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "simplify/feature_edges.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 
 #include "base/edge_table.h"
 #include "base/parallel.h"
@@ -46,7 +49,7 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
   });
   std::vector<Edge> edges;
   for (const auto& part : parts) edges.insert(edges.end(), part.begin(), part.end());
-  std::sort(edges.begin(), edges.end());
+  tbb::parallel_sort(edges.begin(), edges.end());
   return edges;
 }
 
@@ -61,34 +64,37 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>
       wanted.push_back(v);
     }
   }
-  // Found on all cores, added in order: the sums do not depend on the number of threads.
-  std::vector<std::vector<std::size_t>> parts(mesh.triangles.size() / kBlock + 1);
-  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& c = mesh.triangles[t];
-      if ((place[c[0]] & place[c[1]] & place[c[2]]) != kNone) parts[begin / kBlock].push_back(t);
-    }
-  });
-  std::vector<Quadric> quadrics(wanted.size());
-  const auto addTriangle = [&](std::size_t t) {
-    const auto& c = mesh.triangles[t];
-    const Eigen::Vector3d normal = normalOf(mesh, t);
-    const double area = normal.norm();
-    if (!(area > 0)) return;
-    // Only the directions count: planes through the origin.
-    for (const std::int32_t v : c) {
-      if (place[v] == kNone) continue;
-      quadrics[place[v]].addPlane(normal / area, Eigen::Vector3d::Zero(), area);
-    }
+  // Triangles by vertex; whoever found them, each vertex adds its own in rising order.
+  std::vector<std::uint32_t> start(wanted.size() + 1, 0);
+  const auto forCorners = [&](const auto& use) {
+    parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        for (const std::int32_t v : mesh.triangles[t]) {
+          if (place[v] != kNone) use(std::atomic_ref<std::uint32_t>(start[place[v]]), t);
+        }
+      }
+    });
   };
-  for (const auto& part : parts) {
-    for (const std::size_t t : part) addTriangle(t);
-  }
+  forCorners([](auto count, std::size_t) { count.fetch_add(1, std::memory_order_relaxed); });
+  std::uint32_t sum = 0;
+  for (std::uint32_t& value : start) value = sum += value;  // filled down to each list's start
+  std::vector<std::uint32_t> triangles(sum);
+  forCorners([&](auto next, std::size_t t) {
+    triangles[next.fetch_sub(1, std::memory_order_relaxed) - 1] = static_cast<std::uint32_t>(t);
+  });
   std::vector<std::uint8_t> feature(mesh.vertices.size());
   parallelBlocks(wanted.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
+      std::sort(triangles.begin() + start[n], triangles.begin() + start[n + 1]);
+      Quadric quadric;
+      for (std::uint32_t at = start[n]; at < start[n + 1]; ++at) {
+        const Eigen::Vector3d normal = normalOf(mesh, triangles[at]);
+        const double area = normal.norm();
+        // Only the directions count: planes through the origin.
+        if (area > 0) quadric.addPlane(normal / area, Eigen::Vector3d::Zero(), area);
+      }
       int rank = 0;
-      quadrics[n].minimise(Eigen::Vector3d::Zero(), kRankCut, rank);
+      quadric.minimise(Eigen::Vector3d::Zero(), kRankCut, rank);
       feature[wanted[n]] = rank > 1;
     }
   });
