@@ -51,7 +51,7 @@ class CoarseEnvelope(Overlay):
 
         super().__init__(document)
         self.surface = coin.SoGroup()
-        self.add(ENVELOPE_COLOUR, 0.6, self.surface)
+        self.add(ENVELOPE_COLOUR, 0.5, self.surface)
 
     def show(self, drawn):
         """Draws one of surface.drawn()."""
@@ -79,7 +79,7 @@ class Ghosts(Overlay):
         self.copies.addChild(at_keys)
         self.path = coin.SoAnnotation()  # seen through the parts
         self.root.addChild(self.path)
-        self.add(KEY_COLOUR, 0.75, self.copies)
+        self.add(KEY_COLOUR, 0.6, self.copies)
         self.add(MOVING_COLOUR, 0.35, self.moving, shape)
 
     def show_keys(self, placements):
