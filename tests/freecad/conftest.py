@@ -20,8 +20,20 @@ for _folder in ("/usr/lib/freecad-python3/lib", "/usr/share/freecad/Ext"):
         sys.path.append(_folder)
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
+
+def _add_other_workbenches():
+    """FreeCAD as a module of Python does not look where Debian keeps its workbenches (CAM, Draft)."""
+    for folder in ("/usr/share/freecad/Mod", "/usr/lib/freecad/Mod"):
+        names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+        found = [os.path.join(folder, name) for name in names]
+        known = {os.path.realpath(path) for path in sys.path}
+        sys.path.extend(path for path in found if os.path.realpath(path) not in known)
+
+
 try:
     import FreeCAD  # noqa: F401 (runs our Init.py, which puts workbench/ on the path)
+
+    _add_other_workbenches()
 except ImportError as error:
     # Not a silent skip: pytest prints the reason with every file it leaves out.
     collect_ignore_glob = ["test_*.py"]
