@@ -61,3 +61,5 @@ def test_scenario(scenario):
     print(done.stdout[-1500:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     assert "passed" in done.stdout
+    # An error in a button's own code is only printed.
+    assert "Traceback" not in done.stdout + done.stderr, done.stdout + done.stderr

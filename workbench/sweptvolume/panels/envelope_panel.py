@@ -313,7 +313,8 @@ class EnvelopePanel:
         self._button_box = box  # keeps the wrappers of the buttons alive
 
     def clicked(self, button):
-        if int(button) == int(QtWidgets.QDialogButtonBox.Apply) and self.run is None:
+        apply = widgets.number_of(QtWidgets.QDialogButtonBox.Apply)
+        if widgets.number_of(button) == apply and self.run is None:
             self.start(close_when_done=False)
 
     def accept(self):

@@ -106,9 +106,10 @@ class KeyTable(QtCore.QObject):
         self.filling = False
 
     def _fill(self, keys, row):
+        right = QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
         for column, number in enumerate((keys.times[row],) + as_numbers(keys.placements[row])):
             item = QtWidgets.QTableWidgetItem(short(number))
-            item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
+            item.setTextAlignment(widgets.number_of(right))
             item.setToolTip("{:.9g} {}".format(number, UNITS[column]))
             self.table.setItem(row, column, item)
 

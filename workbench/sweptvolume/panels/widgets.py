@@ -102,6 +102,11 @@ def hint(field, text):
     return field
 
 
+def number_of(flag):
+    """The number behind a constant of Qt: PySide2's is one, PySide6's has one."""
+    return int(getattr(flag, "value", flag))
+
+
 def standard_buttons(*buttons):
     """PySide2 wants an int, PySide6 the flags themselves."""
     value = buttons[0]
