@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 
 #include "base/parallel.h"
@@ -26,6 +27,13 @@ std::int64_t strideFor(std::int64_t total, std::int64_t sample) {
   if (wish != nullptr && std::string(wish) == "all") return 1;
   return std::max<std::int64_t>(1, total / sample);
 }
+
+/// Faults of one kind; says in the end how many were injected.
+struct Injected {
+  const char* what;
+  std::int64_t count = 0;
+  ~Injected() { std::printf("injected: %lld %s\n", static_cast<long long>(count), what); }
+};
 
 Trajectory shift() {
   Trajectory motion;
@@ -89,6 +97,8 @@ class EveryAllocation : public testing::TestWithParam<bool> {};
 
 TEST_P(EveryAllocation, bad_input_27_out_of_memory) {
   const bool andAllLater = GetParam();
+  Injected injected{andAllLater ? "failing allocations with all later ones"
+                                : "failing allocations"};
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     std::uint64_t expected = 0;
@@ -121,6 +131,7 @@ TEST_P(EveryAllocation, bad_input_27_out_of_memory) {
           ASSERT_EQ(statusName(result.report.status), std::string("OutOfMemory")) << n;
           expectNothing(result);
           ++failed;
+          ++injected.count;
         }
       }
       ASSERT_EQ(fault::outstandingBytes(), before) << "allocation " << n << " of " << total;
@@ -135,6 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Fault, EveryAllocation, testing::Bool(),
                          [](const auto& which) { return which.param ? "andAllLater" : "once"; });
 
 TEST(Fault, bad_input_24_cancel_at_every_checkpoint_gives_all_back) {
+  Injected injected{"cancels"};
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     RunContext whole;
@@ -150,6 +162,7 @@ TEST(Fault, bad_input_24_cancel_at_every_checkpoint_gives_all_back) {
         const Result result = compute(c, run);
         ASSERT_EQ(result.report.status, Status::Cancelled) << n << " of " << total;
         expectNothing(result);
+        ++injected.count;
       }
       EXPECT_EQ(fault::outstandingBytes(), before) << "checkpoint " << n << " of " << total;
     }
@@ -171,8 +184,10 @@ void failEveryAllocation(const std::string& name, const Work& work) {
   const std::int64_t total = fault::allocations();
   const std::int64_t stride = strideFor(total, 300);
   const std::int64_t before = fault::outstandingBytes();
+  Injected injected{"failing allocations of files, checks and estimates"};
   for (std::int64_t n = 1; n <= total; n += stride) {
     bool right = false, thrown = false;
+    ++injected.count;
     fault::arm(n);
     try {
       right = work();
@@ -227,6 +242,7 @@ TEST(Fault, bad_input_36_every_written_byte) {
   struct rlimit before {};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  Injected injected{"failing writes"};
   for (const char* suffix : {"ply", "stl", "obj", "off"}) {
     const std::string path = folder.write(std::string("b.") + suffix, "old");
     writeMesh(body, folder.file(std::string("whole.") + suffix));
@@ -242,6 +258,7 @@ TEST(Fault, bad_input_36_every_written_byte) {
         code = statusName(error.status()) + ("/" + error.code());
       }
       setrlimit(RLIMIT_FSIZE, &before);
+      ++injected.count;
       ASSERT_EQ(code, "ExportFailed/WriteFailed") << suffix << " after " << bytes << " bytes";
       ASSERT_EQ(TemporaryFolder::read(path), "old");
     }
@@ -253,6 +270,7 @@ TEST(Fault, bad_input_36_every_written_byte) {
 }
 
 TEST(Fault, OneExceptionOfAnyWorkerArrives) {
+  Injected injected{"exceptions in workers"};
   for (const int threads : {1, 2, 8}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     for (const std::size_t bad : {0u, 1u, 499u, 998u, 999u}) {
@@ -270,6 +288,7 @@ TEST(Fault, OneExceptionOfAnyWorkerArrives) {
       } catch (const Error& error) {
         text = error.what();
       }
+      ++injected.count;
       EXPECT_EQ(text, "item failed");
       EXPECT_EQ(inside, 0) << "an item still runs";
     }
