@@ -22,6 +22,10 @@ void writeStepText(const Model& model, std::ostream& out, const std::string& fil
 /// Plane faces only.
 bool isFlat(const Model& model);
 
+/// Plane faces without hollow spaces, so many that the file holds their corners alone
+/// (FACETED_BREP).
+bool isFaceted(const Model& model);
+
 /// mm: how far vertices and edges lie from the surfaces that meet there, as the file states it.
 double statedAccuracy(const Model& model);
 

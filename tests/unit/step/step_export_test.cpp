@@ -292,6 +292,23 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
   EXPECT_EQ(filesIn(folder_), 1U);
 }
 
+// Very many plane faces are written by their corners alone, and still read back as one solid whose
+// faces share their edges.
+TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
+  TriMesh mesh = torusMesh(20, 6, 150, 70);
+  for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
+  StepOptions options;
+  options.mergeCoplanar = false;
+  options.maxFaces = 30000;
+  const StepReport report = write(mesh, "many.step", options);
+  EXPECT_EQ(report.faces, 21000);
+  EXPECT_EQ(report.edges, 31500);
+  EXPECT_EQ(report.solids, 1);
+  EXPECT_NEAR(report.volume, meshVolume(mesh), 1e-6 * report.volume);
+  EXPECT_NE(text("many.step").find("FACETED_BREP("), std::string::npos);
+  EXPECT_LT(report.fileBytes, 21000U * 400);
+}
+
 // An exact solid is refused, not simplified.
 TEST_F(StepExport, ExactIsNotSimplified) {
   StepOptions options;
