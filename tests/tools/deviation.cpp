@@ -148,6 +148,26 @@ void measureCreases(const SweptDistance& truth, const MeshDistance& out,
   printPlace("max", worst, report);
 }
 
+/// Whether the truth has a normal within 20 degrees of the point's own, no farther away than
+/// `reach`. Near a valley or crease the one nearest point does not tell: the other side may be
+/// nearer by less than the result is off. Asked from outside, where nearest points are exact.
+bool hasNormalNear(const SweptDistance& truth, const SurfacePoint& at, double reach) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  const auto agrees = [&](const V3& from) {
+    const auto contact = truth.contact(from);
+    if (contact.distance <= 0 || (contact.point - at.point).norm() > reach) return false;
+    return std::any_of(contact.normals.begin(), contact.normals.end(),
+                       [&](const V3& n) { return n.dot(at.normal) >= std::cos(20 * kDegree); });
+  };
+  if (agrees(at.point + 0.5 * reach * at.normal)) return true;
+  for (int k = 0; k < 48; ++k) {
+    const V3 way(normal(random), normal(random), normal(random));
+    if (agrees(at.point + (k % 2 == 0 ? 1.0 : 0.5) * reach * way.normalized())) return true;
+  }
+  return false;
+}
+
 void measureSurface(const SweptDistance& truth, const MeshDistance& out,
                     const swept::Report& report, int samples, std::mt19937& random) {
   const double cell = report.cellSize;
@@ -157,16 +177,7 @@ void measureSurface(const SweptDistance& truth, const MeshDistance& out,
   tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
     const auto contact = truth.contact(points[i].point);
     deviation[i] = std::abs(contact.distance) / cell;
-    // The normal is asked just outside, where the nearest point of the swept volume is its surface.
-    double step = 1.5 * std::abs(contact.distance) + 0.01 * cell;
-    auto outside = truth.contact(points[i].point + step * points[i].normal);
-    for (int k = 0; k < 4 && outside.distance <= 0; ++k) {
-      step *= 2;
-      outside = truth.contact(points[i].point + step * points[i].normal);
-    }
-    double best = -1;
-    for (const V3& n : outside.normals) best = std::max(best, n.dot(points[i].normal));
-    off[i] = best < std::cos(20 * kDegree);
+    off[i] = !hasNormalNear(truth, points[i], std::abs(contact.distance) + 0.03 * cell);
   });
   std::size_t worst = 0;
   double mean = 0, share = 0;

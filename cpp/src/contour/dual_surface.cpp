@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "contour/components.h"
+#include "contour/hidden_side.h"
 #include "contour/qef.h"
 #include "contour/wall_end.h"
 
@@ -76,6 +77,34 @@ struct Escape {
   double error;              // mean squared distance of the planes from the minimiser
 };
 
+/// Where the planes of a component put its vertex.
+struct Placing {
+  explicit Placing(const Qef& planes) : qef(planes), best(qef.solve(kCellMargin, free)) {
+    out = std::max((-free).maxCoeff(), (free.array() - 1).maxCoeff());
+    missed2 = qef.error(best) / qef.count();
+  }
+  /// The planes meet outside the cell, and miss it.
+  bool mayEscape() const {
+    return out > kCellMargin && out < 1 - kCellMargin && missed2 > kMissed * kMissed;
+  }
+  /// The planes do not meet in the cell, by much.
+  bool isAmiss() const {
+    constexpr double kMuch = 0.1;  // cells
+    return missed2 > kMuch * kMuch;
+  }
+  /// Sharp ones meet outside and miss it by a little.
+  bool isDoubtful() const {
+    constexpr double kOutside = 0.02, kLittle = 0.008;  // cells
+    constexpr double kSharp = 0.03;                     // two planes that differ by 20 degrees
+    return out > kOutside && missed2 > kLittle * kLittle && qef.sharpness() > kSharp;
+  }
+
+  const Qef& qef;
+  Eigen::Vector3d free, best;  // minimisers without and with the cell's walls
+  double out;                  // cells: how far the free one lies outside
+  double missed2;              // mean squared distance of the planes from the best point
+};
+
 /// What the cells of a layer leave for later.
 struct LayerNotes {
   std::vector<FaceSegment> ambiguous;
@@ -135,37 +164,39 @@ class LayerBuilder {
       vertex.j = static_cast<std::int16_t>(j);
       vertex.k = static_cast<std::int16_t>(cell.k);
       vertex.timeSeconds = times[c];
-      WallEnd end;
-      if (probe_ != nullptr &&
-          findWallEnd(cell, {i, j, cell.k}, components_, c, crossings, *probe_, end)) {
-        addWallEnd(cell, c, end, vertex, firstTwin, vertices);
+      const Placing placing(qefs[c]);
+      VertexSplit split;
+      const Eigen::Vector3i at(i, j, cell.k);
+      if (probe_ != nullptr && (findWallEnd(cell, at, components_, c, crossings, *probe_, split) ||
+                                ((placing.isAmiss() || placing.isDoubtful()) &&
+                                 findHiddenSide(cell, at, components_, c, crossings, *probe_,
+                                                !placing.isAmiss(), split)))) {
+        addSplit(cell, c, split, vertex, firstTwin, vertices);
         continue;
       }
-      place(qefs[c], vertex, vertices.size());
+      place(placing, vertex, vertices.size());
       vertices.push_back(vertex);
     }
     vertices.insert(vertices.end(), twins_.begin(), twins_.end());
   }
 
   /// `at`: the number that the vertex is going to have.
-  void place(const Qef& qef, DualVertex& vertex, std::size_t at) {
-    Eigen::Vector3d free;
-    const Eigen::Vector3d best = qef.solve(kCellMargin, free);
-    vertex.local = best.cast<float>();
-    if (mayEscape(free) && qef.error(best) > kMissed * kMissed * qef.count()) {
-      notes_->escapes.push_back({static_cast<std::uint32_t>(at), qef.massPoint(), free, qef,
-                                 qef.error(free) / qef.count()});
-    }
+  void place(const Placing& placing, DualVertex& vertex, std::size_t at) {
+    vertex.local = placing.best.cast<float>();
+    if (!placing.mayEscape()) return;
+    const Qef& qef = placing.qef;
+    notes_->escapes.push_back({static_cast<std::uint32_t>(at), qef.massPoint(), placing.free, qef,
+                               qef.error(placing.free) / qef.count()});
   }
 
-  /// One vertex for each side of the wall where it can be split, each with the planes of its side
-  /// and of the rim; one vertex with all planes where it cannot.
-  void addWallEnd(const Cell& cell, int component, const WallEnd& end, DualVertex vertex,
-                  std::size_t firstTwin, std::vector<DualVertex>& vertices) {
-    const bool splits = !end.folds.empty();
+  /// One vertex for each part, each with the planes of its part and of the side between them; one
+  /// vertex where the component cannot be split.
+  void addSplit(const Cell& cell, int component, const VertexSplit& split, DualVertex vertex,
+                std::size_t firstTwin, std::vector<DualVertex>& vertices) {
+    const bool splits = !split.folds.empty();
     std::array<Qef, 2> sides;
     const Eigen::Vector3d corner(vertex.i, vertex.j, vertex.k);
-    for (const ProbeLine& hit : end.rim) {
+    for (const ProbeLine& hit : split.between) {
       for (Qef& side : sides) side.add(hit.point - corner, hit.normal);
     }
     const std::size_t twin = firstTwin + twins_.size();
@@ -173,23 +204,25 @@ class LayerBuilder {
       if (components_.of[slot] != component) continue;
       const std::uint32_t index = cell.crossing(slot);
       const Crossing& crossing = grid_.crossings[index];
-      const int side = splits ? end.side[slot] : 0;
-      sides[side].add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
+      const int side = split.part[slot];
+      if (side >= 0)
+        sides[side].add(localPosition(slot >> 1, crossing.fraction),
+                        crossing.normal.cast<double>());
       if (side == 1) {
         out_.quads[index][quadCorner(slot >> 1)] = static_cast<std::uint32_t>(twin);
       }
     }
-    place(sides[0], vertex, vertices.size());
+    place(Placing(sides[0]), vertex, vertices.size());
     vertices.push_back(vertex);
     if (!splits) return;
-    place(sides[1], vertex, twin);
+    place(Placing(sides[1]), vertex, twin);
     twins_.push_back(vertex);
-    for (std::size_t f = 0; f < end.folds.size(); ++f) {
+    for (std::size_t f = 0; f < split.folds.size(); ++f) {
       RimSegment rim;
       for (int n = 0; n < 2; ++n) {
-        const int slot = end.folds[f][n];
+        const int slot = split.folds[f][n];
         rim.crossing[n] = cell.crossing(slot);
-        rim.side[n] = static_cast<std::uint8_t>(quadSide(slot >> 1, end.foldFaces[f]));
+        rim.side[n] = static_cast<std::uint8_t>(quadSide(slot >> 1, split.foldFaces[f]));
         rim.seenFromLow[n] = (slot & 1) == 0;
       }
       if (rim.crossing[0] > rim.crossing[1]) {
@@ -199,11 +232,6 @@ class LayerBuilder {
       }
       notes_->rims.push_back(rim);
     }
-  }
-
-  static bool mayEscape(const Eigen::Vector3d& x) {
-    const double out = std::max((-x).maxCoeff(), (x.array() - 1).maxCoeff());
-    return out > kCellMargin && out < 1 - kCellMargin;
   }
 
   /// Each face is told once, by the cell that has it on its low side.

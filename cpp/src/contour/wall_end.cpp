@@ -60,15 +60,15 @@ std::optional<Eigen::Vector3d> across(const std::vector<Point>& points) {
 
 /// Sorts the crossings to the two sides; nothing if these are no thin, nearly flat wall.
 std::optional<Wall> sort(const std::vector<Point>& points, const Eigen::Vector3d& normal,
-                         WallEnd& out) {
+                         VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
   std::array<int, 2> count{0, 0};
-  out.side.fill(-1);
+  out.part.fill(-1);
   for (const Point& p : points) {
     const double along = p.normal.dot(normal), offset = p.position.dot(normal);
     if (std::abs(along) < kAlong) continue;
     const int s = along > 0 ? 0 : 1;
-    out.side[p.slot] = static_cast<std::int8_t>(s);
+    out.part[p.slot] = static_cast<std::int8_t>(s);
     sum[s] += offset;
     ++count[s];
     low[s] = std::min(low[s], offset);
@@ -129,34 +129,11 @@ void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
   }
 }
 
-/// The places where the sides meet, if the ring of polygons falls into just one arc for each.
-void findFolds(const Cell& cell, const Components& components, int component,
-               const Crossing* crossings, WallEnd& out) {
-  for (int slot = 0; slot < kSlots; ++slot) {
-    if (components.of[slot] == component && out.side[slot] < 0) return;
-  }
-  for (int face = 0; face < kFaces; ++face) {
-    const FacePairs pairs = pairFace(cell, face, crossings);
-    for (int p = 0; p < pairs.count; ++p) {
-      const auto [x, y] = pairs.slots[p];
-      if (components.of[x] != component || out.side[x] == out.side[y]) continue;
-      out.folds.push_back(pairs.slots[p]);
-      out.foldFaces.push_back(static_cast<std::int8_t>(face));
-      if (pairs.count > 1) out.foldFaces.back() = -1;  // joined otherwise, see surface.h
-    }
-  }
-  const bool ambiguous =
-      std::find(out.foldFaces.begin(), out.foldFaces.end(), -1) != out.foldFaces.end();
-  if (out.folds.size() == 2 && !ambiguous) return;
-  out.folds.clear();
-  out.foldFaces.clear();
-}
-
 }  // namespace
 
 bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                  int component, const Crossing* crossings, const SurfaceProbe& probe,
-                 WallEnd& out) {
+                 VertexSplit& out) {
   if (!spread(cell, components, component, crossings)) return false;
   std::vector<Point> points;
   std::vector<std::uint32_t> indices;
@@ -184,12 +161,18 @@ bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& 
     }
   }
   if (lines.empty()) return false;
-  probe.cast(at, indices, lines);
+  probe.cast({corner, corner + Eigen::Vector3d::Ones()}, indices, lines);
   for (const ProbeLine& line : lines) {
-    if (line.hit && std::abs(line.normal.dot(wall->normal)) < kRimTurned) out.rim.push_back(line);
+    if (line.hit && std::abs(line.normal.dot(wall->normal)) < kRimTurned)
+      out.between.push_back(line);
   }
-  if (out.rim.empty()) return false;
-  findFolds(cell, components, component, crossings, out);
+  if (out.between.empty()) return false;
+  out.findFolds(cell, components, component, crossings);
+  if (out.folds.empty()) {
+    for (int slot = 0; slot < kSlots; ++slot) {
+      out.part[slot] = components.of[slot] == component ? 0 : -1;
+    }
+  }
   return true;
 }
 

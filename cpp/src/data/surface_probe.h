@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -21,9 +21,10 @@ struct ProbeLine {
 class SurfaceProbe {
  public:
   virtual ~SurfaceProbe() = default;
-  /// Casts the lines against the part of the surface that passes through the cell and hangs
-  /// together, inside the cell, with the given crossings. Safe to call from several threads.
-  virtual void cast(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+  /// Casts the lines against the part of the surface that passes through the region (a cell or less
+  /// of one, grid coordinates) and hangs together, inside it, with the given crossings. Safe to
+  /// call from several threads.
+  virtual void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
                     std::vector<ProbeLine>& lines) const = 0;
 };
 

@@ -99,7 +99,7 @@ class Mender {
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
     relax(vertices, around, round == 0 ? 0.5 : 1.0);
     // What the one does not mend the other often does.
-    if (round % 2 == 0) layTogether(surface_, grid_, facing, around);
+    if (round % 2 == 1) layTogether(surface_, grid_, facing, around);
     const std::vector<std::int32_t> moved = touching(vertices, near);
     changed_.insert(changed_.end(), moved.begin(), moved.end());
     sortUnique(changed_);

@@ -12,6 +12,8 @@ constexpr std::size_t kMostPieces = 20000;
 /// Cells: pieces this close to the cell count as met, so that the search can go round its corners.
 constexpr double kAround = 0.05;
 
+constexpr double kSlack = 1e-7;  ///< on an edge: both triangles are met rather than none
+
 /// Where a line meets a triangle, as the share of the line and the triangle's coordinates.
 struct Meeting {
   double along, u, v;
@@ -23,7 +25,6 @@ bool meets(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3
   const Eigen::Vector3d p = d.cross(ac);
   const double det = ab.dot(p);
   if (std::abs(det) < 1e-14) return false;
-  constexpr double kSlack = 1e-7;  // on an edge: both triangles are met rather than none
   const Eigen::Vector3d s = line.from - a;
   out.u = s.dot(p) / det;
   if (out.u < -kSlack || out.u > 1 + kSlack) return false;
@@ -34,24 +35,25 @@ bool meets(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3
   return out.along >= 0 && out.along <= 1;
 }
 
-/// Separating axes of a triangle and the cube of half side `half` about the origin (Akenine-Moeller
+/// Separating axes of a triangle and the box of half sides `half` about the origin (Akenine-Moeller
 /// 2001).
-bool meetsCube(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-               double half) {
+bool meetsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+              const Eigen::Vector3d& half) {
   const auto beyond = [](double x, double y, double z, double reach) {
     return std::min({x, y, z}) > reach || std::max({x, y, z}) < -reach;
   };
   for (int axis = 0; axis < 3; ++axis) {
-    if (beyond(a[axis], b[axis], c[axis], half)) return false;
+    if (beyond(a[axis], b[axis], c[axis], half[axis])) return false;
   }
   const std::array<Eigen::Vector3d, 3> side{b - a, c - b, a - c};
   const Eigen::Vector3d n = side[0].cross(side[1]);
-  if (beyond(n.dot(a), n.dot(b), n.dot(c), half * n.lpNorm<1>())) return false;
+  if (beyond(n.dot(a), n.dot(b), n.dot(c), half.dot(n.cwiseAbs()))) return false;
   for (const Eigen::Vector3d& s : side) {
     for (int axis = 0; axis < 3; ++axis) {  // s across the axis
       const int p = (axis + 1) % 3, q = (axis + 2) % 3;
       const auto along = [&](const Eigen::Vector3d& x) { return s[p] * x[q] - s[q] * x[p]; };
-      if (beyond(along(a), along(b), along(c), half * (std::abs(s[p]) + std::abs(s[q])))) {
+      if (beyond(along(a), along(b), along(c),
+                 half[q] * std::abs(s[p]) + half[p] * std::abs(s[q]))) {
         return false;
       }
     }
@@ -174,9 +176,11 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Use& use) co
   }
 }
 
-void ElementProbe::gather(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+void ElementProbe::gather(const Eigen::AlignedBox3d& region,
+                          const std::vector<std::uint32_t>& crossings,
                           std::vector<Piece>& pieces) const {
-  const Eigen::Vector3d centre = cell.cast<double>().array() + 0.5;
+  const Eigen::Vector3d centre = region.center();
+  const Eigen::Vector3d half = region.sizes().array() / 2 + kAround;
   thread_local std::vector<SweptElement> waiting;  // kept: asked for every end of a wall
   thread_local SeenElements seen;
   pieces.clear();
@@ -186,8 +190,8 @@ void ElementProbe::gather(const Eigen::Vector3i& cell, const std::vector<std::ui
     if (!seen.insert(element)) return;
     const Piece piece = pieceOf(element);
     const auto& [a, b, c, d] = piece.corner;
-    if (!meetsCube(a - centre, b - centre, c - centre, 0.5 + kAround) &&
-        (!piece.isPatch || !meetsCube(a - centre, c - centre, d - centre, 0.5 + kAround))) {
+    if (!meetsBox(a - centre, b - centre, c - centre, half) &&
+        (!piece.isPatch || !meetsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
     pieces.push_back(piece);
@@ -202,37 +206,52 @@ void ElementProbe::gather(const Eigen::Vector3i& cell, const std::vector<std::ui
   if (pieces.size() > kMostPieces) pieces.clear();
 }
 
-void ElementProbe::castOne(const std::vector<Piece>& pieces, ProbeLine& line) {
-  double first = 2;
-  for (const Piece& piece : pieces) {
-    const auto &a = piece.corner[0], &b = piece.corner[1], &c = piece.corner[2],
-               &d = piece.corner[3];  // older compilers cannot capture bindings
-    const auto take = [&](const Meeting& at, double r, double s) {
-      if (at.along >= first) return;
-      first = at.along;
-      line.hit = true;
-      // The side patch is bilinear: its normal turns with the place.
-      const Eigen::Vector3d n =
-          piece.isPatch ? ((1 - s) * (b - a) + s * (c - d)).cross((1 - r) * (d - a) + r * (c - b))
-                        : (b - a).cross(c - a);
-      line.normal = n.normalized();
-      line.timeSeconds = piece.start + s * (piece.end - piece.start);
-    };
-    Meeting at{};
-    if (meets(line, a, b, c, at)) take(at, at.u + at.v, at.v);
-    if (piece.isPatch && meets(line, a, c, d, at)) take(at, at.u, at.u + at.v);
-  }
-  if (!line.hit) return;
-  const Eigen::Vector3d d = line.to - line.from;
-  line.point = line.from + first * d;
-  if (line.normal.dot(d) > 0) line.normal = -line.normal;
+void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
+  const auto &a = piece.corner[0], &b = piece.corner[1], &c = piece.corner[2],
+             &d = piece.corner[3];  // older compilers cannot capture bindings
+  const auto take = [&](const Meeting& at, double r, double s) {
+    if (at.along >= first) return;
+    first = at.along;
+    line.hit = true;
+    // The side patch is bilinear: its normal turns with the place.
+    const Eigen::Vector3d n =
+        piece.isPatch ? ((1 - s) * (b - a) + s * (c - d)).cross((1 - r) * (d - a) + r * (c - b))
+                      : (b - a).cross(c - a);
+    line.normal = n.normalized();
+    line.timeSeconds = piece.start + s * (piece.end - piece.start);
+  };
+  Meeting at{};
+  if (meets(line, a, b, c, at)) take(at, at.u + at.v, at.v);
+  if (piece.isPatch && meets(line, a, c, d, at)) take(at, at.u, at.u + at.v);
 }
 
-void ElementProbe::cast(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+void ElementProbe::cast(const Eigen::AlignedBox3d& region,
+                        const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
   thread_local std::vector<Piece> pieces;
-  gather(cell, crossings, pieces);
-  for (ProbeLine& line : lines) castOne(pieces, line);
+  gather(region, crossings, pieces);
+  thread_local std::vector<double> first;  // share of the line
+  first.assign(lines.size(), 2);
+  for (const Piece& piece : pieces) {
+    const auto& [a, b, c, d] = piece.corner;
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    // Sides of the plane of the first triangle; a patch reaches beyond it by its fourth corner.
+    const double fourth = n.dot(d - a);
+    const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
+    const double slack = kSlack * n.norm();
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const double from = n.dot(lines[l].from - a), to = n.dot(lines[l].to - a);
+      if (std::min(from, to) > high + slack || std::max(from, to) < low - slack) continue;
+      castOne(piece, lines[l], first[l]);
+    }
+  }
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    ProbeLine& line = lines[l];
+    if (!line.hit) continue;
+    const Eigen::Vector3d d = line.to - line.from;
+    line.point = line.from + first[l] * d;
+    if (line.normal.dot(d) > 0) line.normal = -line.normal;
+  }
 }
 
 }  // namespace swept

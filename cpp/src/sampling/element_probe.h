@@ -20,7 +20,7 @@ class ElementProbe : public SurfaceProbe {
   /// `winner`: per crossing its index in `elements`. All must outlive the probe.
   ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
                const std::vector<std::uint32_t>& winner);
-  void cast(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+  void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
             std::vector<ProbeLine>& lines) const override;
 
  private:
@@ -31,11 +31,11 @@ class ElementProbe : public SurfaceProbe {
     double start = 0, end = 0;  // s
   };
   Piece pieceOf(const SweptElement& element) const;
-  void gather(const Eigen::Vector3i& cell, const std::vector<std::uint32_t>& crossings,
+  void gather(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
               std::vector<Piece>& pieces) const;
   template <class Use>
   void forNeighbours(const SweptElement& element, const Use& use) const;
-  static void castOne(const std::vector<Piece>& pieces, ProbeLine& line);
+  static void castOne(const Piece& piece, ProbeLine& line, double& first);
 
   const SamplerInput& input_;
   const std::vector<SweptElement>& elements_;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/hidden_side.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "contour/qef.h"
+
+namespace swept {
+namespace {
+
+constexpr double kOpposed = -0.5;  ///< cosine between the normals of the sides of a wall
+constexpr double kFlat = 2e-3;     ///< unevenness of what counts as two planes
+constexpr double kLift = 0.02;     ///< cells: lines start this far outside and end as far inside
+constexpr double kKnown = 0.94;    ///< cosine from which a hit is on a side that is known already
+constexpr double kProof = 0.1;     ///< cells: a vertex is proved by a line this long to either side
+constexpr double kReach = 1;       ///< cells: corners this far outside the cell are looked at
+constexpr double kNear = 0.03;     ///< cells: and stands if the surface is met this near to it
+
+struct Point {
+  std::int8_t slot;
+  Eigen::Vector3d position, normal;
+};
+using Points = std::vector<Point>;
+
+/// The crossings of the component, each followed by the one it shares a polygon edge with.
+Points ringOf(const Cell& cell, const Components& components, int component,
+              const Crossing* crossings) {
+  std::array<std::array<std::int8_t, 2>, kSlots> next;
+  for (auto& n : next) n = {-1, -1};
+  for (int face = 0; face < kFaces; ++face) {
+    if (faceCrossings(cell.mask, face) == 0) continue;
+    const FacePairs pairs = pairFace(cell, face, crossings);
+    for (int p = 0; p < pairs.count; ++p) {
+      const auto [x, y] = pairs.slots[p];
+      next[x][next[x][0] < 0 ? 0 : 1] = y;
+      next[y][next[y][0] < 0 ? 0 : 1] = x;
+    }
+  }
+  Points ring;
+  std::int8_t slot = 0, before = -1;
+  while (components.of[slot] != component) ++slot;
+  const std::int8_t first = slot;
+  do {
+    const Crossing& crossing = crossings[cell.crossing(slot)];
+    ring.push_back(
+        {slot, localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>()});
+    const std::int8_t onwards = next[slot][0] != before ? next[slot][0] : next[slot][1];
+    before = slot;
+    slot = onwards;
+  } while (slot != first && slot >= 0);
+  return ring;
+}
+
+/// Both sides of a thin wall: no ledge, see wall_end.h.
+bool hasOpposed(const Points& ring) {
+  for (const Point& p : ring) {
+    for (const Point& q : ring) {
+      if (p.normal.dot(q.normal) < kOpposed) return true;
+    }
+  }
+  return false;
+}
+
+Point mean(const Points& points) {
+  Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  for (const Point& p : points) {
+    m.position += p.position / static_cast<double>(points.size());
+    m.normal += p.normal;
+  }
+  m.normal.normalize();
+  return m;
+}
+
+/// How far so many points from the given one on are from being of one plane.
+double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
+  Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  for (std::size_t n = begin; n < begin + count; ++n) {
+    m.position += ring[n % ring.size()].position / static_cast<double>(count);
+    m.normal += ring[n % ring.size()].normal;
+  }
+  m.normal.normalize();
+  double sum = 0;
+  for (std::size_t n = begin; n < begin + count; ++n) {
+    const Point& p = ring[n % ring.size()];
+    const double offset = m.normal.dot(p.position - m.position);
+    sum += (p.normal - m.normal).squaredNorm() + offset * offset;
+  }
+  return sum;
+}
+
+/// The two arcs of the ring that are flattest in themselves, and how uneven they are.
+std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
+  std::size_t bestBegin = 0, bestCount = 1;
+  least = std::numeric_limits<double>::max();
+  for (std::size_t begin = 0; begin < ring.size(); ++begin) {
+    for (std::size_t count = 1; begin + count < ring.size(); ++count) {
+      const double sum =
+          unevenness(ring, begin, count) + unevenness(ring, begin + count, ring.size() - count);
+      if (sum >= least) continue;
+      least = sum;
+      bestBegin = begin;
+      bestCount = count;
+    }
+  }
+  std::array<Points, 2> arcs;
+  for (std::size_t n = 0; n < ring.size(); ++n) {
+    arcs[n < bestCount ? 0 : 1].push_back(ring[(bestBegin + n) % ring.size()]);
+  }
+  return arcs;
+}
+
+/// Hits that show a side unlike all crossings: the largest group that is alike.
+std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
+  std::vector<ProbeLine> fresh, best;
+  for (const ProbeLine& line : lines) {
+    // The back of a known side is met by lines that start inside.
+    const auto isKnown = [&](const Point& p) {
+      return std::abs(p.normal.dot(line.normal)) > kKnown;
+    };
+    if (line.hit && std::none_of(ring.begin(), ring.end(), isKnown)) fresh.push_back(line);
+  }
+  for (const ProbeLine& p : fresh) {
+    std::vector<ProbeLine> alike;
+    std::copy_if(fresh.begin(), fresh.end(), std::back_inserter(alike),
+                 [&](const ProbeLine& q) { return p.normal.dot(q.normal) > kKnown; });
+    if (alike.size() > best.size()) best = alike;
+  }
+  return best;
+}
+
+class Search {
+ public:
+  Search(const Cell& cell, const Eigen::Vector3i& at, const Points& ring, const SurfaceProbe& probe)
+      : corner_(at.cast<double>()), probe_(probe) {
+    for (const Point& p : ring) {
+      crossings_.push_back(cell.crossing(p.slot));
+      bounds_.extend(corner_ + p.position);
+    }
+  }
+
+  /// Where lines between the arcs, both ways, meet the surface first.
+  std::vector<ProbeLine> between(const std::array<Points, 2>& arcs) const {
+    std::vector<ProbeLine> lines;
+    const auto add = [&](const Point& p, const Point& q) {
+      lines.push_back(line(p.position + kLift * p.normal, q.position - kLift * q.normal));
+      lines.push_back(line(q.position + kLift * q.normal, p.position - kLift * p.normal));
+    };
+    add(mean(arcs[0]), mean(arcs[1]));
+    add(arcs[0].front(), arcs[1].back());
+    add(arcs[0].back(), arcs[1].front());
+    cast(lines);
+    return lines;
+  }
+
+  /// Whether the planes of the points and of the hidden side meet in the cell (or no farther from
+  /// it than that), and on the surface.
+  bool meets(const Points& points, const std::vector<ProbeLine>& hits, double outside = 0) const {
+    Qef planes;
+    Eigen::Vector3d way = mean(points).normal, vertex;
+    for (const Point& p : points) planes.add(p.position, p.normal);
+    for (const ProbeLine& hit : hits) {
+      planes.add(hit.point - corner_, hit.normal);
+      way += hit.normal / static_cast<double>(hits.size());
+    }
+    planes.solve(0, vertex);
+    if (vertex.minCoeff() < -outside || vertex.maxCoeff() > 1 + outside) return false;
+    if (planes.error(vertex) > kNear * kNear * planes.count()) return false;
+    way.normalize();
+    std::vector<ProbeLine> proof{line(vertex + kProof * way, vertex - kProof * way)};
+    cast(proof);
+    return proof[0].hit && (proof[0].point - corner_ - vertex).norm() < kNear;
+  }
+
+ private:
+  ProbeLine line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    ProbeLine line;
+    line.from = corner_ + from;
+    line.to = corner_ + to;
+    return line;
+  }
+
+  void cast(std::vector<ProbeLine>& lines) const {
+    Eigen::AlignedBox3d region = bounds_;
+    for (const ProbeLine& l : lines) region.extend(l.from).extend(l.to);
+    probe_.cast(region, crossings_, lines);
+  }
+
+  Eigen::Vector3d corner_;
+  Eigen::AlignedBox3d bounds_;
+  std::vector<std::uint32_t> crossings_;
+  const SurfaceProbe& probe_;
+};
+
+}  // namespace
+
+bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
+                    int component, const Crossing* crossings, const SurfaceProbe& probe,
+                    bool betweenPlanes, VertexSplit& out) {
+  const Points ring = ringOf(cell, components, component, crossings);
+  if (ring.size() < 3 || hasOpposed(ring)) return false;
+  double uneven;
+  const std::array<Points, 2> arcs = flattestArcs(ring, uneven);
+  if (betweenPlanes && uneven > kFlat) return false;
+  const Search search(cell, at, ring, probe);
+  out.between = hitsOfNewSide(ring, search.between(arcs));
+  if (out.between.empty()) return false;
+  // A corner goes before two edges: all planes meet in it, if only in the next cell.
+  const bool corner = search.meets(ring, out.between, kReach);
+  const std::array<bool, 2> meets{corner || search.meets(arcs[0], out.between),
+                                  corner || search.meets(arcs[1], out.between)};
+  if (!meets[0] && !meets[1]) return false;
+  out.part.fill(-1);
+  for (int n = 0; n < 2; ++n) {
+    for (const Point& p : arcs[n]) out.part[p.slot] = static_cast<std::int8_t>(n);
+  }
+  out.folds.clear();
+  out.foldFaces.clear();
+  if (!corner && meets[0] && meets[1]) out.findFolds(cell, components, component, crossings);
+  if (!out.folds.empty()) return true;
+  for (auto& part : out.part) {
+    const bool kept = part >= 0 && (corner || part == (meets[0] ? 0 : 1));
+    part = kept ? 0 : -1;
+  }
+  return true;
+}
+
+}  // namespace swept

@@ -1,0 +1,30 @@
+// A component with two features in one cell gets two vertices: one for each part of its crossings,
+// each with the planes of its part and of the side between them, which no crossing tells of. Strips
+// of polygons join the two (METHOD: more than one feature in a component).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contour/components.h"
+#include "data/surface_probe.h"
+
+namespace swept {
+
+struct VertexSplit {
+  /// Per slot of the component: 0 the one part, 1 the other, -1 neither.
+  std::array<std::int8_t, kSlots> part;
+  std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
+  /// Where the polygons of the two parts meet: the pairs of slots on the cell's faces. Two of them,
+  /// or none if the vertex cannot be split.
+  std::vector<std::array<std::int8_t, 2>> folds;
+  std::vector<std::int8_t> foldFaces;
+
+  /// The folds, if every slot has a part, the ring of polygons falls into just one arc for each,
+  /// and the two are joined through faces that leave no choice.
+  void findFolds(const Cell& cell, const Components& components, int component,
+                 const Crossing* crossings);
+};
+
+}  // namespace swept
