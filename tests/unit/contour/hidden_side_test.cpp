@@ -1,0 +1,66 @@
+// A ledge lower than a cell: its riser lies between lattice planes, so that hardly a grid edge
+// meets it. Its upper edge is to be in the envelope all the same.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "support/checked_compute.h"
+#include "support/mesh_distance.h"
+#include "support/shapes.h"
+#include "swept/compute.h"
+
+namespace swept::test {
+namespace {
+
+using V3 = Eigen::Vector3d;
+
+/// Prism along y over an L: a block with a step of the given height along its middle.
+TriMesh stepped(double height) {
+  const double x[] = {0, 6, 6, 3, 3, 0}, z[] = {0, 0, 2, 2, 2 + height, 2 + height};
+  TriMesh mesh;
+  for (const double y : {0.0, 5.0}) {
+    for (int n = 0; n < 6; ++n) mesh.vertices.emplace_back(x[n], y, z[n]);
+  }
+  for (int n = 0; n < 6; ++n) {
+    const int m = (n + 1) % 6;
+    mesh.triangles.push_back({n, m, m + 6});
+    mesh.triangles.push_back({n, m + 6, n + 6});
+  }
+  // Corner 3 is the re-entrant one: both ends are fans about it.
+  for (const auto& [a, b] : {std::pair(4, 5), std::pair(5, 0), std::pair(0, 1), std::pair(1, 2)}) {
+    mesh.triangles.push_back({3, b, a});
+    mesh.triangles.push_back({9, a + 6, b + 6});
+  }
+  return signedVolume(mesh) > 0 ? mesh : inverted(mesh);
+}
+
+TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
+  const double cell = 0.25;
+  double most = 0, sum = 0;
+  int count = 0;
+  for (const double height : {0.3, 0.5, 0.8}) {
+    for (const double degrees : {2.0, 4.0, 7.0}) {
+      const Eigen::Isometry3d place = placement({0.3, 1, 0.2}, degrees, {0.07, 0.11, 0.03});
+      const double rise = height * cell;
+      Options options;
+      options.cellSize = cell;
+      const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
+      const Result result = checkedCompute(transformed(stepped(rise), place), still, options);
+      const MeshDistance envelope(result.mesh);
+      for (int n = 2; n <= 98; ++n) {
+        const double d = envelope.distance(place * V3(3, 0.05 * n, 2 + rise)) / cell;
+        most = std::max(most, d);
+        sum += d;
+        ++count;
+      }
+    }
+  }
+  std::printf("upper edge of ledges: mean %.4f, max %.4f cell\n", sum / count, most);
+  EXPECT_LT(most, 0.25);
+  EXPECT_LT(sum / count, 0.03);
+}
+
+}  // namespace
+}  // namespace swept::test
