@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The comparison of the five component methods in docs/contouring.md: its table and its pictures.
+"""What docs/contouring.md shows: the five component methods compared, tables and pictures.
 
-    component_page.py BUILD [BODY...] [--pictures FOLDER]
-    component_page.py BUILD --walls       thin walls in cells twice as wide, the default way
+    contouring_page.py BUILD [BODY...] [--pictures FOLDER]
+    contouring_page.py BUILD --walls        thin walls in cells twice as wide, the default way
+    contouring_page.py BUILD --simplified --pictures FOLDER         a body before and after
 
 Bodies stand still. Lengths in cells; 60,000 points spread evenly over each surface. Of the body's outer
 surface, which an envelope with four times as many cells comes within half of its own cell of, the part
@@ -177,19 +178,10 @@ class Comparison:
         forth = self.distance(spread(made.vertices, made.triangles, POINTS), self.mesh)
         back, *far = self.far(way, POINTS)
         figures = [f"{np.quantile(d, 0.99):.3f} / {d.max():.2f}" for d in (forth, back)]
+        shares = [f"{100 * len(points) / len(back):.2f} %" for points in far]
         bad = f"{report['non_manifold_edges']} / {report['non_manifold_vertices']}"
-        counts = (
-            f"{report['triangles']:,}",
-            report["open_edges"],
-            bad,
-            report["self_intersections"],
-        )
-        return (
-            way,
-            *counts,
-            *figures,
-            *(f"{100 * len(points) / len(back):.2f} %" for points in far),
-        )
+        counts = [report["open_edges"], bad, report["self_intersections"]]
+        return (way, f"{report['triangles']:,}", *counts, *figures, *shares)
 
     def marks(self, way):
         """Ends of open edges, ends of non-manifold edges, lost points of the body's outer surface."""
@@ -199,42 +191,66 @@ class Comparison:
 
     def panel(self, body, way, marks):
         """The body, or an envelope with its marks, in the body's window."""
-        made = self.envelopes.get(way)
         picture = Picture(body.panel, body.centre, body.toward, body.up, body.width)
-        vertices, triangles = (made.vertices, made.triangles) if made else self.mesh
-        picture.fill(vertices, triangles)
-        if made:
-            edges = all_edges(triangles)
-            edges = edges[edges[:, 0] < edges[:, 1]]
-            picture.lines(vertices[edges[:, 0]], vertices[edges[:, 1]], WIRE, 0.3, 0.5)
-            alone, many, lost = marks
-            picture.dots(lost, RED, 1.5, 1)
-            picture.lines(*many.transpose(1, 0, 2), ORANGE, 2, 4)
-            picture.lines(*alone.transpose(1, 0, 2), MAGENTA, 2, 4)
+        if way not in self.envelopes:
+            picture.fill(*self.mesh)
+            return picture.array()
+        draw_net(picture, *self.envelopes[way][:2])
+        alone, many, lost = marks
+        picture.dots(lost, RED, 1.5, 1)
+        picture.lines(*many.transpose(1, 0, 2), ORANGE, 2, 4)
+        picture.lines(*alone.transpose(1, 0, 2), MAGENTA, 2, 4)
         return picture.array()
 
 
-def compose(comparison, body, path):
-    """One picture: the body and the five envelopes, with what is wrong marked in colour."""
+def draw_net(picture, vertices, triangles):
+    """Triangles and their edges."""
+    picture.fill(vertices, triangles)
+    edges = all_edges(triangles)
+    edges = edges[edges[:, 0] < edges[:, 1]]
+    picture.lines(vertices[edges[:, 0]], vertices[edges[:, 1]], WIRE, 0.3, 0.5)
+
+
+def write(panels, columns, legend, path):
+    """One picture of panels {title: pixels}, side by side, with a legend {colour: text}."""
     from PIL import Image, ImageDraw, ImageFont
 
-    marks = {way: comparison.marks(way) for way in WAYS}
-    across, down = body.columns, -(-(len(WAYS) + 1) // body.columns)
-    wide, high = body.panel[0] + 8, body.panel[1] + 24
-    page = Image.new("RGB", (across * wide, down * high + 24), "white")
+    down = -(-len(panels) // columns)
+    high, wide = (a + b for a, b in zip(next(iter(panels.values())).shape, (24, 8)))
+    page = Image.new("RGB", (columns * wide, down * high + 24 * bool(legend)), "white")
     draw, font = ImageDraw.Draw(page), ImageFont.truetype("DejaVuSans.ttf", 14)
-    for n, way in enumerate(("body",) + WAYS):
-        x, y = n % across * wide, n // across * high
-        page.paste(Image.fromarray(comparison.panel(body, way, marks.get(way))), (x, y + 22))
-        draw.text((x + 4, y + 3), way, "black", font)
+    for n, (title, pixels) in enumerate(panels.items()):
+        x, y = n % columns * wide, n // columns * high
+        page.paste(Image.fromarray(pixels), (x, y + 22))
+        draw.text((x + 4, y + 3), title, "black", font)
     x, y = 4, down * high + 4
-    for colour, text in MARKS.items():
+    for colour, text in legend.items():
         draw.rectangle((x, y, x + 12, y + 12), colour)
         draw.text((x + 18, y - 2), text, "black", font)
         x += 40 + draw.textlength(text, font)
-    few = Image.new("P", (1, 1))  # a palette in which the marks keep their colours
-    few.putpalette(page.quantize(120).getpalette()[:360] + [x for mark in MARKS for x in mark])
+    few = Image.new("P", (1, 1))  # a palette in which the legend's colours stay as they are
+    few.putpalette(page.quantize(120).getpalette()[:360] + [x for mark in legend for x in mark])
     page.quantize(palette=few, dither=Image.Dither.NONE).save(path, optimize=True)
+
+
+def simplified(swept, folder):
+    """The fandisk at 128 cells, and within 1.5 mm of that."""
+    mesh = swept.read_mesh(str(FOLDER / "meshes/fandisk_13k.ply"), "m")
+    panels = {}
+    for tolerance in (0, 1.5):
+        made = swept.compute(
+            mesh.vertices, mesh.triangles, np.eye(4)[None], resolution=128, tolerance=tolerance
+        )
+        report = made.report
+        picture = Picture((560, 440), (0, 0, -100), (1, -1.6, 1.4), (0, 0, 1), 2650)
+        draw = draw_net if tolerance else Picture.fill
+        draw(picture, np.asarray(made.vertices), np.asarray(made.triangles))
+        title = f"{report['triangles']:,} triangles"
+        if tolerance:
+            title += f", at most {report['simplification_deviation']:.2f} mm away"
+        panels[title] = picture.array()
+        print(title, f"(cell {report['cell']:.2f} mm)")
+    write(panels, 2, {}, folder / "simplified_fandisk.png")
 
 
 def show(*cells):
@@ -246,7 +262,7 @@ def walls(swept):
     for file, unit, widths in WALLS:
         for width in widths:
             made = Comparison(swept, file, unit, ("consistent",), cell=2 * width)
-            show(file.split("_k")[0], f"{2 * width:.2f} mm", *made.row("consistent")[1:])
+            show(file, f"{2 * width:.2f} mm", *made.row("consistent")[1:])
 
 
 def main():
@@ -255,20 +271,25 @@ def main():
     parser.add_argument("body", nargs="*", default=list(BODIES))
     parser.add_argument("--pictures", type=pathlib.Path)
     parser.add_argument("--walls", action="store_true")
+    parser.add_argument("--simplified", action="store_true")
     arguments = parser.parse_args()
     sys.path.insert(0, str(pathlib.Path(arguments.build) / "python"))
     import _swept
 
     if arguments.walls:
-        walls(_swept)
-        return
+        return walls(_swept)
+    if arguments.simplified:
+        return simplified(_swept, arguments.pictures)
     for name in arguments.body:
         body = BODIES[name]
         comparison = Comparison(_swept, body.file, body.unit, WAYS, resolution=body.cells)
         for way in WAYS:
             show(f"{body.title}, {body.cells}" if way == WAYS[0] else "", *comparison.row(way))
         if arguments.pictures:
-            compose(comparison, body, arguments.pictures / f"components_{name}.png")
+            panels = {"body": comparison.panel(body, "body", None)}
+            for way in WAYS:
+                panels[way] = comparison.panel(body, way, comparison.marks(way))
+            write(panels, body.columns, MARKS, arguments.pictures / f"components_{name}.png")
 
 
 if __name__ == "__main__":
