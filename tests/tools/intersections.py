@@ -73,7 +73,8 @@ def main():
 
     for resolution in arguments.resolution:
         free = 0
-        for path in sorted((FOLDER / "meshes").glob(f"*{arguments.only}*.ply")):
+        meshes = sorted((FOLDER / "meshes").glob("*.ply"))
+        for path in (m for m in meshes if arguments.only in m.name):
             for motion, outcome in runs(_swept, path, resolution):
                 if not isinstance(outcome, str) and outcome[1] == 0:
                     free += 1
