@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "arrays.h"
+#include "base/edge_table.h"
 
 namespace swept::python {
 namespace {
@@ -147,29 +148,6 @@ std::int32_t pointFor(Drawable& out, std::size_t first, const Vector3d& at,
   return static_cast<std::int32_t>(out.points.size() - 1);
 }
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-/// The triangle across each edge (from corner k to the next), kNone where there is not exactly one.
-std::vector<std::array<std::uint32_t, 3>> neighboursOf(const TriMesh& mesh) {
-  const Stars stars = starsOf(mesh);
-  std::vector<std::array<std::uint32_t, 3>> across(mesh.triangles.size(), {kNone, kNone, kNone});
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      int found = 0;
-      for (std::size_t i = stars.starts[a]; i < stars.starts[a + 1]; ++i) {
-        const Triangle& other = mesh.triangles[stars.items[i]];
-        if (static_cast<std::size_t>(stars.items[i]) == t) continue;
-        if (other[0] != b && other[1] != b && other[2] != b) continue;
-        across[t][k] = static_cast<std::uint32_t>(stars.items[i]);
-        ++found;
-      }
-      if (found != 1) across[t][k] = kNone;
-    }
-  }
-  return across;
-}
-
 template <class T>
 void append(std::string& to, const T* values, std::size_t count) {
   to.append(reinterpret_cast<const char*>(values), count * sizeof(T));
@@ -214,7 +192,8 @@ std::string meshFile(const TriMesh& mesh) {
   const auto points = static_cast<std::uint32_t>(mesh.vertices.size());
   const auto facets = static_cast<std::uint32_t>(mesh.triangles.size());
   const std::array<std::uint32_t, 2> head = {0xA0B0C0D0, 0x010000}, counts = {points, facets};
-  const auto across = neighboursOf(mesh);
+  const RawArray<std::uint32_t> across =
+      findAcross(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
   std::string bytes;
   bytes.reserve(296 + 12 * mesh.vertices.size() + 24 * mesh.triangles.size());
   append(bytes, head.data(), head.size());
@@ -229,7 +208,12 @@ std::string meshFile(const TriMesh& mesh) {
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     append(bytes, mesh.triangles[t].data(), 3);
-    append(bytes, across[t].data(), 3);
+    std::array<std::uint32_t, 3> neighbours;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = across[3 * t + k];
+      neighbours[k] = other == kNoNeighbour ? kNoNeighbour : other / 3;
+    }
+    append(bytes, neighbours.data(), 3);
   }
   const std::array<float, 6> box = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
   append(bytes, box.data(), box.size());

@@ -17,6 +17,9 @@ namespace swept {
 
 constexpr int kEdges = 12, kSlots = 24, kFaces = 6;
 
+/// Vertices keep this far from their cell's walls, so that those of neighbours never coincide.
+constexpr double kCellMargin = 1e-4;
+
 constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; }
 
 struct Cell {

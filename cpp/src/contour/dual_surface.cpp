@@ -16,8 +16,6 @@
 namespace swept {
 namespace {
 
-/// Vertices keep this far from their cell's walls, so that those of neighbours never coincide.
-constexpr double kCellMargin = 1e-4;
 /// Cells: a vertex stays in its cell if its planes miss it by less (root mean square). Most creases
 /// that seem to lead out of the cell do no more than pass it by beside the mass point; a vertex
 /// that follows them for nothing meets others there.
@@ -205,9 +203,8 @@ class LayerBuilder {
       const std::uint32_t index = cell.crossing(slot);
       const Crossing& crossing = grid_.crossings[index];
       const int side = split.part[slot];
-      if (side >= 0)
-        sides[side].add(localPosition(slot >> 1, crossing.fraction),
-                        crossing.normal.cast<double>());
+      if (side < 0) continue;
+      sides[side].add(localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>());
       if (side == 1) {
         out_.quads[index][quadCorner(slot >> 1)] = static_cast<std::uint32_t>(twin);
       }

@@ -11,18 +11,14 @@
 namespace swept {
 namespace {
 
-constexpr double kOpposed = -0.5;  ///< cosine between the normals of the sides of a wall
-constexpr double kFlat = 2e-3;     ///< unevenness of what counts as two planes
-constexpr double kLift = 0.02;     ///< cells: lines start this far outside and end as far inside
-constexpr double kKnown = 0.94;    ///< cosine from which a hit is on a side that is known already
-constexpr double kProof = 0.1;     ///< cells: a vertex is proved by a line this long to either side
-constexpr double kReach = 1;       ///< cells: corners this far outside the cell are looked at
-constexpr double kNear = 0.03;     ///< cells: and stands if the surface is met this near to it
+constexpr double kFlat = 2e-3;   ///< unevenness of what counts as two planes
+constexpr double kLift = 0.02;   ///< cells: lines start this far outside and end as far inside
+constexpr double kKnown = 0.94;  ///< cosine from which a hit is on a side that is known already
+constexpr double kProof = 0.1;   ///< cells: a vertex is proved by a line this long to either side
+constexpr double kReach = 1;     ///< cells: corners this far outside the cell are looked at
+constexpr double kNear = 0.03;   ///< cells: and stands if the surface is met this near to it
 
-struct Point {
-  std::int8_t slot;
-  Eigen::Vector3d position, normal;
-};
+using Point = CrossingPoint;
 using Points = std::vector<Point>;
 
 /// The crossings of the component, each followed by the one it shares a polygon edge with.
@@ -44,9 +40,7 @@ Points ringOf(const Cell& cell, const Components& components, int component,
   while (components.of[slot] != component) ++slot;
   const std::int8_t first = slot;
   do {
-    const Crossing& crossing = crossings[cell.crossing(slot)];
-    ring.push_back(
-        {slot, localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>()});
+    ring.push_back(Point::of(cell, slot, crossings));
     const std::int8_t onwards = next[slot][0] != before ? next[slot][0] : next[slot][1];
     before = slot;
     slot = onwards;
@@ -64,24 +58,21 @@ bool hasOpposed(const Points& ring) {
   return false;
 }
 
-Point mean(const Points& points) {
-  Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  for (const Point& p : points) {
-    m.position += p.position / static_cast<double>(points.size());
-    m.normal += p.normal;
-  }
-  m.normal.normalize();
-  return m;
-}
-
-/// How far so many points from the given one on are from being of one plane.
-double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
+/// Of so many points of the ring from the given one on.
+Point mean(const Points& ring, std::size_t begin, std::size_t count) {
   Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t n = begin; n < begin + count; ++n) {
     m.position += ring[n % ring.size()].position / static_cast<double>(count);
     m.normal += ring[n % ring.size()].normal;
   }
   m.normal.normalize();
+  return m;
+}
+Point mean(const Points& points) { return mean(points, 0, points.size()); }
+
+/// How far they are from being of one plane.
+double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
+  const Point m = mean(ring, begin, count);
   double sum = 0;
   for (std::size_t n = begin; n < begin + count; ++n) {
     const Point& p = ring[n % ring.size()];
@@ -216,8 +207,6 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   for (int n = 0; n < 2; ++n) {
     for (const Point& p : arcs[n]) out.part[p.slot] = static_cast<std::int8_t>(n);
   }
-  out.folds.clear();
-  out.foldFaces.clear();
   if (!corner && meets[0] && meets[1]) out.findFolds(cell, components, component, crossings);
   if (!out.folds.empty()) return true;
   for (auto& part : out.part) {

@@ -33,9 +33,14 @@ struct Surface {
   static constexpr std::uint8_t kInside = 1;      ///< lies inside its own cell
   static constexpr std::uint8_t kWithBefore = 2;  ///< the vertex before it has the same cell
   static constexpr std::uint8_t kWithAfter = 4;   ///< the vertex after it has the same cell
-  std::int64_t fans = 0;                          ///< quads fanned about their crossing
-  std::int64_t facePoints = 0;                    ///< vertices put on cell faces
-  std::int64_t rimPolygons = 0;                   ///< that close the ends of thin walls
+  static constexpr std::uint8_t kCrowded = kWithBefore | kWithAfter;
+  /// Of any vertex: none of these bits where it is no component's.
+  std::uint8_t lodgingOf(std::int32_t v) const {
+    return static_cast<std::size_t>(v) < lodging.size() ? lodging[v] : std::uint8_t{0};
+  }
+  std::int64_t fans = 0;         ///< quads fanned about their crossing
+  std::int64_t facePoints = 0;   ///< vertices put on cell faces
+  std::int64_t rimPolygons = 0;  ///< that close the ends of thin walls
 };
 
 /// The grid is left as it was. `probe`: see buildDualSurface().

@@ -12,6 +12,20 @@
 
 namespace swept {
 
+/// Cosine below which two normals are of the two sides of a thin wall.
+constexpr double kOpposed = -0.5;
+
+/// A crossing as its cell sees it.
+struct CrossingPoint {
+  int slot;
+  Eigen::Vector3d position, normal;  ///< in the cell's coordinates
+
+  static CrossingPoint of(const Cell& cell, int slot, const Crossing* crossings) {
+    const Crossing& crossing = crossings[cell.crossing(slot)];
+    return {slot, localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>()};
+  }
+};
+
 struct VertexSplit {
   /// Per slot of the component: 0 the one part, 1 the other, -1 neither.
   std::array<std::int8_t, kSlots> part;

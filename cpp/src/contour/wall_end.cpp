@@ -9,7 +9,6 @@
 namespace swept {
 namespace {
 
-constexpr float kOpposed = -0.5f;   ///< cosine between the normals of the two sides
 constexpr double kAlong = 0.7;      ///< |cosine| from which a crossing belongs to a side
 constexpr double kUneven = 0.2;     ///< cells: the sides are flat to this
 constexpr double kThickest = 1.0;   ///< cells, of walls; gaps count as negative
@@ -19,11 +18,6 @@ constexpr double kRimTurned = 0.8;  ///< |cosine| below which a hit is not on a 
 struct Wall {
   Eigen::Vector3d normal;
   double middle = 0;
-};
-
-struct Point {
-  int slot;
-  Eigen::Vector3d position, normal;
 };
 
 /// False if all crossings are of one side: nothing to look for, which is what nearly every
@@ -44,7 +38,7 @@ bool spread(const Cell& cell, const Components& components, int component,
 }
 
 /// The direction across the wall, if two normals of the component are opposed.
-std::optional<Eigen::Vector3d> across(const std::vector<Point>& points) {
+std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
   double least = kOpposed;
   std::optional<Eigen::Vector3d> best;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -59,12 +53,12 @@ std::optional<Eigen::Vector3d> across(const std::vector<Point>& points) {
 }
 
 /// Sorts the crossings to the two sides; nothing if these are no thin, nearly flat wall.
-std::optional<Wall> sort(const std::vector<Point>& points, const Eigen::Vector3d& normal,
+std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::Vector3d& normal,
                          VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
   std::array<int, 2> count{0, 0};
   out.part.fill(-1);
-  for (const Point& p : points) {
+  for (const CrossingPoint& p : points) {
     const double along = p.normal.dot(normal), offset = p.position.dot(normal);
     if (std::abs(along) < kAlong) continue;
     const int s = along > 0 ? 0 : 1;
@@ -135,14 +129,12 @@ bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& 
                  int component, const Crossing* crossings, const SurfaceProbe& probe,
                  VertexSplit& out) {
   if (!spread(cell, components, component, crossings)) return false;
-  std::vector<Point> points;
+  std::vector<CrossingPoint> points;
   std::vector<std::uint32_t> indices;
   for (int slot = 0; slot < kSlots; ++slot) {
     if (components.of[slot] != component) continue;
     indices.push_back(cell.crossing(slot));
-    const Crossing& crossing = crossings[indices.back()];
-    points.push_back(
-        {slot, localPosition(slot >> 1, crossing.fraction), crossing.normal.cast<double>()});
+    points.push_back(CrossingPoint::of(cell, slot, crossings));
   }
   const auto normal = across(points);
   if (!normal) return false;
@@ -163,8 +155,8 @@ bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& 
   if (lines.empty()) return false;
   probe.cast({corner, corner + Eigen::Vector3d::Ones()}, indices, lines);
   for (const ProbeLine& line : lines) {
-    if (line.hit && std::abs(line.normal.dot(wall->normal)) < kRimTurned)
-      out.between.push_back(line);
+    const bool isRim = line.hit && std::abs(line.normal.dot(wall->normal)) < kRimTurned;
+    if (isRim) out.between.push_back(line);
   }
   if (out.between.empty()) return false;
   out.findFolds(cell, components, component, crossings);

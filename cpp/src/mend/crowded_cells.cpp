@@ -5,78 +5,43 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <span>
 
+#include "base/lists_by_key.h"
 #include "base/parallel.h"
 
 namespace swept {
 namespace {
 
-constexpr double kMargin = 1e-7;  ///< cells, far above rounding
-constexpr std::uint8_t kCrowded = Surface::kWithBefore | Surface::kWithAfter;
 using Triangle = std::array<std::int32_t, 3>;
 
-bool crowded(const Surface& surface, std::int32_t v) {
-  return static_cast<std::size_t>(v) < surface.lodging.size() &&
-         (surface.lodging[v] & kCrowded) != 0;
+bool isNew(const Triangle* triangles, std::uint32_t t, std::int32_t v) {
+  return t == 0 || std::find(triangles[0].begin(), triangles[0].end(), v) == triangles[0].end();
 }
 
 /// Per crowded vertex: the crossings of its marked polygons.
-class PolygonsAround {
- public:
-  PolygonsAround(const Surface& surface, const Polygons& polygons,
-                 const std::vector<std::uint8_t>& marks)
-      : start_(surface.lodging.size() + 1, 0) {
-    forCorners(surface, polygons, marks, [&](std::int32_t v, std::uint32_t) {
-      std::atomic_ref<std::uint32_t>(start_[v]).fetch_add(1, std::memory_order_relaxed);
-    });
-    // Inclusive sums; the fill counts each list down to its start.
-    std::uint32_t sum = 0;
-    for (auto& value : start_) value = sum += value;
-    crossings_.resize(sum);
-    forCorners(surface, polygons, marks, [&](std::int32_t v, std::uint32_t crossing) {
-      crossings_[std::atomic_ref<std::uint32_t>(start_[v]).fetch_sub(1, std::memory_order_relaxed) -
-                 1] = crossing;
-    });
-  }
-
-  /// In rising order, whoever filled them in.
-  std::span<const std::uint32_t> of(std::size_t v) {
-    const std::span<std::uint32_t> list(crossings_.data() + start_[v], start_[v + 1] - start_[v]);
-    std::sort(list.begin(), list.end());
-    return list;
-  }
-
- private:
-  template <class Use>
-  static void forCorners(const Surface& surface, const Polygons& polygons,
-                         const std::vector<std::uint8_t>& marks, const Use& use) {
-    parallelBlocks(marks.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) {
-        if (marks[c] == 0) continue;
-        const auto crossing = static_cast<std::uint32_t>(c);
-        const Polygon polygon = polygons.of(crossing);
-        const Triangle* triangles = polygons.triangles(polygon);
-        for (std::uint32_t t = 0; t < polygon.count; ++t) {
-          // Fans begin at their centre; of a quad's second triangle one corner is new.
-          for (int n = 0; n < 3; ++n) {
-            const std::int32_t v = triangles[t][n];
-            if (!crowded(surface, v)) continue;
-            if (polygon.count > 2 ? n == 1 : isNew(triangles, t, v)) use(v, crossing);
-          }
-        }
-      }
-    });
-  }
-  static bool isNew(const Triangle* triangles, std::uint32_t t, std::int32_t v) {
-    return t == 0 || std::find(triangles[0].begin(), triangles[0].end(), v) == triangles[0].end();
-  }
-
-  std::vector<std::uint32_t> start_;
-  std::vector<std::uint32_t> crossings_;
-};
+ListsByKey polygonsAround(const Surface& surface, const Polygons& polygons,
+                          const std::vector<std::uint8_t>& marks) {
+  return {surface.lodging.size(), [&](const auto& use) {
+            parallelBlocks(marks.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+              for (std::size_t c = begin; c < end; ++c) {
+                if (marks[c] == 0) continue;
+                const auto crossing = static_cast<std::uint32_t>(c);
+                const Polygon polygon = polygons.of(crossing);
+                const Triangle* triangles = polygons.triangles(polygon);
+                for (std::uint32_t t = 0; t < polygon.count; ++t) {
+                  // Fans begin at their centre; of a quad's second triangle one corner is new.
+                  for (int n = 0; n < 3; ++n) {
+                    const std::int32_t v = triangles[t][n];
+                    if ((surface.lodgingOf(v) & Surface::kCrowded) == 0) continue;
+                    if (polygon.count > 2 ? n == 1 : isNew(triangles, t, v)) use(v, crossing);
+                  }
+                }
+              }
+            });
+          }};
+}
 
 /// Looks for planes between the polygons of two vertices.
 class Parting {
@@ -123,7 +88,7 @@ class Parting {
                      std::span<const std::uint32_t> ofB) {
     rangesOf(axis, ofA, rangesA_);
     rangesOf(axis, ofB, rangesB_);
-    const double margin = kMargin * grid_.plan.cell * axis.cwiseAbs().sum();
+    const double margin = kRounding * grid_.plan.cell * axis.cwiseAbs().sum();
     std::size_t found = 0, pair = 0;
     for (const Range& a : rangesA_) {
       for (const Range& b : rangesB_) {
@@ -199,7 +164,7 @@ CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,
                                 RunContext& run) {
   constexpr std::size_t kBlock = 1 << 13;
   const auto& lodging = surface.lodging;
-  PolygonsAround around(surface, polygons, marks);
+  ListsByKey around = polygonsAround(surface, polygons, marks);
   std::vector<CrossingPairs> parts(lodging.size() / kBlock + 1);
   parallelBlocks(lodging.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Check);
@@ -207,7 +172,8 @@ CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,
     Parting parting(surface, grid, polygons);
     std::vector<std::span<const std::uint32_t>> lists;
     for (std::size_t first = begin; first < end; ++first) {
-      if ((lodging[first] & kCrowded) != Surface::kWithAfter) continue;  // not a cell's first
+      if ((lodging[first] & Surface::kCrowded) != Surface::kWithAfter)
+        continue;  // not a cell's first
       lists.clear();
       for (std::size_t v = first;; ++v) {
         lists.push_back(around.of(v));

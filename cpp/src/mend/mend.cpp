@@ -12,6 +12,7 @@
 #include "base/exact_predicates.h"
 #include "base/parallel.h"
 #include "check/near_pairs.h"
+#include "mend/home_cell.h"
 #include "mend/region.h"
 #include "mend/wall_sides.h"
 
@@ -20,7 +21,6 @@ namespace {
 
 constexpr int kReachCells = 4;  ///< around a triangle that meets another one
 constexpr int kRounds = 8;
-constexpr double kCellMargin = 1e-4;
 constexpr double kWaysBack[] = {1e-3, 1e-2, 0.1, 1};  ///< of a vertex whose triangle has no area
 
 using Triangle = std::array<std::int32_t, 3>;
@@ -173,13 +173,7 @@ class Mender {
     for (const std::uint32_t c : crossings) mass += crossingPoint(c);
     mass /= static_cast<double>(crossings.size());
     const Eigen::Vector3d now = (mesh_.vertices[v] - grid_.plan.origin) / grid_.plan.cell;
-    // A vertex may have escaped from its cell; its mass point never does.
-    Eigen::Vector3d cell = now.array().floor();
-    if ((mass.array() < cell.array()).any() || (mass.array() > cell.array() + 1).any()) {
-      cell = mass.array().floor();
-    }
-    mass = mass.cwiseMax((cell.array() + kCellMargin).matrix())
-               .cwiseMin((cell.array() + 1 - kCellMargin).matrix());
+    mass = intoCell(mass, homeCell(now, mass));
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 

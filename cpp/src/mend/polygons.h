@@ -11,6 +11,9 @@
 
 namespace swept {
 
+/// Cells, far above what rounding does to a place.
+constexpr double kRounding = 1e-7;
+
 struct Polygon {
   std::uint32_t first, count;
 };

@@ -15,7 +15,6 @@
 namespace swept {
 namespace {
 
-constexpr double kMargin = 1e-7;  ///< cells, far above rounding
 constexpr double kOnEdge = 1e-9;  ///< cells
 using Triangle = std::array<std::int32_t, 3>;
 
@@ -58,16 +57,13 @@ class PolygonSorter {
   }
 
  private:
-  bool inside(std::int32_t v) const {
-    return static_cast<std::size_t>(v) < surface_.lodging.size() &&
-           (surface_.lodging[v] & Surface::kInside) != 0;
-  }
+  bool inside(std::int32_t v) const { return (surface_.lodgingOf(v) & Surface::kInside) != 0; }
   /// A fan about a point of the lattice edge.
   bool fanLies(const Place& place, const Polygon& polygon) const {
     const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
     const Eigen::Vector3d centre = local(place, triangles[0][0]);
     if (centre.head<2>().cwiseAbs().maxCoeff() > kOnEdge) return false;
-    if (centre[2] < kMargin || centre[2] > 1 - kMargin) return false;
+    if (centre[2] < kRounding || centre[2] > 1 - kRounding) return false;
     for (std::uint32_t t = 0; t < polygon.count; ++t) {
       if (triangles[t][0] != triangles[0][0]) return false;
       const int from = quadrant(place, triangles[t][1]), to = quadrant(place, triangles[t][2]);
@@ -100,8 +96,8 @@ class PolygonSorter {
   int quadrant(const Place& place, std::int32_t v) const {
     if (!inside(v)) return -1;
     const Eigen::Vector3d x = local(place, v);
-    const bool near = std::abs(x[0]) < 1 - kMargin && std::abs(x[1]) < 1 - kMargin &&
-                      x[2] > kMargin && x[2] < 1 - kMargin;
+    const bool near = std::abs(x[0]) < 1 - kRounding && std::abs(x[1]) < 1 - kRounding &&
+                      x[2] > kRounding && x[2] < 1 - kRounding;
     return near ? (x[0] > 0 ? 1 : 0) + (x[1] > 0 ? 2 : 0) : -1;
   }
 
@@ -123,8 +119,8 @@ class PolygonSorter {
     const Eigen::Vector3d x = from + (to - from) * (f / (f - t));
     const double along = x.head<2>().dot(s.head<2>()) / s.head<2>().squaredNorm();
     constexpr double kNearEdge = 1e-5;
-    return {along > kMargin && along < 1 - kMargin && x[2] > along * s[2] + kMargin &&
-                x[2] < along * s[2] + (1 - along) - kMargin,
+    return {along > kRounding && along < 1 - kRounding && x[2] > along * s[2] + kRounding &&
+                x[2] < along * s[2] + (1 - along) - kRounding,
             std::abs(along) < kNearEdge && x[2] > 2 * kNearEdge && x[2] < 1 - 2 * kNearEdge};
   }
 

@@ -9,13 +9,13 @@
 #include <unordered_set>
 
 #include "base/parallel.h"
+#include "mend/home_cell.h"
 
 namespace swept {
 namespace {
 
-constexpr double kCellMargin = 1e-4;  ///< as of vertices placed by their planes
-constexpr double kLeastHalf = 2e-4;   ///< cells between a side and the middle of the wall
-constexpr int kTurns = 200;           ///< steps towards a direction that all triangles agree with
+constexpr double kLeastHalf = 2e-4;  ///< cells between a side and the middle of the wall
+constexpr int kTurns = 200;          ///< steps towards a direction that all triangles agree with
 
 using Vec3 = Eigen::Vector3d;
 
@@ -84,12 +84,7 @@ class Layer {
     Vec3 mass = Vec3::Zero();
     for (const Through& edge : edges) mass += edge.middle;
     mass /= static_cast<double>(edges.size());
-    Vec3 cell = now.array().floor();
-    if ((mass.array() < cell.array()).any() || (mass.array() > cell.array() + 1).any()) {
-      cell = mass.array().floor();
-    }
-    return now.cwiseMax((cell.array() + kCellMargin).matrix())
-        .cwiseMin((cell.array() + 1 - kCellMargin).matrix());
+    return intoCell(now, homeCell(now, mass));
   }
 
   /// Half the way from a to b, in cells, once both lie on the place between them.
@@ -144,8 +139,7 @@ class Layer {
 std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersections& pairs) {
   const auto& triangles = surface.mesh.triangles;
   const auto crowded = [&](std::int32_t v) {
-    return static_cast<std::size_t>(v) < surface.lodging.size() &&
-           (surface.lodging[v] & (Surface::kWithBefore | Surface::kWithAfter)) != 0;
+    return (surface.lodgingOf(v) & Surface::kCrowded) != 0;
   };
   std::vector<std::pair<std::int32_t, std::int32_t>> found;
   for (const auto& [t, u] : pairs.pairs) {

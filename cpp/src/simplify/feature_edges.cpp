@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 
 #include "base/edge_table.h"
+#include "base/lists_by_key.h"
 #include "base/parallel.h"
 #include "simplify/quadric.h"
 
@@ -64,31 +64,21 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>
       wanted.push_back(v);
     }
   }
-  // Triangles by vertex; whoever found them, each vertex adds its own in rising order.
-  std::vector<std::uint32_t> start(wanted.size() + 1, 0);
-  const auto forCorners = [&](const auto& use) {
+  ListsByKey around(wanted.size(), [&](const auto& use) {
     parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         for (const std::int32_t v : mesh.triangles[t]) {
-          if (place[v] != kNone) use(std::atomic_ref<std::uint32_t>(start[place[v]]), t);
+          if (place[v] != kNone) use(place[v], static_cast<std::uint32_t>(t));
         }
       }
     });
-  };
-  forCorners([](auto count, std::size_t) { count.fetch_add(1, std::memory_order_relaxed); });
-  std::uint32_t sum = 0;
-  for (std::uint32_t& value : start) value = sum += value;  // filled down to each list's start
-  std::vector<std::uint32_t> triangles(sum);
-  forCorners([&](auto next, std::size_t t) {
-    triangles[next.fetch_sub(1, std::memory_order_relaxed) - 1] = static_cast<std::uint32_t>(t);
   });
   std::vector<std::uint8_t> feature(mesh.vertices.size());
   parallelBlocks(wanted.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      std::sort(triangles.begin() + start[n], triangles.begin() + start[n + 1]);
       Quadric quadric;
-      for (std::uint32_t at = start[n]; at < start[n + 1]; ++at) {
-        const Eigen::Vector3d normal = normalOf(mesh, triangles[at]);
+      for (const std::uint32_t t : around.of(n)) {
+        const Eigen::Vector3d normal = normalOf(mesh, t);
         const double area = normal.norm();
         // Only the directions count: planes through the origin.
         if (area > 0) quadric.addPlane(normal / area, Eigen::Vector3d::Zero(), area);
