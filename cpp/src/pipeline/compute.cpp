@@ -22,6 +22,7 @@
 #include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
 #include "pipeline/grown_sweep.h"
+#include "pipeline/guarded.h"
 #include "pipeline/pilot.h"
 #include "pipeline/plan.h"
 #include "pipeline/require_passed.h"
@@ -463,45 +464,10 @@ class Run {
   double cpuSeconds_ = 0;
 };
 
-/// `remedy` follows the message where that is no sentence of ours.
-void fail(Result& result, Status status, const char* code, const char* message,
-          const char* remedy = "") {
-  result.mesh = TriMesh{};
-  result.contactTime = {};
-  result.featureEdges = {};
-  result.kept.reset();
-  result.report.status = status;
-  try {
-    result.report.code = code;
-    result.report.message = message;
-    result.report.message += remedy;
-  } catch (const std::bad_alloc&) {
-    // Both short enough to need no memory.
-    result.report.status = Status::OutOfMemory;
-    result.report.code = "OutOfMemory";
-    result.report.message = "out of memory";
-  }
-}
-
-/// What to do about a failure that nobody foresaw.
-constexpr const char* kReport =
-    ": a fault of the program; another cell size may avoid it. Please report it with body, motion "
-    "and options";
-
-/// The one wall where exceptions become a status.
-template <class Body>
-void guarded(Result& result, const Body& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    const bool unforeseen = error.code() == "InternalError";
-    fail(result, error.status(), error.code().c_str(), error.what(), unforeseen ? kReport : "");
-  } catch (const std::bad_alloc&) {
-    fail(result, Status::OutOfMemory, "OutOfMemory",
-         "memory ran out although the estimate was within the limit; use a larger cell");
-  } catch (const std::exception& error) {
-    fail(result, Status::InternalError, "InternalError", error.what(), kReport);
-  }
+/// Threads that a run may use.
+int threadsOf(const RunContext& run) {
+  if (run.threads > 0) return run.threads;
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 /// Runs work(run) in an arena of the wanted number of threads and puts how it went in the report.
@@ -509,9 +475,7 @@ template <class Work>
 Result runWith(const Options& options, RunContext& run, const Work& work) {
   Result result;
   const Timer total;
-  const int threads = run.threads > 0
-                          ? run.threads
-                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int threads = threadsOf(run);
   result.report.threads = threads;
   guarded(result, [&] {
     resetPeakMemory();
@@ -591,9 +555,7 @@ void recut(Result& result, double tolerance, RunContext& run) {
   Result next;
   next.kept = result.kept;
   next.report = result.report;
-  const int threads = run.threads > 0
-                          ? run.threads
-                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int threads = threadsOf(run);
   tbb::task_arena arena(threads);
   arena.execute([&] { cutKept(next, tolerance, run); });
   result = std::move(next);

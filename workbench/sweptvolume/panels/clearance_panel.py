@@ -245,10 +245,7 @@ class ClearancePanel:
             self.required_band.setProperty("rawValue", self.obj.Required.Value)
             self.show_result()
             return
-        text = run.message
-        if run.state == "cancelled":
-            text = translate("Messages", "Cancelled. Nothing was changed.")
-        widgets.show_message(self.message, text)
+        widgets.show_failure(self.message, run)
 
     # --- result
 

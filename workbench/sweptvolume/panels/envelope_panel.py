@@ -14,6 +14,7 @@ from . import widgets
 from .parts_box import PartsBox
 from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
+from .run_panel import StartPanel
 from .tasks import EnvelopeTask
 from .widgets import QtWidgets
 
@@ -39,8 +40,10 @@ DEFAULTS = {
 opened = []
 
 
-class EnvelopePanel:
+class EnvelopePanel(StartPanel):
     """Makes a new envelope (obj None) or changes one."""
+
+    STARTERS = ("Ok", "Apply")
 
     def __init__(self, document, pairs=(), motion_obj=None, obj=None):
         self.document = document
@@ -275,8 +278,7 @@ class EnvelopePanel:
         for box in self.form.findChildren(QtWidgets.QGroupBox):
             if box not in (self.box, self.read_outs):
                 box.setEnabled(on)
-        for button in self.buttons:
-            button.setEnabled(on)
+        self.enable_buttons(on)
 
     def ended(self, run):
         self.run = None
@@ -295,39 +297,14 @@ class EnvelopePanel:
             else:
                 self.read_outs.show_result(self.obj)
             return
-        text = run.message
-        if run.state == "cancelled":
-            text = translate("Messages", "Cancelled. Nothing was changed.")
-        widgets.show_message(self.message, text)
+        widgets.show_failure(self.message, run)
 
     # --- task panel
-
-    def getStandardButtons(self):
-        box = QtWidgets.QDialogButtonBox
-        return widgets.standard_buttons(box.Ok, box.Apply, box.Cancel)
-
-    def modifyStandardButtons(self, box):
-        """FreeCAD hands over the buttons of the open panel."""
-        kinds = (QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Apply)
-        self.buttons = [box.button(kind) for kind in kinds]
-        self._button_box = box  # keeps the wrappers of the buttons alive
 
     def clicked(self, button):
         apply = widgets.number_of(QtWidgets.QDialogButtonBox.Apply)
         if widgets.number_of(button) == apply and self.run is None:
             self.start(close_when_done=False)
-
-    def accept(self):
-        if self.run is None:
-            self.start()
-        return False
-
-    def reject(self):
-        """Cancel: stops a run first; nothing was written before it ended."""
-        if self.run is not None:
-            self.run.ended.disconnect(self.ended)
-            self.run.cancel()
-        return self._close()
 
     def _close(self):
         if self.closed:  # the document went, and a run or the timer told of it first

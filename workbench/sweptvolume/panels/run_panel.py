@@ -1,11 +1,44 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel that only shows one run: progress, stop, and what went wrong."""
+"""What task panels with a run share, and the one that shows nothing else: progress, stop, what went
+wrong."""
 import FreeCADGui as Gui
 
 from .. import runner
-from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
+
+
+class StartPanel:
+    """Buttons of a panel that starts a run and stays open until its end. The panel has `run` (None: none
+    is under way), start(), ended(run) and _close()."""
+
+    #: Names of the buttons that start the run.
+    STARTERS = ("Ok",)
+
+    def getStandardButtons(self):
+        kinds = [getattr(QtWidgets.QDialogButtonBox, name) for name in self.STARTERS]
+        return widgets.standard_buttons(*kinds, QtWidgets.QDialogButtonBox.Cancel)
+
+    def modifyStandardButtons(self, box):
+        """FreeCAD hands over the buttons of the open panel."""
+        self.buttons = [box.button(getattr(QtWidgets.QDialogButtonBox, name)) for name in self.STARTERS]
+        self._button_box = box  # keeps the wrappers of the buttons alive
+
+    def enable_buttons(self, on):
+        for button in self.buttons:
+            button.setEnabled(on)
+
+    def accept(self):
+        if self.run is None:
+            self.start()
+        return False
+
+    def reject(self):
+        """Cancel: stops a run first; nothing was written before it ended."""
+        if self.run is not None:
+            self.run.ended.disconnect(self.ended)
+            self.run.cancel()
+        return self._close()
 
 
 class RunPanel:
@@ -28,10 +61,7 @@ class RunPanel:
         if run.state == "ok" or not widgets.alive(run.task.document):
             Gui.Control.closeDialog()
             return
-        text = run.message
-        if run.state == "cancelled":
-            text = translate("Messages", "Cancelled. Nothing was changed.")
-        widgets.show_message(self.message, text)
+        widgets.show_failure(self.message, run)
 
     def getStandardButtons(self):
         return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)

@@ -11,6 +11,7 @@ from ..convert import InputProblem
 from ..features import solid
 from ..texts import translate
 from . import tasks, widgets
+from .run_panel import StartPanel
 from .widgets import QtWidgets
 
 #: ms after the last change before the estimate is made anew.
@@ -36,13 +37,13 @@ class _Estimate(runner.Task):
         self.show(found)
 
 
-class SolidPanel:
+class SolidPanel(StartPanel):
     """Makes the solid of `source` (again: obj), or with a path writes it there."""
 
     def __init__(self, source, obj=None, path=""):
         self.mesh = solid.request_for(source, world=bool(path))
         self.document, self.source, self.obj, self.path = source.Document, source, obj, path
-        self.run, self.looking, self.button = None, None, None
+        self.run, self.looking, self.buttons = None, None, []
         values = solid.settings(obj) if obj is not None else solid.DEFAULTS
         if path:
             head = translate("Panels", "Export envelope"), "SweptVolume_Export"
@@ -164,8 +165,7 @@ class SolidPanel:
 
     def _enable(self, on):
         self.fields.setEnabled(on)
-        if self.button is not None:
-            self.button.setEnabled(on)
+        self.enable_buttons(on)
 
     def ended(self, run):
         self.run = None
@@ -174,33 +174,7 @@ class SolidPanel:
             return
         self.box.hide()
         self._enable(True)
-        text = run.message
-        if run.state == "cancelled":
-            text = translate("Messages", "Cancelled. Nothing was changed.")
-        widgets.show_message(self.message, text)
-
-    # --- task panel
-
-    def getStandardButtons(self):
-        box = QtWidgets.QDialogButtonBox
-        return widgets.standard_buttons(box.Ok, box.Cancel)
-
-    def modifyStandardButtons(self, box):
-        """FreeCAD hands over the buttons of the open panel."""
-        self.button = box.button(QtWidgets.QDialogButtonBox.Ok)
-        self._button_box = box  # keeps the wrappers of the buttons alive
-
-    def accept(self):
-        if self.run is None:
-            self.start()
-        return False
-
-    def reject(self):
-        """Cancel: stops a run first; nothing was written before it ended."""
-        if self.run is not None:
-            self.run.ended.disconnect(self.ended)
-            self.run.cancel()
-        return self._close()
+        widgets.show_failure(self.message, run)
 
     def _close(self):
         self.timer.stop()

@@ -154,6 +154,12 @@ def show_message(label, text):
     label.setVisible(bool(text))
 
 
+def show_failure(label, run):
+    """What is told of a run that ended without a result."""
+    cancelled = translate("Messages", "Cancelled. Nothing was changed.")
+    show_message(label, cancelled if run.state == "cancelled" else run.message)
+
+
 def message_label():
     label = QtWidgets.QLabel()
     label.setWordWrap(True)

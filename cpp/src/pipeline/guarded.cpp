@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/guarded.h"
+
+#include <exception>
+#include <new>
+
+namespace swept {
+namespace {
+
+/// `remedy` follows the message where that is no sentence of ours.
+void fail(Result& result, Status status, const char* code, const char* message,
+          const char* remedy = "") {
+  result.mesh = TriMesh{};
+  result.contactTime = {};
+  result.featureEdges = {};
+  result.kept.reset();
+  result.report.status = status;
+  try {
+    result.report.code = code;
+    result.report.message = message;
+    result.report.message += remedy;
+  } catch (const std::bad_alloc&) {
+    // Both short enough to need no memory.
+    result.report.status = Status::OutOfMemory;
+    result.report.code = "OutOfMemory";
+    result.report.message = "out of memory";
+  }
+}
+
+/// What to do about a failure that nobody foresaw.
+constexpr const char* kReport =
+    ": a fault of the program; another cell size may avoid it. Please report it with body, motion "
+    "and options";
+
+}  // namespace
+
+void failAsThrown(Result& result) {
+  try {
+    throw;
+  } catch (const Error& error) {
+    const bool unforeseen = error.code() == "InternalError";
+    fail(result, error.status(), error.code().c_str(), error.what(), unforeseen ? kReport : "");
+  } catch (const std::bad_alloc&) {
+    fail(result, Status::OutOfMemory, "OutOfMemory",
+         "memory ran out although the estimate was within the limit; use a larger cell");
+  } catch (const std::exception& error) {
+    fail(result, Status::InternalError, "InternalError", error.what(), kReport);
+  }
+}
+
+}  // namespace swept
