@@ -219,7 +219,7 @@ class Sources(Case):
         self.assertAlmostEqual(box.Placement.Base.y, 0)
 
     def test_simulation_asks_the_assembly(self):
-        """The calls alone, on a stand-in: this is no test of FreeCAD's own simulation."""
+        """The calls alone, on a stand-in; test_assembly.py has FreeCAD's own simulation."""
         box, calls = self.box(), []
 
         class Assembly:
@@ -250,17 +250,6 @@ class Sources(Case):
         Group.InList = []
         with self.assertRaisesRegex(InputProblem, "need FreeCAD 1.1"):
             assembly.poses([Simulation(), box])
-
-    def test_simulation_of_the_built_in_assembly(self):
-        try:
-            import AssemblyApp  # noqa: F401
-        except ImportError as error:
-            self.skipTest("this FreeCAD has no built-in Assembly ({})".format(error))
-        if tuple(map(int, App.Version()[:2])) < (1, 1):
-            self.skipTest("this FreeCAD's Assembly has no simulations: they came with 1.1")
-        self.assertIn(
-            "generateSimulation", dir(self.doc.addObject("Assembly::AssemblyObject", "A"))
-        )
 
     def test_draft_wire_and_path_array(self):
         try:

@@ -75,6 +75,12 @@ def new_document(name):
     return document
 
 
+def to_3d_view():
+    """Back to the 3D view: FreeCAD 1.1 hides task panels over others, sheets for one."""
+    view = Gui.activeDocument().mdiViewsOfType("Gui::View3DInventor")[0]
+    Gui.getMainWindow().setActiveWindow(view)
+
+
 def select(*items):
     """Selects objects, or (object, sub path) tuples, and nothing else."""
     Gui.Selection.clearSelection()

@@ -3,7 +3,9 @@
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
+from mechanism import Absent, arm_after, hinge  # noqa: E402
 from driver import (  # noqa: E402
     App,
     Gui,
@@ -19,6 +21,7 @@ from driver import (  # noqa: E402
     run,
     select,
     shot,
+    to_3d_view,
 )
 
 V = App.Vector
@@ -88,6 +91,9 @@ def scenario():
     doc.recompute()
     undo = doc.UndoCount
     select(sheet, box)
+    yield 0.5
+    to_3d_view()  # FreeCAD 1.1 opens a sheet that is selected
+    yield 0.3
     Gui.runCommand("SweptVolume_MotionDriven")
     yield 0.4
     choose("SweptVolumeValue", "lift")
@@ -135,6 +141,25 @@ def scenario():
         yield no_panel
         turned = made(doc).Placements[-1].Base
         assert (turned - V(0, 20, 0)).Length < 1e-9, turned
+
+    # A simulation of FreeCAD's own Assembly, where it has them.
+    try:
+        simulation, arm, drive = hinge(doc)
+    except Absent as reason:
+        print("simulation skipped: {}".format(reason))
+    else:
+        yield
+        select(simulation, arm)
+        Gui.runCommand("SweptVolume_MotionFromSource")
+        yield 0.4
+        shot("25_simulation")
+        yield 0.6
+        click(panel_button(Ok))
+        yield no_panel
+        swung = made(doc)
+        assert (swung.SourceType, swung.Count) == ("Simulation", 5), (swung.SourceType, swung.Count)
+        assert swung.Placements[-1].isSame(arm_after(1), 1e-6), swung.Placements[-1]
+        assert arm.Placement.isSame(arm_after(0), 1e-9), arm.Placement
 
     # A link array, and the placements of selected objects.
     array = doc.addObject("App::Link", "Array")

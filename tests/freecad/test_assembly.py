@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The motion of a part in a simulation of FreeCAD's own Assembly: what its solver says must come out."""
+import os
+
+import FreeCAD as App
+
+from case import Case, shift
+from mechanism import SPEED, Absent, arm_after, hinge
+from sweptvolume import core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import envelope, motion
+from sweptvolume.trajectory import assembly
+
+
+class Simulated(Case):
+    def setUp(self):
+        super().setUp()
+        try:
+            self.simulation, self.arm, self.drive = hinge(self.doc)
+        except Absent as reason:
+            self.skipTest(str(reason))
+
+    def path(self):
+        obj = motion.motion_from_source(self.doc, "Simulation", [self.simulation, self.arm])
+        self.doc.recompute()
+        return obj
+
+    def test_poses_are_those_of_the_solver(self):
+        obj = self.path()
+        self.assertEqual(list(obj.Times), [0, 0.25, 0.5, 0.75, 1])
+        for time, place in zip(obj.Times, obj.Placements):
+            self.assert_placement(place, arm_after(time), 1e-6)
+        self.assert_placement(self.arm.Placement, arm_after(0), 1e-9)
+        self.assertEqual([o.Name for o in self.doc.Objects if "Invalid" in o.State], [])
+
+    def test_step_that_does_not_meet_the_end(self):
+        self.simulation.cTimeStepOutput = 0.3
+        self.simulation.aTimeStart = 0.2
+        found = assembly.poses([self.simulation, self.arm])
+        self.assertEqual([round(t, 9) for t in found.times], [0.2, 0.5, 0.8])
+        for time, place in zip(found.times, found.placements):
+            self.assert_placement(place, arm_after(time), 1e-6)
+
+    def test_moved_assembly(self):
+        self.doc.getObject("Assembly").Placement = shift(0, 0, 50)
+        self.doc.recompute()
+        last = self.path().Placements[-1]
+        self.assert_placement(last, shift(0, 0, 50) * arm_after(1), 1e-6)
+
+    def test_broken_formula_is_said(self):
+        self.drive.Formula = "nonsense*"
+        with self.assertRaisesRegex(InputProblem, '"Simulation" gave no frames'):
+            self.path()
+        self.assert_placement(self.arm.Placement, arm_after(0), 1e-9)
+
+    def test_saved_opened_changed_reloaded(self):
+        name, file = self.path().Name, os.path.join(self.folder, "a.FCStd")
+        self.doc.saveAs(file)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(file)
+        obj = self.doc.getObject(name)
+        self.assertEqual((obj.SourceType, obj.Status), ("Simulation", ""))
+        self.assert_placement(obj.Placements[-1], arm_after(1), 1e-6)
+        self.doc.getObject("Drive").Formula = "0.5*time"
+        self.doc.recompute()
+        self.assertEqual(obj.Status, motion.STALE)
+        motion.reload_source(obj)
+        self.doc.recompute()
+        self.assertEqual(obj.Status, "")
+        self.assert_placement(obj.Placements[-1], arm_after(1, 0.5), 1e-6)
+
+    def test_envelope(self):
+        if not core.available():
+            self.skipTest("the compiled core _swept is not built")
+        path = self.path()
+        path.Interpolation = "Screw"
+        obj = self.envelope([self.arm], path, Resolution=64)
+        envelope.compute(obj)
+        # The rectangle, and the sector of its diagonal.
+        true = 10 * (20 * 10 + (20**2 + 10**2) * SPEED / 2)
+        self.assertAlmostEqual(obj.Volume.Value, true, delta=0.01 * true)
