@@ -9,6 +9,7 @@
 #include <Standard_Version.hxx>
 #include <TopoDS_Shape.hxx>
 #if OCC_VERSION_HEX < 0x070900
+#include <ShapeBuild_ReShape.hxx>
 #include <XSAlgo.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
 #endif
@@ -58,20 +59,50 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Leaves what this thread reads as it stands in the file; what other threads read is mended.
+// Leaves what this thread reads as it stands in the file; what other threads read is mended. Takes
+// whatever else the kernel's version of the call has behind the shape.
 class AsItStands : public XSAlgo_AlgoContainer {
+  using Base = XSAlgo_AlgoContainer;
+  using Real = Standard_Real;
+  using Text = Standard_CString;
+
  public:
-  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision,
-                            const Standard_Real largest, const Standard_CString resource,
-                            const Standard_CString sequence, Handle(Standard_Transient) & info,
+#if OCC_VERSION_HEX < 0x070800
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Real precision, const Real largest,
+                            const Text resource, const Text sequence,
+                            Handle(Standard_Transient) & info,
                             const Message_ProgressRange& progress,
                             const Standard_Boolean nonManifold) const override {
-    if (std::this_thread::get_id() == owner_) return shape;
-    return XSAlgo_AlgoContainer::ProcessShape(shape, precision, largest, resource, sequence, info,
-                                              progress, nonManifold);
+    return process(shape, precision, largest, resource, sequence, info, progress, nonManifold);
   }
+#else
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Real precision, const Real largest,
+                            const Text resource, const Text sequence,
+                            Handle(Standard_Transient) & info,
+                            const Message_ProgressRange& progress,
+                            const Standard_Boolean nonManifold,
+                            const TopAbs_ShapeEnum detail) const override {
+    return process(shape, precision, largest, resource, sequence, info, progress, nonManifold,
+                   detail);
+  }
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Real precision, const Real largest,
+                            const Text resource, const Text sequence,
+                            Handle(Standard_Transient) & info,
+                            const Handle(ShapeBuild_ReShape) & changes,
+                            const Message_ProgressRange& progress,
+                            const Standard_Boolean nonManifold,
+                            const TopAbs_ShapeEnum detail) const override {
+    return process(shape, precision, largest, resource, sequence, info, changes, progress,
+                   nonManifold, detail);
+  }
+#endif
 
  private:
+  template <class... Rest>
+  TopoDS_Shape process(const TopoDS_Shape& shape, Rest&&... rest) const {
+    if (std::this_thread::get_id() == owner_) return shape;
+    return Base::ProcessShape(shape, std::forward<Rest>(rest)...);
+  }
   std::thread::id owner_ = std::this_thread::get_id();
 };
 #endif
