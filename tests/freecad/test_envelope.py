@@ -305,6 +305,7 @@ class SolidAndFiles(Computed):
             with self.assertRaisesRegex(InputProblem, "limit 7"):
                 solid.compute(body)
         self.assertEqual(os.listdir(self.folder), ["faceted.step"])
+        self.assertEqual(os.stat(path).st_mode, os.stat(self.file("any", "")).st_mode)
 
     def test_step_is_read_back(self):
         obj = self.computed()

@@ -9,6 +9,7 @@
 
 #ifndef _WIN32
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -48,6 +49,25 @@ fs::path temporaryBeside(const fs::path& target) {
 
 std::string causeOf(int error) {
   return error != 0 ? std::system_category().message(error) : "unknown cause";
+}
+
+// A new file that only its owner may read until it is finished; never one that somebody else has
+// laid there, nor what a link leads to. Returns the mode that new files of this folder usually get,
+// 0 where the system has no modes or creating failed (errno tells why).
+unsigned createPrivate([[maybe_unused]] const fs::path& file) {
+  errno = 0;
+#ifndef _WIN32
+  const int handle = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (handle < 0) return 0;
+  struct stat usual {};
+  const bool known = ::fstat(handle, &usual) == 0;
+  if (known) ::fchmod(handle, 0600);
+  ::close(handle);
+  errno = 0;  // a file system without modes is not at fault
+  return known ? usual.st_mode & 0777U : 0;
+#else
+  return 0;
+#endif
 }
 
 // Flushes to the disk: a full disk may show only here. Systems without it are not at fault.
@@ -138,15 +158,12 @@ SafeFile::SafeFile(const std::string& path) : name_(path) {
   checkFolder(path, folderOf(target_));
   checkOldFile(path, target_);
   temporary_.path = temporaryBeside(target_);
-  errno = 0;
-  stream_.open(temporary_.path, std::ios::binary | std::ios::trunc);
+  mode_ = createPrivate(temporary_.path);
+  if (errno == 0) stream_.open(temporary_.path, std::ios::binary | std::ios::trunc);
   if (!stream_.is_open()) {
     refuse("ReadOnly", "cannot write into the folder '" + utf8FromPath(folderOf(target_)) + "': " +
                            causeOf(errno) + "; choose a folder in which you may create files");
   }
-  std::error_code code;
-  const fs::file_status old = fs::status(target_, code);
-  if (fs::exists(old)) fs::permissions(temporary_.path, old.permissions(), code);
 }
 
 SafeFile::~SafeFile() { closeQuietly(stream_); }
@@ -169,6 +186,9 @@ std::uint64_t SafeFile::commit() {
   syncToDisk(temporary_.path, name_);
   std::error_code code;
   const auto bytes = fs::file_size(temporary_.path, code);
+  const fs::file_status old = fs::status(target_, code);
+  const auto wanted = fs::exists(old) ? old.permissions() : static_cast<fs::perms>(mode_);
+  if (wanted != fs::perms::none) fs::permissions(temporary_.path, wanted, code);
   fs::rename(temporary_.path, target_, code);
   if (code) {
     refuse("WriteFailed", "cannot put '" + name_ + "' in its place: " + code.message());

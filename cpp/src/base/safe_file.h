@@ -1,6 +1,6 @@
 // Writing without ever leaving a half-written file: a temporary beside the target, then a rename.
 // In:   target path (UTF-8). Out: the finished file, or the old one untouched and no temporary.
-// Links are followed, the mode of an old file is kept.
+// Links are followed, the mode of an old file is kept. Only the owner can read the temporary.
 // Throws Error(ExportFailed, "BadTarget" | "MissingFolder" | "ReadOnly" | "WriteFailed") that
 // names the file or folder and the cause.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -53,6 +53,7 @@ class SafeFile {
   std::filesystem::path target_;
   TemporaryName temporary_;  // goes after the stream is closed
   std::ofstream stream_;
+  unsigned mode_ = 0;  // of the finished file where there is no old one
 };
 
 }  // namespace swept

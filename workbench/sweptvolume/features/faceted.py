@@ -47,6 +47,15 @@ def check(shape, volume):
         )
 
 
+def _final_mode(path):
+    """Who may read the finished file: as the old one, else as any new file. The temporary is private."""
+    if os.path.exists(path):
+        return os.stat(path).st_mode & 0o777
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
 def write(vertices, triangles, path, max_faces):
     """Raises InputProblem."""
     import Part
@@ -74,6 +83,7 @@ def write(vertices, triangles, path, max_faces):
             shape.exportStep(beside)
         check(Part.read(beside), volume)
         size = os.path.getsize(beside)
+        os.chmod(beside, _final_mode(path))
         os.replace(beside, path)
     except BaseException:
         os.remove(beside)
