@@ -59,6 +59,23 @@ std::vector<Pose> posesFromMatrices(const py::object& object, const double* time
   return poses;
 }
 
+/// Fills the triangles of a mesh whose vertices are there.
+template <class Index>
+void takeTriangles(const Index* indices, TriMesh& mesh) {
+  const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t index = indices[3 * t + k];
+      if (index < 0 || index >= vertices || index > std::numeric_limits<std::int32_t>::max()) {
+        throw Error(Status::InvalidInput, "BadIndex",
+                    "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(index) +
+                        "; there are " + std::to_string(vertices) + " (counted from 0)");
+      }
+      mesh.triangles[t][k] = static_cast<std::int32_t>(index);
+    }
+  }
+}
+
 }  // namespace
 
 TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) {
@@ -71,25 +88,20 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) 
     PyErr_Clear();
     throw py::type_error("triangles must be an array of integers");
   }
-  const Integers faces = Integers::ensure(any);
-  if (!faces) throw py::error_already_set();
-  checkShape(faces, "triangles", {-1, 3}, "(M, 3)");
+  checkShape(any, "triangles", {-1, 3}, "(M, 3)");
+  // What the core gave is read where it lies.
+  const bool plain = py::isinstance<py::array_t<std::int32_t, py::array::c_style>>(any);
+  const Integers wide = plain ? Integers() : Integers::ensure(any);
+  if (!wide) throw py::error_already_set();
 
   TriMesh mesh;
   mesh.vertices.resize(static_cast<std::size_t>(points.shape(0)));
   std::copy_n(points.data(), points.size(), reinterpret_cast<double*>(mesh.vertices.data()));
-  mesh.triangles.resize(static_cast<std::size_t>(faces.shape(0)));
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t index = faces.data()[3 * t + k];
-      if (index < 0 || index >= points.shape(0) ||
-          index > std::numeric_limits<std::int32_t>::max()) {
-        throw Error(Status::InvalidInput, "BadIndex",
-                    "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(index) +
-                        "; there are " + std::to_string(points.shape(0)) + " (counted from 0)");
-      }
-      mesh.triangles[t][k] = static_cast<std::int32_t>(index);
-    }
+  mesh.triangles.resize(static_cast<std::size_t>(any.shape(0)));
+  if (plain) {
+    takeTriangles(static_cast<const std::int32_t*>(any.data()), mesh);
+  } else {
+    takeTriangles(wide.data(), mesh);
   }
   return mesh;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "drawing.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,29 +39,78 @@ double areaOf(const TriMesh& mesh) {
   return 0.5 * twice;
 }
 
+/// Numbers keys in the order in which they come.
+class Numbering {
+ public:
+  explicit Numbering(std::size_t most) {
+    std::size_t size = 16;
+    while (size < 2 * most) size *= 2;
+    keys_.assign(size, kFree);
+    numbers_.resize(size);
+  }
+  std::int32_t of(std::uint64_t key) {
+    const std::uint64_t mixed = key * 0x9e3779b97f4a7c15u;
+    std::size_t at = (mixed ^ mixed >> 32) & (keys_.size() - 1);
+    while (keys_[at] != key) {
+      if (keys_[at] == kFree) {
+        keys_[at] = key;
+        numbers_[at] = count_++;
+        break;
+      }
+      at = (at + 1) & (keys_.size() - 1);
+    }
+    return numbers_[at];
+  }
+  std::int32_t count() const { return count_; }
+
+ private:
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // a cell's key has 63 bits
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::int32_t> numbers_;
+  std::int32_t count_ = 0;
+};
+
 /// For each vertex the number of the grid's cell that it lies in, counted without gaps.
 std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t& count) {
   Vector3d low = mesh.vertices[0];
   for (const Vector3d& v : mesh.vertices) low = low.cwiseMin(v);
-  std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(mesh.vertices.size());
-  for (std::size_t i = 0; i < keyed.size(); ++i) {
+  Numbering numbering(mesh.vertices.size());
+  std::vector<std::int32_t> cells(mesh.vertices.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
     const Vector3d at = (mesh.vertices[i] - low) / cell;
     std::uint64_t key = 0;
     for (int k = 0; k < 3; ++k) {
       key = (key << 21) | static_cast<std::uint64_t>(std::clamp(at[k], 0.0, kMostCells));
     }
-    keyed[i] = {key, static_cast<std::int32_t>(i)};
+    cells[i] = numbering.of(key);
   }
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<std::int32_t> cells(keyed.size());
-  count = 0;
-  for (std::size_t i = 0; i < keyed.size(); ++i) {
-    if (i > 0 && keyed[i].first != keyed[i - 1].first) ++count;
-    cells[static_cast<std::size_t>(keyed[i].second)] = count;
-  }
-  ++count;
+  count = numbering.count();
   return cells;
 }
+
+/// Planes that meet in a cell, as the least squares sum of their distances from its mean point.
+struct Planes {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;  ///< symmetric matrix
+  Vector3d pull = Vector3d::Zero();
+
+  void add(const Vector3d& unit, double weight, double distance) {
+    const Vector3d n = weight * unit;
+    xx += n[0] * unit[0];
+    yy += n[1] * unit[1];
+    zz += n[2] * unit[2];
+    xy += n[0] * unit[1];
+    xz += n[0] * unit[2];
+    yz += n[1] * unit[2];
+    pull += distance * n;
+  }
+  /// From the mean point to where they meet.
+  Vector3d meet() const {
+    Eigen::Matrix3d m;
+    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    m.diagonal().array() += kMeanWeight * m.trace() + 1e-300;
+    return m.inverse() * pull;
+  }
+};
 
 /// One point a cell, where the planes of the triangles at its vertices meet.
 TriMesh clustered(const TriMesh& mesh, double cell) {
@@ -75,26 +124,23 @@ TriMesh clustered(const TriMesh& mesh, double cell) {
     ++members[cells[i]];
   }
   for (std::size_t c = 0; c < members.size(); ++c) out.vertices[c] /= members[c];
-  std::vector<Eigen::Matrix3d> planes(out.vertices.size(), Eigen::Matrix3d::Zero());
-  std::vector<Vector3d> pulls(out.vertices.size(), Vector3d::Zero());
+  std::vector<Planes> planes(out.vertices.size());
   for (const Triangle& t : mesh.triangles) {
     const Vector3d normal = areaNormal(mesh, t);
     const double weight = normal.norm();
     if (!(weight > 0)) continue;
     const Vector3d unit = normal / weight;
-    const Eigen::Matrix3d plane = weight * unit * unit.transpose();
+    const double level = unit.dot(mesh.vertices[t[0]]);
     for (const std::int32_t v : t) {
       const std::int32_t c = cells[v];
-      planes[c] += plane;
-      pulls[c] += plane * (mesh.vertices[v] - out.vertices[c]);
+      planes[c].add(unit, weight, level - unit.dot(out.vertices[c]));
     }
     const Triangle kept = {cells[t[0]], cells[t[1]], cells[t[2]]};
     if (kept[0] != kept[1] && kept[1] != kept[2] && kept[2] != kept[0])
       out.triangles.push_back(kept);
   }
   for (std::size_t c = 0; c < planes.size(); ++c) {
-    planes[c].diagonal().array() += kMeanWeight * planes[c].trace() + 1e-300;
-    Vector3d step = planes[c].ldlt().solve(pulls[c]);
+    Vector3d step = planes[c].meet();
     if (step.norm() > cell) step *= cell / step.norm();
     if (step.allFinite()) out.vertices[c] += step;
   }
@@ -104,8 +150,9 @@ TriMesh clustered(const TriMesh& mesh, double cell) {
 TriMesh thinned(const TriMesh& mesh, std::size_t most) {
   const double wanted = static_cast<double>(most);
   double cell = std::sqrt(3 * areaOf(mesh) / wanted);  // three triangles for each cell in a plane
-  TriMesh out = mesh;
-  for (int round = 0; round < 4 && cell > 0; ++round) {
+  if (!(cell > 0)) return mesh;
+  TriMesh out;
+  for (int round = 0; round < 4; ++round) {
     out = clustered(mesh, cell);
     const double ratio = static_cast<double>(out.triangles.size()) / wanted;
     if (ratio <= kEnough) break;
@@ -114,10 +161,11 @@ TriMesh thinned(const TriMesh& mesh, std::size_t most) {
   return out;
 }
 
-/// Triangles round each vertex: those of vertex v stand in items from starts[v] to starts[v + 1].
+/// Corners of triangles round each vertex: those of vertex v stand in items from starts[v] to
+/// starts[v + 1], corner k of triangle t as 3 t + k.
 struct Stars {
   std::vector<std::size_t> starts;
-  std::vector<std::int32_t> items;
+  std::vector<std::uint32_t> items;
 };
 
 Stars starsOf(const TriMesh& mesh) {
@@ -129,9 +177,9 @@ Stars starsOf(const TriMesh& mesh) {
   std::partial_sum(stars.starts.begin(), stars.starts.end(), stars.starts.begin());
   stars.items.resize(3 * mesh.triangles.size());
   std::vector<std::size_t> next(stars.starts.begin(), stars.starts.end() - 1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::int32_t v : mesh.triangles[t])
-      stars.items[next[v]++] = static_cast<std::int32_t>(t);
+  std::uint32_t corner = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::int32_t v : t) stars.items[next[v]++] = corner++;
   }
   return stars;
 }
@@ -165,24 +213,33 @@ Drawable drawableOf(const TriMesh& given, std::size_t most, double crease) {
     units[t] = normals[t].normalized();
   }
   const Stars stars = starsOf(mesh);
-  const double cosine = std::cos(crease);
+  const double cosine = std::cos(crease), half = std::cos(crease / 2);
   Drawable out;
   out.points.reserve(mesh.vertices.size());
   out.normals.reserve(mesh.vertices.size());
   out.indices.assign(4 * mesh.triangles.size(), -1);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const std::uint32_t *begin = stars.items.data() + stars.starts[v],
+                        *end = stars.items.data() + stars.starts[v + 1];
     const std::size_t first = out.points.size();
-    for (std::size_t i = stars.starts[v]; i < stars.starts[v + 1]; ++i) {
-      const auto t = static_cast<std::size_t>(stars.items[i]);
-      Vector3d sum = Vector3d::Zero();
-      for (std::size_t j = stars.starts[v]; j < stars.starts[v + 1]; ++j) {
-        if (units[stars.items[j]].dot(units[t]) >= cosine) sum += normals[stars.items[j]];
+    Vector3d all = Vector3d::Zero();
+    for (const std::uint32_t* i = begin; i != end; ++i) all += normals[*i / 3];
+    all.normalize();
+    // Where all are near the mean normal, each is near each other, and one point does.
+    const bool smooth =
+        std::all_of(begin, end, [&](std::uint32_t i) { return units[i / 3].dot(all) >= half; });
+    for (const std::uint32_t* i = begin; i != end; ++i) {
+      Vector3d normal = all;
+      if (!smooth) {
+        normal.setZero();
+        for (const std::uint32_t* j = begin; j != end; ++j) {
+          if (units[*j / 3].dot(units[*i / 3]) >= cosine) normal += normals[*j / 3];
+        }
+        if (!(normal.norm() > 0)) normal = Vector3d::UnitZ();
+        normal.normalize();
       }
-      if (!(sum.norm() > 0)) sum = Vector3d::UnitZ();
-      const std::int32_t point = pointFor(out, first, mesh.vertices[v], sum.normalized());
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (mesh.triangles[t][k] == static_cast<std::int32_t>(v)) out.indices[4 * t + k] = point;
-      }
+      const std::int32_t point = pointFor(out, first, mesh.vertices[v], normal);
+      out.indices[4 * static_cast<std::size_t>(*i / 3) + *i % 3] = point;
     }
   }
   return out;

@@ -470,9 +470,12 @@ int threadsOf(const RunContext& run) {
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
+/// What becomes of the memory that a run has freed: a session's next run takes it again.
+enum class Freed : std::uint8_t { Returned, Kept };
+
 /// Runs work(run) in an arena of the wanted number of threads and puts how it went in the report.
 template <class Work>
-Result runWith(const Options& options, RunContext& run, const Work& work) {
+Result runWith(const Options& options, RunContext& run, Freed freed, const Work& work) {
   Result result;
   const Timer total;
   const int threads = threadsOf(run);
@@ -490,7 +493,7 @@ Result runWith(const Options& options, RunContext& run, const Work& work) {
   const auto close = [&] {
     result.report.seconds.push_back({"total", total.seconds()});
     result.report.peakMemoryBytes = peakMemoryBytes();
-    returnFreeMemory();
+    if (freed == Freed::Returned) returnFreeMemory();
   };
   if (result.report.status == Status::Ok) {
     guarded(result, close);
@@ -507,7 +510,7 @@ Result runWith(const Options& options, RunContext& run, const Work& work) {
 
 Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
                RunContext& run) {
-  return runWith(options, run, [&](Run& one) { one.compute(body, trajectory); });
+  return runWith(options, run, Freed::Returned, [&](Run& one) { one.compute(body, trajectory); });
 }
 
 struct PreviewSession::Warm : WarmBody {
@@ -525,12 +528,17 @@ PreviewSession::PreviewSession(const TriMesh& body, const Options& options, RunC
   warm->clusters = buildClusters(warm->body.mesh, warm->topology);
   warm_ = std::move(warm);
 }
-PreviewSession::~PreviewSession() = default;
+PreviewSession::~PreviewSession() {
+  if (warm_ == nullptr) return;  // moved from
+  warm_.reset();
+  returnFreeMemory();
+}
 PreviewSession::PreviewSession(PreviewSession&&) noexcept = default;
 PreviewSession& PreviewSession::operator=(PreviewSession&&) noexcept = default;
 
 Result PreviewSession::compute(const Trajectory& trajectory, RunContext& run) {
-  return runWith(warm_->options, run, [&](Run& one) { one.compute(*warm_, trajectory, false); });
+  return runWith(warm_->options, run, Freed::Kept,
+                 [&](Run& one) { one.compute(*warm_, trajectory, false); });
 }
 
 Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
@@ -538,7 +546,8 @@ Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
     throw Error(Status::InvalidInput, "BadOption",
                 "a conservative envelope is proven, which a sketch is not: compute it");
   }
-  return runWith(warm_->options, run, [&](Run& one) { one.compute(*warm_, trajectory, true); });
+  return runWith(warm_->options, run, Freed::Kept,
+                 [&](Run& one) { one.compute(*warm_, trajectory, true); });
 }
 
 std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }

@@ -172,6 +172,7 @@ class Preview:
     def _take(self):
         """Shows what was made since the last look."""
         made = self.run.task.take()
+        self.looks.start(LOOK)  # with a wish a picture is drawn anyway: not one more in between
         if made is None:
             return
         self.show(made[0])
@@ -182,8 +183,8 @@ class Preview:
             self._adapt(made[1])
 
     def _ended(self, run):
-        self.looks.stop()
         self._take()
+        self.looks.stop()
         self.run = None
         if run.state != "cancelled":
             self.report(run.message)

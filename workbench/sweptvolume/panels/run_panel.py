@@ -21,7 +21,9 @@ class StartPanel:
 
     def modifyStandardButtons(self, box):
         """FreeCAD hands over the buttons of the open panel."""
-        self.buttons = [box.button(getattr(QtWidgets.QDialogButtonBox, name)) for name in self.STARTERS]
+        self.buttons = [
+            box.button(getattr(QtWidgets.QDialogButtonBox, name)) for name in self.STARTERS
+        ]
         self._button_box = box  # keeps the wrappers of the buttons alive
 
     def enable_buttons(self, on):

@@ -2,6 +2,7 @@
 """What the panels draw in the 3D view that belongs to no document: the part at each key and on the way,
 the way itself, a coarse envelope."""
 import FreeCADGui as Gui
+import numpy as np
 
 from ..convert import matrix_of
 from . import path, surface
@@ -83,9 +84,9 @@ class Ghosts(Overlay):
         self.add(MOVING_COLOUR, 0.35, self.moving, shape)
 
     def show_keys(self, placements):
-        self.copies.matrix.setNum(len(placements))
-        for i, placement in enumerate(placements):
-            self.copies.matrix.set1Value(i, _matrix(placement))
+        # Coin multiplies rows: the transposes.
+        rows = [matrix_of(p).T.ravel() for p in placements]
+        surface.fill(self.copies.matrix, np.array(rows, np.float32).reshape(-1, 16))
 
     def show_path(self, poses, interpolation):
         """The way as a line with frames."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A motion drawn: the way of the poses' origin as a line, with a small frame at each pose."""
-import FreeCAD as App
 import numpy as np
 
-from ..convert import pose_arrays
+from ..convert import matrix_of, pose_arrays
 from ..trajectory.poses import course
+from .surface import fill
 
 LINE = (0.85, 0.45, 0.05)
 AXES = ((0.85, 0.15, 0.15), (0.15, 0.65, 0.15), (0.20, 0.35, 0.90))
@@ -21,14 +21,16 @@ def drawn(poses, interpolation, width=3.0, size=0.0):
         return group
     group.addChild(_line(points_of(poses, interpolation), LINE, width))
     step = max(1, len(poses) // MOST_FRAMES)
+    frames = np.array([matrix_of(p) for p in poses.placements[::step]])
     for axis in range(3):
-        group.addChild(_axes(poses.placements[::step], axis, size or frame_size(poses)))
+        group.addChild(_axes(frames, axis, size or frame_size(poses)))
     return group
 
 
 def points_of(poses, interpolation):
     """Points (n,3) of the way of the poses' origin."""
-    if not 2 <= len(poses) <= MOST_SMOOTH:
+    straight = interpolation in ("None", "Linear")
+    if straight or not 2 <= len(poses) <= MOST_SMOOTH:
         return pose_arrays(poses.placements)[0]
     at, fine = course(poses, interpolation), []
     for a, b in zip(poses.times, poses.times[1:]):
@@ -45,6 +47,18 @@ def frame_size(poses):
 
 
 def _line(points, colour, width):
+    return _lines(points, [len(points)], colour, width)
+
+
+def _axes(frames, axis, size):
+    """One axis of all frames (n,4,4) as one line set."""
+    middles = frames[:, :3, 3]
+    points = np.stack([middles, middles + size * frames[:, :3, axis]], axis=1).reshape(-1, 3)
+    return _lines(points, [2] * len(frames), AXES[axis], 2.0)
+
+
+def _lines(points, lengths, colour, width):
+    """Lines of so many points each."""
     from pivy import coin
 
     group = coin.SoSeparator()
@@ -53,31 +67,9 @@ def _line(points, colour, width):
     style.lineWidth = width
     light = coin.SoLightModel()
     light.model = coin.SoLightModel.BASE_COLOR
-    where, line = coin.SoCoordinate3(), coin.SoLineSet()
-    where.point.setValues(0, len(points), [tuple(map(float, p)) for p in points])
-    line.numVertices = len(points)
-    for node in (light, shade, style, where, line):
-        group.addChild(node)
-    return group
-
-
-def _axes(placements, axis, size):
-    """One axis of all frames as one line set."""
-    from pivy import coin
-
-    direction = App.Vector(*[size if k == axis else 0.0 for k in range(3)])
-    points = []
-    for placement in placements:
-        points += [tuple(placement.Base), tuple(placement.multVec(direction))]
-    group = coin.SoSeparator()
-    shade, style = coin.SoBaseColor(), coin.SoDrawStyle()
-    shade.rgb = AXES[axis]
-    style.lineWidth = 2.0
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
     where, lines = coin.SoCoordinate3(), coin.SoLineSet()
-    where.point.setValues(0, len(points), points)
-    lines.numVertices.setValues(0, len(placements), [2] * len(placements))
+    fill(where.point, np.asarray(points, np.float32))
+    fill(lines.numVertices, np.array(lengths, np.int32))
     for node in (light, shade, style, where, lines):
         group.addChild(node)
     return group
