@@ -2,6 +2,7 @@
 """Fixtures of the Python tests: where the build and the inputs are, small bodies, motions."""
 import os
 import pathlib
+import signal
 import sys
 
 import numpy as np
@@ -11,6 +12,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("SWEPT_BUILD", ROOT / "build"))
 SHARED = ROOT.parent / "shared" / "data"
 sys.path.insert(0, str(BUILD / "python"))
+# A shell's background jobs and their children ignore it; here programs are to be interrupted.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")

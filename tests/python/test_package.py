@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """package.xml: what FreeCAD reads in it, and what its manager of add-ons asks for."""
 import ast
+import functools
 import pathlib
 import re
 import subprocess
@@ -57,28 +58,38 @@ def complaints(text):
     source = next((s for s in sources if "def validate_package_xml(" in s), None)
     if source is None:
         pytest.skip("no manager of add-ons with checks in " + " or ".join(MANAGERS))
-    wanted = ("validate_package_xml", "validate_workbench_metadata")
-    code = [
+    checks = [
         node
         for node in ast.walk(ast.parse(source))
-        if isinstance(node, ast.FunctionDef) and node.name in wanted
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("validate_")
     ]
     said = []
     page = types.SimpleNamespace(data=lambda: b"<html>")
+    console = types.SimpleNamespace(PrintLog=said.append, PrintError=said.append)
     names = {
-        "FreeCAD": types.SimpleNamespace(Console=types.SimpleNamespace(PrintLog=said.append)),
+        "FreeCAD": types.SimpleNamespace(Console=console),
         "NetworkManager": types.SimpleNamespace(
             AM_NETWORK_MANAGER=types.SimpleNamespace(blocking_get=lambda location: page)
         ),
         "List": typing.List,
         "Addon": object,
+        "Metadata": object,
     }
-    exec(compile(ast.Module(code, []), "AddonManager", "exec"), names)
-    manager = types.SimpleNamespace(
-        validate_workbench_metadata=lambda bench: names["validate_workbench_metadata"](None, bench)
-    )
-    names["validate_package_xml"](manager, types.SimpleNamespace(metadata=read(text), name="it"))
+    manager = types.SimpleNamespace()
+    for node in checks:
+        alone, node.decorator_list = bool(node.decorator_list), []
+        exec(compile(ast.Module([node], []), "AddonManager", "exec"), names)
+        check = names[node.name]
+        setattr(manager, node.name, check if alone else functools.partial(check, manager))
+    manager.validate_package_xml(types.SimpleNamespace(metadata=read(text), name="it"))
     return {line.strip(" *\n") for line in said[1:]}
+
+
+class Record(dict):
+    """A record as the manager's readers give it: of FreeCAD 0.20 (Name, entry["name"]) and of 1.0 (name)."""
+
+    def __getattr__(self, name):
+        return self[name.lower().replace("urls", "url")]
 
 
 def read(text):
@@ -86,20 +97,17 @@ def read(text):
     package = xml.etree.ElementTree.fromstring(text)
     one = lambda element, key: element.findtext(f"p:{key}", "", SPACE)  # noqa: E731
     every = lambda key: package.iterfind(f"p:{key}", SPACE)  # noqa: E731
-    return types.SimpleNamespace(
-        Name=one(package, "name"),
-        Version=one(package, "version"),
-        Description=one(package, "description"),
-        Icon=one(package, "icon"),
-        Maintainer=[{"name": m.text, "email": m.get("email", "")} for m in every("maintainer")],
-        License=[{"name": item.text} for item in every("license")],
-        Urls=[
-            {"type": u.get("type"), "location": u.text, "branch": u.get("branch", "")}
+    return Record(
+        {key: one(package, key) for key in ("name", "version", "description", "icon")},
+        maintainer=[Record(name=m.text, email=m.get("email", "")) for m in every("maintainer")],
+        license=[Record(name=item.text) for item in every("license")],
+        url=[
+            Record(type=u.get("type"), location=u.text, branch=u.get("branch", ""))
             for u in every("url")
         ],
-        Content={
+        content={
             "workbench": [
-                types.SimpleNamespace(Classname=one(bench, "classname"), Icon=one(bench, "icon"))
+                Record(classname=one(bench, "classname"), icon=one(bench, "icon"))
                 for bench in package.iterfind("p:content/p:workbench", SPACE)
             ]
         },

@@ -43,6 +43,10 @@ print(nice[os.getpid()], max(nice.values()))
 def test_runs_stand_back_and_the_caller_does_not():
     import _swept
 
+    if os.nice(0) >= 10:
+        pytest.skip(
+            "the tests themselves run at nice {}: nothing is left to see".format(os.nice(0))
+        )
     folder = os.path.dirname(_swept.__file__)
     done = subprocess.run(
         ["nice", "-n", "0", sys.executable, "-c", PROGRAM],
