@@ -15,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kNearShare = 0.05;  // of the squared tolerance: near enough to look no further
+constexpr double kFoldShare = 0.1;   // of the tolerance: how far a border may pass over its patch
 
 bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {
   return tri[0] == v || tri[1] == v || tri[2] == v;
@@ -111,7 +112,7 @@ bool Collapser::linkIsSimple(std::int32_t from, std::int32_t to) {
 }
 
 void Collapser::collapse(std::int32_t from, std::int32_t to) {
-  if (!mayGo(from, to) || !linkIsSimple(from, to)) return;
+  if (!mayGo(from, to) || !linkIsSimple(from, to) || !borderHolds(from, to)) return;
   const Vector3d best = placeFor(from, to);
   if (tryCollapse(from, to, best)) return;
   // Where the quadrics' place leaves a point too far off, another may not.
@@ -121,6 +122,37 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
        {state_.points[to], state_.points[from], middle, Vector3d(0.5 * (best + middle))}) {
     if (tryCollapse(from, to, place)) return;
   }
+}
+
+// The straight edge that a border gets stays within the tolerance of the patch's surface: where
+// open ground rises beside it, the points of that ground do not see to it.
+bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
+  if (state_.kind[from] != VertexKind::Border) return true;
+  const Surface* surface = nullptr;
+  for (const std::int32_t t : state_.around[from]) {
+    if (state_.label[t] >= 0) surface = &(*state_.patches)[state_.label[t]].surface;
+  }
+  if (surface == nullptr || surface->isPlanar()) return true;
+  constexpr int kSteps = 4;
+  for (const std::int32_t before : ring_) {
+    if (before == to || !isBorderEdge(from, before)) continue;
+    for (int i = 1; i < kSteps; ++i) {
+      const double w = static_cast<double>(i) / kSteps;
+      const Vector3d p = (1 - w) * state_.points[before] + w * state_.points[to];
+      if (!(std::abs(surface->distance(p)) <= state_.tolerance)) return false;
+    }
+  }
+  return true;
+}
+
+// Seen along the surface's normal.
+bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const Surface& surface) const {
+  const Vector3d area = (next[1] - next[0]).cross(next[2] - next[0]);
+  const double longest =
+      std::sqrt(std::max({(next[1] - next[0]).squaredNorm(), (next[2] - next[1]).squaredNorm(),
+                          (next[0] - next[2]).squaredNorm()}));
+  const Vector3d normal = surface.normal((next[0] + next[1] + next[2]) / 3);
+  return area.dot(normal) < -kFoldShare * state_.tolerance * longest;
 }
 
 bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& place) {
@@ -145,7 +177,10 @@ bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& 
       next[k] = v == from || v == to ? place : state_.points[v];
     }
     corners_.push_back(next);
-    if (state_.label[t] >= 0) continue;
+    if (state_.label[t] >= 0) {
+      if (turnsOver(next, (*state_.patches)[state_.label[t]].surface)) return false;
+      continue;
+    }
     const Vector3d before = (now[1] - now[0]).cross(now[2] - now[0]);
     const Vector3d after = (next[1] - next[0]).cross(next[2] - next[0]);
     const double longest =

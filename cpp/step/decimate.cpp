@@ -35,10 +35,11 @@ class Decimator {
         run_(run),
         watched_(std::move(start.watched)) {
     state_.tolerance = tolerance;
+    state_.patches = &partition_.patches;
     state_.attached = std::move(start.attached);
   }
 
-  Decimated work() {
+  Decimated work(bool rough = false) {
     prepare();
     if (state_.triangles.size() > kWorthParts) {
       const std::vector<std::vector<std::int32_t>> members = findParts();
@@ -46,6 +47,7 @@ class Decimator {
         Collapser(state_, static_cast<std::int32_t>(part), run_).work(members[part]);
       });
     }
+    if (rough) return result();
     std::vector<std::int32_t> all;
     for (std::size_t v = 0; v < state_.points.size(); ++v) {
       if (!state_.gone[v]) all.push_back(static_cast<std::int32_t>(v));
@@ -155,10 +157,27 @@ class Decimator {
       if (open < 0) continue;
       const Vector3d moved = meetingPoint(state_.points[v], surfaces);
       const double off = (moved - state_.points[v]).norm();
-      if (off <= 1e-9 || !(off <= state_.tolerance)) continue;
+      if (off <= 1e-9 || !(off <= state_.tolerance) || !holdsAttached(v, moved)) continue;
       state_.attached[open].push_back(state_.points[v]);
       state_.points[v] = moved;
     }
+  }
+
+  // Whether what must stay near the triangles around v does so with v somewhere else.
+  bool holdsAttached(std::size_t v, const Vector3d& place) const {
+    const double limit = state_.tolerance * state_.tolerance;
+    for (const std::int32_t t : state_.around[v]) {
+      if (state_.label[t] >= 0) continue;
+      std::array<Vector3d, 3> c;
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t w = state_.triangles[t][k];
+        c[k] = static_cast<std::size_t>(w) == v ? place : state_.points[w];
+      }
+      for (const Vector3d& p : state_.attached[t]) {
+        if (!(squaredDistance(p, c[0], c[1], c[2]) <= limit)) return false;
+      }
+    }
+    return true;
   }
 
   // Border: exactly one patch and open ground around it, passed once. Fixed: anything more
@@ -235,6 +254,10 @@ Decimated decimate(Decimated start, double tolerance, RunContext& run) {
   // The second time starts from the planes of what the first has left, which shows edges to
   // collapse that the planes of the mesh before did not.
   return Decimator(Decimator(std::move(start), tolerance, run).work(), tolerance, run).work();
+}
+
+Decimated decimateRoughly(Decimated start, double tolerance, RunContext& run) {
+  return Decimator(std::move(start), tolerance, run).work(true);
 }
 
 }  // namespace swept::step

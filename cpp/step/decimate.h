@@ -22,5 +22,7 @@ struct Decimated {
 };
 
 Decimated decimate(Decimated start, double tolerance, RunContext& run);
+/// Only what can be done in parts at the same time: a look at what is to be expected.
+Decimated decimateRoughly(Decimated start, double tolerance, RunContext& run);
 
 }  // namespace swept::step

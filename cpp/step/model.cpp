@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 
 // Planes at less than about two degrees do not fix the line in which they meet.
 constexpr double kNearlyParallel = 0.9994;
+constexpr double kCornerShare = 0.15;  // of the tolerance, for corners of facets
 
 struct Chain {
   std::vector<std::int32_t> halfEdges;   // in order, all with the same patch on either side
@@ -222,7 +223,7 @@ class Builder {
   }
 
   // Each kept vertex goes where the surfaces of its chains meet, if that is near. Beside a facet it
-  // takes the facet's corner along, so there the tolerance itself is the limit.
+  // takes the facet's corner along, so there it may go only as far as the facets have left.
   void placeVertices() {
     place_ = mesh_.points;
     findFacetCorners();
@@ -245,7 +246,8 @@ class Builder {
       if (at[v].empty()) continue;
       if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
       // Elsewhere it slides along its surfaces, from a jagged border to the line where they meet.
-      const double limit = isFacetCorner_[v] ? tolerance_ : std::max(10 * tolerance_, 4 * reach[v]);
+      const double limit =
+          isFacetCorner_[v] ? kCornerShare * tolerance_ : std::max(10 * tolerance_, 4 * reach[v]);
       const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) place_[v] = moved;
     }

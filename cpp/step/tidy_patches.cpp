@@ -21,11 +21,18 @@ constexpr int kStepsBeyond = 6;        // triangles
 constexpr double kSteep = 0.12;        // about 7 degrees
 constexpr double kSteepFrom = 0.25;    // of the tolerance: how far a patch may be off at its border
 
+double areaOf(const Patch& patch, const std::vector<double>& areas) {
+  double area = 0;
+  for (const std::int32_t t : patch.triangles) area += areas[t];
+  return area;
+}
+
 class Tidier {
  public:
   Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
          Partition& partition)
       : mesh_(mesh),
+        shapes_(shapes),
         normal_(shapes.normal),
         area_(shapes.area),
         thin_(shapes.thin),
@@ -177,8 +184,9 @@ class Tidier {
     const std::vector<char> turns = turningBorders();
     std::vector<double> saved;
     for (Patch& patch : partition_.patches) {
-      saved.push_back(facetsSaved(patch));
-      if (areaOf(patch) < kLeastArea * mesh_.area && saved.back() < kLeastSaved) release(patch);
+      saved.push_back(facetsSaved(patch, shapes_, tolerance_));
+      if (areaOf(patch, area_) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
+        release(patch);
     }
     std::vector<std::int32_t> smooth(partition_.patches.size());
     for (bool changed = true; changed;) {
@@ -198,38 +206,9 @@ class Tidier {
     dropEmptyPatches();
   }
 
-  double areaOf(const Patch& patch) const {
-    double area = 0;
-    for (const std::int32_t t : patch.triangles) area += area_[t];
-    return area;
-  }
-
   void release(Patch& patch) {
     for (const std::int32_t t : patch.triangles) partition_.patchOf[t] = -1;
     patch.triangles.clear();
-  }
-
-  // How many facets the best triangulation within the tolerance would need, about.
-  double facetsSaved(const Patch& patch) const {
-    const Surface& s = patch.surface;
-    if (s.isPlanar()) return kFacetsOfPlane;
-    const double area = areaOf(patch);
-    if (s.kind == SurfaceKind::Sphere) return area / (kAreaPerFacet * tolerance_ * s.radius);
-    if (s.kind == SurfaceKind::Torus) {
-      const double radius = std::sqrt(s.minor * (s.radius + s.minor));
-      return area / (kAreaPerFacet * tolerance_ * radius);
-    }
-    // Strips along the axis, two facets each.
-    Vector3d mean = Vector3d::Zero();
-    for (const std::int32_t t : patch.triangles) mean += area_[t] * normal_[t];
-    mean -= mean.dot(s.axis) * s.axis;
-    double least = 1;
-    for (const std::int32_t t : patch.triangles) {
-      const Vector3d around = normal_[t] - normal_[t].dot(s.axis) * s.axis;
-      const double length = around.norm() * mean.norm();
-      if (!thin_[t] && length > 0) least = std::min(least, around.dot(mean) / length);
-    }
-    return 2 * std::acos(std::max(-1.0, least)) / std::sqrt(4 * tolerance_ / s.radius);
   }
 
   // By half-edge: whether the mesh leaves the patch's surface steeply just beyond its border.
@@ -271,6 +250,7 @@ class Tidier {
   }
 
   const HalfEdgeMesh& mesh_;
+  const TriangleShapes& shapes_;
   const std::vector<Vector3d>& normal_;
   const std::vector<double>& area_;
   const std::vector<char>& thin_;
@@ -300,6 +280,28 @@ TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
     }
   });
   return shapes;
+}
+
+double facetsSaved(const Patch& patch, const TriangleShapes& shapes, double tolerance) {
+  const Surface& s = patch.surface;
+  if (s.isPlanar()) return kFacetsOfPlane;
+  const double area = areaOf(patch, shapes.area);
+  if (s.kind == SurfaceKind::Sphere) return area / (kAreaPerFacet * tolerance * s.radius);
+  if (s.kind == SurfaceKind::Torus) {
+    const double radius = std::sqrt(s.minor * (s.radius + s.minor));
+    return area / (kAreaPerFacet * tolerance * radius);
+  }
+  // Strips along the axis, two facets each.
+  Vector3d mean = Vector3d::Zero();
+  for (const std::int32_t t : patch.triangles) mean += shapes.area[t] * shapes.normal[t];
+  mean -= mean.dot(s.axis) * s.axis;
+  double least = 1;
+  for (const std::int32_t t : patch.triangles) {
+    const Vector3d around = shapes.normal[t] - shapes.normal[t].dot(s.axis) * s.axis;
+    const double length = around.norm() * mean.norm();
+    if (!shapes.thin[t] && length > 0) least = std::min(least, around.dot(mean) / length);
+  }
+  return 2 * std::acos(std::max(-1.0, least)) / std::sqrt(4 * tolerance / s.radius);
 }
 
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,

@@ -22,6 +22,9 @@ TriangleShapes shapesOf(const HalfEdgeMesh& mesh);
 /// A curved patch smaller than this stays facets.
 constexpr int kLeastTriangles = 24;
 
+/// How many facets the best triangulation of the patch within the tolerance would need, about.
+double facetsSaved(const Patch& patch, const TriangleShapes& shapes, double tolerance);
+
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
                  Partition& partition);
 

@@ -176,6 +176,51 @@ TEST_F(Recognition, FreeFormIsSimplifiedWithinTheTolerance) {
   EXPECT_NEAR(report.volume, meshVolume(mesh), 0.01 * report.volume);
 }
 
+// A post on wavy ground. Where the ground meets the post, points of the border lie on the ground
+// however the border cuts into the post.
+TriMesh postOnWaves(double radius) {
+  std::vector<Eigen::Vector2d> profile{{0, -10}};
+  line(profile, {0, -10}, {40, -10}, 20);
+  line(profile, {40, -10}, {40, 0}, 8);
+  line(profile, {40, 0}, {radius, 0}, 40);
+  line(profile, {radius, 0}, {radius, 20}, 20);
+  line(profile, {radius, 20}, {0, 20}, 10);
+  TriMesh mesh = revolved(profile, false, 160);
+  for (auto& p : mesh.vertices) {
+    const double wave = std::sin(0.5 * p.x()) * std::cos(0.4 * p.y() + 0.3);
+    p.z() += wave * (p.z() > 0 ? 1 - p.z() / 20 : 1 + p.z() / 10);
+  }
+  return mesh;
+}
+
+TEST_F(Recognition, BordersOfOpenGroundStayOnTheirSurface) {
+  const double radius = 10, tolerance = 0.1;
+  RunContext run;
+  const step::HalfEdgeMesh mesh = step::buildHalfEdges(postOnWaves(radius), run);
+  step::Partition partition;
+  partition.patchOf.assign(mesh.triangles.size(), -1);
+  step::recogniseSurfaces(mesh, tolerance, partition, run);
+  const step::Decimated small = step::decimate({mesh, partition, {}, {}, 0}, tolerance, run);
+  int borders = 0;
+  for (std::size_t h = 0; h < small.mesh.opposite.size(); ++h) {
+    const std::int32_t patch = small.partition.patchOf[h / 3];
+    if (patch < 0 || small.partition.patchOf[small.mesh.opposite[h] / 3] >= 0) continue;
+    const step::Surface& surface = small.partition.patches[patch].surface;
+    if (surface.kind != SurfaceKind::Cylinder || surface.radius > 1.5 * radius) continue;
+    const auto half = static_cast<std::int32_t>(h);
+    const Eigen::Vector3d middle =
+        (small.mesh.points[small.mesh.origin(half)] + small.mesh.points[small.mesh.target(half)]) /
+        2;
+    EXPECT_LE(std::abs(surface.distance(middle)), tolerance);
+    ++borders;
+  }
+  EXPECT_GT(borders, 10);
+  const StepReport report = write(postOnWaves(radius), tolerance);
+  EXPECT_GE(kinds_["cylinder"], 1);
+  EXPECT_GT(kinds_["facet"], 100);
+  EXPECT_LE(report.deviation, tolerance * 1.0001);
+}
+
 TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
   const TriMesh input = torusMesh(20, 6, 120, 48);
   RunContext run;
