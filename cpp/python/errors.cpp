@@ -54,8 +54,8 @@ void bindErrors(py::module_& module) {
   for (int i = 1; i < kStatusCount; ++i) {
     const auto status = static_cast<Status>(i);
     const py::tuple bases = status == Status::InvalidInput
-                                ? py::make_tuple(base, py::handle(PyExc_ValueError))
-                                : py::make_tuple(base);
+                                ? py::tuple(py::make_tuple(base, py::handle(PyExc_ValueError)))
+                                : py::tuple(py::make_tuple(base));
     classes()[static_cast<std::size_t>(i)] =
         newClass(module, statusName(status), "See Error.", bases);
   }
