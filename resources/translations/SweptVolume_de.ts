@@ -476,10 +476,6 @@ Versucht:
    <translation>{0} Festkörper</translation>
   </message>
   <message>
-   <source>Cancelled. Nothing was changed.</source>
-   <translation>Abgebrochen. Nichts wurde geändert.</translation>
-  </message>
-  <message>
    <source>Clearance table</source>
    <translation>Abstandstabelle</translation>
   </message>
@@ -516,6 +512,10 @@ Versucht:
 </source>
    <translation>Geschrieben: {0} ({1:.1f} kB)
 </translation>
+  </message>
+  <message>
+   <source>Cancelled. Nothing was changed.</source>
+   <translation>Abgebrochen. Nichts wurde geändert.</translation>
   </message>
   <message>
    <source>Cancelled: the document or an object is gone.</source>
@@ -713,6 +713,10 @@ Versucht:
    <translation>Tiefe</translation>
   </message>
   <message>
+   <source>Between the meshes; the line above has taken off how far these may leave the parts</source>
+   <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
+  </message>
+  <message>
    <source>CSV...</source>
    <translation>CSV …</translation>
   </message>
@@ -875,6 +879,18 @@ Versucht:
   <message>
    <source>A pose is</source>
    <translation>Eine Lage ist</translation>
+  </message>
+  <message>
+   <source>yaw</source>
+   <translation>Gieren</translation>
+  </message>
+  <message>
+   <source>pitch</source>
+   <translation>Nicken</translation>
+  </message>
+  <message>
+   <source>roll</source>
+   <translation>Rollen</translation>
   </message>
   <message>
    <source>Key placements</source>

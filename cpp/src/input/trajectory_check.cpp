@@ -141,8 +141,10 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
     result.findings.push_back(mended);
   }
   if (repeated.count > 0) {
-    repeated.text = std::to_string(repeated.count) +
-                    " poses repeat the placement before them and were left out";
+    repeated.text =
+        std::to_string(repeated.count) +
+        (repeated.count == 1 ? " pose repeats the placement before it and was left out"
+                             : " poses repeat the placement before them and were left out");
     result.findings.push_back(repeated);
   }
   return result;

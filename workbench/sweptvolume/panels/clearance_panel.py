@@ -117,6 +117,12 @@ class ClearancePanel:
         )
         self.table.setHorizontalHeaderLabels(heads)
         self.table.horizontalHeaderItem(4).setToolTip("mm")
+        self.table.horizontalHeaderItem(2).setToolTip(
+            translate(
+                "Panels",
+                "Between the meshes; the line above has taken off how far these may leave the parts",
+            )
+        )
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)

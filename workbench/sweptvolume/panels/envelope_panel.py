@@ -20,6 +20,8 @@ from .widgets import QtWidgets
 
 #: ms after the last change before estimate and preview are made anew.
 ESTIMATE_DELAY = 250
+#: ms after a run until the panel goes: to take over the mesh and to draw it is enough for one moment.
+CLOSE_DELAY = 40
 #: Steps of the quality slider, in cells along the longest side.
 QUALITIES = [32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024]
 
@@ -293,7 +295,7 @@ class EnvelopePanel(StartPanel):
             self.obj = run.task.obj
             Gui.Selection.clearSelection()
             if self.close_when_done:
-                QtCore.QTimer.singleShot(0, self._close)  # taking over the mesh was enough for now
+                QtCore.QTimer.singleShot(CLOSE_DELAY, self._close)
             else:
                 self.read_outs.show_result(self.obj)
             return

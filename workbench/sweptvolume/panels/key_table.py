@@ -2,12 +2,13 @@
 """Table of key placements with its buttons and keys of the keyboard; what they do is the panel's."""
 from PySide import QtCore
 
-from ..texts import translate
+from ..texts import mark, translate
 from ..trajectory.edit import as_numbers
 from . import widgets
 from .widgets import QtWidgets
 
-COLUMNS = ["t", "x", "y", "z", "yaw", "pitch", "roll"]
+COLUMNS = ["t", "x", "y", "z"]
+ANGLES = [mark("Panels", "yaw"), mark("Panels", "pitch"), mark("Panels", "roll")]
 UNITS = ["s", "mm", "mm", "mm", "deg", "deg", "deg"]
 #: (key, with Ctrl) -> name of an action.
 KEYS = {
@@ -55,9 +56,10 @@ class KeyTable(QtCore.QObject):
     def __init__(self, rows):
         super().__init__()
         self.filling = False
-        self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
+        self.table = QtWidgets.QTableWidget(0, len(UNITS))
         self.table.setObjectName("SweptVolumeKeys")
-        self.table.setHorizontalHeaderLabels(COLUMNS)
+        angles = [translate("Panels", name) for name in ANGLES]
+        self.table.setHorizontalHeaderLabels(COLUMNS + angles)
         for column, unit in enumerate(UNITS):
             self.table.horizontalHeaderItem(column).setToolTip(unit)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)

@@ -14,7 +14,7 @@ from PySide import QtCore
 from .. import convert, core, runner
 
 #: Triangles that are drawn of one surface, about; edges that turn by more (rad) are drawn sharp.
-MOST, CREASE = 100000, 0.6
+MOST, CREASE = 60000, 0.6
 
 
 def drawn(vertices, triangles, most=MOST):
