@@ -17,9 +17,18 @@ import _swept
 MODULES = {
     "pickle", "marshal", "shelve", "dill", "joblib", "code", "subprocess", "multiprocessing",
     "socket", "ssl", "http", "urllib", "urllib3", "requests", "ftplib", "smtplib", "xmlrpc",
-    "asyncio", "ctypes",
+    "asyncio",
 }  # fmt: skip
-CALLS = {"eval", "exec", "compile", "__import__", "os.system", "os.popen", "tempfile.mktemp"}
+CALLS = {
+    "eval",
+    "exec",
+    "compile",
+    "__import__",
+    "os.system",
+    "os.popen",
+    "tempfile.mktemp",
+    "ctypes.CDLL",
+}
 #: What the compiled module and the program may not ask the system for.
 SYMBOLS = re.compile(
     r"^(socket|connect|bind|listen|accept4?|send(to|msg)?|recv(from|msg)?|getaddrinfo|gethostbyname"
