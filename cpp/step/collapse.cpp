@@ -201,21 +201,28 @@ bool Collapser::reattach(std::int32_t from, std::int32_t to) {
   const double limit = state_.tolerance * state_.tolerance;
   if (!findHome(state_.points[from], -1, limit)) return false;
   if (state_.kind[to] == VertexKind::Free && !findHome(state_.points[to], -1, limit)) return false;
-  for (std::size_t k = 0; k < staying_.size(); ++k) {
-    if (state_.label[staying_[k]] >= 0) continue;
-    for (const Vector3d& p : state_.attached[staying_[k]]) {
-      if (!findHome(p, static_cast<std::int32_t>(k), limit)) return false;
-    }
-  }
   for (const std::int32_t t : dying_) {
-    if (state_.label[t] >= 0) continue;
-    for (const Vector3d& p : state_.attached[t]) {
-      if (!findHome(p, -1, limit)) return false;
-    }
+    if (state_.label[t] < 0 && !findHomes(t, -1, limit)) return false;
+  }
+  for (std::size_t k = 0; k < staying_.size(); ++k) {
+    if (state_.label[staying_[k]] < 0 &&
+        !findHomes(staying_[k], static_cast<std::int32_t>(k), limit))
+      return false;
   }
   for (const std::int32_t t : staying_) state_.attached[t].clear();
   for (const std::int32_t t : dying_) state_.attached[t].clear();
   for (const auto& [p, k] : moved_) state_.attached[staying_[k]].push_back(p);
+  return true;
+}
+
+bool Collapser::findHomes(std::int32_t triangle, std::int32_t before, double limit) {
+  std::vector<Vector3d>& points = state_.attached[triangle];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (findHome(points[i], before, limit)) continue;
+    // Most collapses are tried in vain: what has failed is asked first the next time.
+    std::swap(points[i], points[0]);
+    return false;
+  }
   return true;
 }
 

@@ -87,6 +87,7 @@ class Collapser {
   void collapse(std::int32_t from, std::int32_t to);
   bool tryCollapse(std::int32_t from, std::int32_t to, const Eigen::Vector3d& place);
   bool reattach(std::int32_t from, std::int32_t to);
+  bool findHomes(std::int32_t triangle, std::int32_t before, double limit);
   bool findHome(const Eigen::Vector3d& p, std::int32_t before, double limit);
   void apply(std::int32_t from, std::int32_t to, const Eigen::Vector3d& place);
 

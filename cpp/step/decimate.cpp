@@ -29,9 +29,10 @@ constexpr std::size_t kWorthParts = 20000;  // triangles
 
 class Decimator {
  public:
-  Decimator(Decimated start, double tolerance, RunContext& run)
+  Decimator(Decimated start, double tolerance, Effort effort, RunContext& run)
       : in_(std::move(start.mesh)),
         partition_(std::move(start.partition)),
+        effort_(effort),
         run_(run),
         watched_(std::move(start.watched)) {
     state_.tolerance = tolerance;
@@ -39,7 +40,7 @@ class Decimator {
     state_.attached = std::move(start.attached);
   }
 
-  Decimated work(bool rough = false) {
+  Decimated work() {
     prepare();
     if (state_.triangles.size() > kWorthParts) {
       const std::vector<std::vector<std::int32_t>> members = findParts();
@@ -47,7 +48,7 @@ class Decimator {
         Collapser(state_, static_cast<std::int32_t>(part), run_).work(members[part]);
       });
     }
-    if (rough) return result();
+    if (effort_ == Effort::Rough) return result();
     std::vector<std::int32_t> all;
     for (std::size_t v = 0; v < state_.points.size(); ++v) {
       if (!state_.gone[v]) all.push_back(static_cast<std::int32_t>(v));
@@ -198,8 +199,8 @@ class Decimator {
     }
     for (std::size_t v = 0; v < state_.points.size(); ++v) {
       if (patch[v] < 0) continue;
-      state_.kind[v] =
-          open[v] && !several[v] && borders[v] == 2 ? VertexKind::Border : VertexKind::Fixed;
+      const bool slides = open[v] && !several[v] && borders[v] == 2 && effort_ != Effort::Again;
+      state_.kind[v] = slides ? VertexKind::Border : VertexKind::Fixed;
     }
   }
 
@@ -243,6 +244,7 @@ class Decimator {
 
   const HalfEdgeMesh in_;
   const Partition partition_;
+  const Effort effort_;
   RunContext& run_;
   CollapseState state_;
   std::vector<char> watched_;
@@ -250,14 +252,12 @@ class Decimator {
 
 }  // namespace
 
-Decimated decimate(Decimated start, double tolerance, RunContext& run) {
+Decimated decimate(Decimated start, double tolerance, RunContext& run, Effort effort) {
+  Decimated once = Decimator(std::move(start), tolerance, effort, run).work();
+  if (effort == Effort::Rough) return once;
   // The second time starts from the planes of what the first has left, which shows edges to
   // collapse that the planes of the mesh before did not.
-  return Decimator(Decimator(std::move(start), tolerance, run).work(), tolerance, run).work();
-}
-
-Decimated decimateRoughly(Decimated start, double tolerance, RunContext& run) {
-  return Decimator(std::move(start), tolerance, run).work(true);
+  return Decimator(std::move(once), tolerance, effort, run).work();
 }
 
 }  // namespace swept::step

@@ -21,8 +21,13 @@ struct Decimated {
   double deviation = 0;       ///< mm: largest distance of a removed vertex from the new triangles
 };
 
-Decimated decimate(Decimated start, double tolerance, RunContext& run);
-/// Only what can be done in parts at the same time: a look at what is to be expected.
-Decimated decimateRoughly(Decimated start, double tolerance, RunContext& run);
+enum class Effort {
+  Rough,  ///< only what can be done in parts at the same time: a look at what is to be expected
+  Thorough,
+  Again,  ///< after patches became open ground: the borders of those that are left stay as they are
+};
+
+Decimated decimate(Decimated start, double tolerance, RunContext& run,
+                   Effort effort = Effort::Thorough);
 
 }  // namespace swept::step

@@ -133,19 +133,19 @@ class Splitter {
 
 }  // namespace
 
-Deviation measureDeviation(const HalfEdgeMesh& whole, const Decimated& small,
+Deviation measureDeviation(const std::vector<Vector3d>& points, const Decimated& small,
                            const std::vector<Vector3d>& places, double limit) {
   const NearestTriangle nearest(places, small.mesh.triangles);
-  const std::size_t blocks = (whole.points.size() + kBlock - 1) / kBlock;
+  const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Beyond>> found(blocks);
   std::vector<double> most(blocks, 0);
   // What is nearer than the farthest known, or than `least`, need not be known exactly.
   const auto measure = [&](double least) {
-    parallelBlocks(whole.points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       double& largest = most[begin / kBlock];
       std::int32_t triangle = -1;
       for (std::size_t v = begin; v < end; ++v) {
-        const Vector3d& p = whole.points[v];
+        const Vector3d& p = points[v];
         const double enough = std::min(std::max(largest, least), limit);
         double off = std::sqrt(nearest.query(p, 1e300, enough * enough, triangle));
         if (off <= enough) continue;
@@ -159,6 +159,7 @@ Deviation measureDeviation(const HalfEdgeMesh& whole, const Decimated& small,
     return *std::max_element(most.begin(), most.end());
   };
   Deviation result;
+  if (points.empty()) return result;
   result.largest = measure(kCommon * limit);
   if (result.largest <= kCommon * limit) result.largest = measure(0);
   std::vector<Beyond> all;
@@ -169,7 +170,30 @@ Deviation measureDeviation(const HalfEdgeMesh& whole, const Decimated& small,
   });
   for (const Beyond& b : all) {
     if (result.beyond.empty() || result.beyond.back().triangle != b.triangle)
-      result.beyond.push_back({whole.points[b.vertex], b.triangle});
+      result.beyond.push_back({points[b.vertex], b.triangle});
+  }
+  return result;
+}
+
+std::vector<Vector3d> pointsAbout(const std::vector<Violation>& corners, const Decimated& before,
+                                  double limit, const std::vector<Vector3d>& points) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Violation& corner : corners) {
+    Eigen::AlignedBox3d box(corner.point);
+    for (int k = 0; k < 3; ++k) {
+      // The triangle beyond an edge is cut as well where the corner goes onto the edge.
+      const std::int32_t beyond = before.mesh.opposite[3 * corner.triangle + k] / 3;
+      for (const std::int32_t v : before.mesh.triangles[beyond]) box.extend(before.mesh.points[v]);
+    }
+    box.min().array() -= limit;
+    box.max().array() += limit;
+    boxes.push_back(box);
+  }
+  std::vector<Vector3d> result;
+  for (const Vector3d& p : points) {
+    const bool near = std::any_of(boxes.begin(), boxes.end(),
+                                  [&](const Eigen::AlignedBox3d& box) { return box.contains(p); });
+    if (near) result.push_back(p);
   }
   return result;
 }

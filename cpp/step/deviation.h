@@ -21,8 +21,13 @@ struct Deviation {
   std::vector<Violation> beyond;  ///< by triangle: the vertex farthest beyond the limit
 };
 
-Deviation measureDeviation(const HalfEdgeMesh& whole, const Decimated& small,
+Deviation measureDeviation(const std::vector<Eigen::Vector3d>& points, const Decimated& small,
                            const std::vector<Eigen::Vector3d>& places, double limit);
+
+/// Those of the points that new corners at these places can bring nearer or farther.
+std::vector<Eigen::Vector3d> pointsAbout(const std::vector<Violation>& corners,
+                                         const Decimated& before, double limit,
+                                         const std::vector<Eigen::Vector3d>& points);
 
 /// Open ground gets each of the points as a corner. False if none could be put in.
 bool putCorners(const std::vector<Violation>& points, Decimated& small, RunContext& run);

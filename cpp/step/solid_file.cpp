@@ -69,6 +69,16 @@ void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
   }
 }
 
+TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, RunContext& run) {
+  throwIfCancelled(run);
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.55, 0.8);
+  reader.TransferRoots(progress->Start());
+  throwIfCancelled(run);
+  const TopoDS_Shape shape = reader.OneShape();
+  if (shape.IsNull()) fail("RereadFailed", "the file just written holds no shape", &kernel);
+  return shape;
+}
+
 }  // namespace
 
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
@@ -105,13 +115,16 @@ TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunCon
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
     fail("RereadFailed", "the file just written cannot be read back", &kernel);
   }
-  throwIfCancelled(run);
-  const Handle(KernelProgress) progress = new KernelProgress(run, 0.55, 0.8);
-  reader.TransferRoots(progress->Start());
-  throwIfCancelled(run);
-  const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull()) fail("RereadFailed", "the file just written holds no shape", &kernel);
-  return shape;
+  return shapeOf(reader, kernel, run);
+}
+
+TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run) {
+  kernel.set("xstep.cascade.unit", "MM");
+  STEPControl_Reader reader;
+  if (reader.ReadStream("text", text) != IFSelect_RetDone) {
+    fail("RereadFailed", "the text of the faces cannot be read back", &kernel);
+  }
+  return shapeOf(reader, kernel, run);
 }
 
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,

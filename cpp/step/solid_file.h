@@ -4,6 +4,7 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
+#include <istream>
 #include <ostream>
 #include <string>
 
@@ -19,6 +20,8 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    RunContext& run);
 /// The shape as the kernel usually reads it: it finds parameter curves and tolerances by itself.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run);
+/// The same from memory.
+TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
 /// The shape as it stands in a file of plane faces, with the tolerance (mm) that the file states;
 /// takes a fifth of the time.
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,

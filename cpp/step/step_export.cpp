@@ -17,20 +17,14 @@
 
 #include "base/parallel.h"
 #include "base/safe_file.h"
-#include "brep.h"
-#include "decimate.h"
-#include "deviation.h"
 #include "half_edge.h"
 #include "kernel.h"
-#include "model.h"
 #include "patches.h"
-#include "recognise.h"
 #include "shape_check.h"
-#include "simplify/nearest_triangle.h"
+#include "shape_maker.h"
 #include "solid_file.h"
 #include "step_text.h"
 #include "thin.h"
-#include "tidy_patches.h"
 
 namespace swept {
 namespace {
@@ -110,223 +104,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-struct Built {
-  Model model;
-  Brep brep;
-  std::map<std::string, std::int64_t> facesByKind;
-  double deviation = 0;  // mm, of the mesh's vertices from their faces
-};
-
-Built describe(Model model, Brep brep, double deviation) {
-  Built built{std::move(model), std::move(brep), {}, deviation};
-  for (const ModelFace& face : built.model.faces)
-    ++built.facesByKind[surfaceKindName(face.surface.kind)];
-  return built;
-}
-
-// Of the tolerance: for the thinning before surfaces are looked for, for surfaces, and for facets.
-// Where facets and thinning add up to more than the tolerance, the mesh gets more corners in the
-// end.
-constexpr double kThinShare = 0.15, kSurfaceShare = 0.83, kFaceShare = 0.95;
-
-Partition partitionOf(const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
-  Partition partition;
-  partition.patchOf.assign(mesh.triangles.size(), -1);
-  if (options.tolerance > 0 && options.recognise) {
-    recogniseSurfaces(mesh, kSurfaceShare * options.tolerance, partition, run);
-  }
-  return partition;
-}
-
-// Patches that the kernel refused become open ground again. Their borders may have moved on their
-// surfaces: what is to stay near the triangles are the vertices that the mesh had there at first.
-void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
-                   const Partition& first, Decimated& now) {
-  now.attached.resize(now.mesh.triangles.size());
-  for (const std::int32_t p : patches) {
-    std::vector<std::int32_t>& members = now.partition.patches[p].triangles;
-    if (members.empty()) continue;
-    NearestTriangle::Triangles open;
-    for (const std::int32_t t : members) {
-      now.partition.patchOf[t] = -1;
-      open.push_back(now.mesh.triangles[t]);
-    }
-    std::vector<std::int32_t> vertices;
-    for (const std::int32_t t : first.patches[p].triangles)
-      vertices.insert(vertices.end(), dense.triangles[t].begin(), dense.triangles[t].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const NearestTriangle nearest(now.mesh.points, open);
-    std::int32_t home = -1;
-    for (const std::int32_t v : vertices) {
-      nearest.query(dense.points[v], 1e300, 0, home);
-      now.attached[members[home]].push_back(dense.points[v]);
-    }
-    members.clear();
-  }
-}
-
-// The recognised patches in the fan of a half-edge's first vertex.
-void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
-                    std::vector<std::int32_t>& patches) {
-  std::int32_t h = first;
-  do {
-    const std::int32_t patch = small.partition.patchOf[h / 3];
-    if (patch < known) patches.push_back(patch);
-    h = small.mesh.opposite[HalfEdgeMesh::previous(h)];
-  } while (h != first);
-}
-
+// Of the tolerance, for thinning a dense mesh before surfaces are looked for.
+constexpr double kThinShare = 0.15;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
-
-// Faces that the kernel refuses, as patches: recognised ones lose their surface, flat regions fall
-// into facets. True if something was changed in `small` alone.
-bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
-              Decimated& small, std::vector<std::int32_t>& refused) {
-  bool again = false;
-  for (const std::int32_t face : bad) {
-    const std::int32_t patch = model.faces[face].patch;
-    if (patch < known) {
-      refused.push_back(patch);
-    } else if (small.partition.patches[patch].triangles.size() > 1) {
-      dissolvePatch(small.mesh, patch, small.partition);
-      again = true;
-    } else {
-      // A facet fails because of what its neighbours made of its corners.
-      const std::int32_t t = small.partition.patches[patch].triangles[0];
-      for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
-    }
-  }
-  std::sort(refused.begin(), refused.end());
-  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
-  return again;
-}
-
-// Edges of open ground that a patch may cost for each facet that it saves: of a free form it has a
-// long jagged border, and facets without it would be fewer.
-constexpr double kBorderPerSaved = 1.5, kBorderPerSavedByPlane = 5;
-constexpr double kSmooth = 0.85;  // cosine
-
-// Patches whose border with open ground, as simplified, costs more facets than they save.
-std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
-                                     const Decimated& now, double tolerance) {
-  const std::size_t count = first.patches.size();
-  std::vector<std::int32_t> border(count, 0), costly;
-  for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
-    const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
-    if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // A crease needs its corners in any case.
-    const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
-    const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
-    if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
-  }
-  const TriangleShapes shapes = shapesOf(dense);
-  for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = first.patches[p];
-    const double each = patch.surface.isPlanar() ? kBorderPerSavedByPlane : kBorderPerSaved;
-    if (border[p] > each * facetsSaved(patch, shapes, tolerance))
-      costly.push_back(static_cast<std::int32_t>(p));
-  }
-  return costly;
-}
-
-std::int64_t countFaces(const Partition& partition) {
-  return std::count_if(partition.patches.begin(), partition.patches.end(),
-                       [](const Patch& patch) { return !patch.triangles.empty(); });
-}
-
-// Builds the shape; nothing if it would have too many faces, whose number is then in `faces`.
-// `dense` is the mesh, `whole` the mesh that the deviation is measured from.
-class ShapeMaker {
- public:
-  ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
-             Format format, RunContext& run)
-      : whole_(whole), dense_(dense), options_(options), format_(format), run_(run) {}
-
-  std::optional<Built> make(std::int64_t& faces) {
-    constexpr int kRounds = 5;
-    const Partition first = partitionOf(dense_, options_, run_);
-    known_ = static_cast<std::int32_t>(first.patches.size());
-    const double tolerance = kFaceShare * options_.tolerance;
-    Decimated start{dense_, first, {}, {}, 0};
-    if (known_ > 0 && worthTrial()) start.partition = tryOut(first, tolerance);
-    for (int round = 0; round <= kRounds; ++round) {
-      if (tolerance > 0) start = decimate(std::move(start), tolerance, run_);
-      refused_.clear();
-      if (auto built = tryMesh(start, faces)) return built;
-      if (!isWithinLimits(faces, options_, format_)) return std::nullopt;
-      if (refused_.empty()) break;
-      forgetPatches(refused_, dense_, first, start);
-    }
-    throw Error(Status::ExportFailed, "InvalidFaces",
-                "some faces are not accepted by the kernel; the mesh may have needle triangles or "
-                "intersect itself: simplify or repair it, or export a mesh file");
-  }
-
- private:
-  bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
-
-  // Patches that are not worth their border and those that the kernel refuses show in a rough
-  // simplification; without them the right one starts from ground that is open from the beginning.
-  Partition tryOut(const Partition& first, double tolerance) {
-    Decimated rough = decimateRoughly({dense_, first, {}, {}, 0}, tolerance, run_);
-    std::vector<std::int32_t> bad = findCostly(dense_, first, rough, tolerance);
-    addFacets(rough.mesh, rough.partition);
-    const Model model = buildModel(rough.mesh, rough.partition, options_.tolerance, run_);
-    const Brep brep = buildBrep(model, run_);
-    std::vector<std::int32_t> faces = brep.failed;
-    if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
-    for (const std::int32_t face : faces) {
-      if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
-    }
-    Partition left = first;
-    for (const std::int32_t p : bad) {
-      for (const std::int32_t t : first.patches[p].triangles) left.patchOf[t] = -1;
-      left.patches[p].triangles.clear();
-    }
-    return left;
-  }
-
-  // Where the kernel takes offence, by falling apart into facets, and where the mesh is left by too
-  // much, by more corners.
-  std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
-    const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
-    for (int mended = 0;; ++mended) {
-      Decimated small = base;
-      if (options_.mergeCoplanar)
-        growPlanes(small.mesh, options_.planarTolerance, small.partition, run_);
-      addFacets(small.mesh, small.partition);
-      faces = countFaces(small.partition);
-      if (!isWithinLimits(faces, options_, format_)) return std::nullopt;
-      std::optional<Model> model;
-      Brep brep;
-      for (int inner = 0; inner < 3 && !model; ++inner) {
-        model = buildModel(small.mesh, small.partition, tolerance, run_);
-        brep = buildBrep(*model, run_);
-        std::vector<std::int32_t> bad = brep.failed;
-        if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-        if (bad.empty()) break;
-        const bool again = takeBack(bad, *model, known_, small, refused_);
-        model.reset();
-        if (!again || !refused_.empty()) return std::nullopt;
-      }
-      if (!model) return std::nullopt;
-      const Deviation off = measureDeviation(whole_, small, model->places, tolerance);
-      if (off.beyond.empty() || mended == kMendings || !putCorners(off.beyond, base, run_))
-        return describe(std::move(*model), std::move(brep), off.largest);
-    }
-  }
-
-  static constexpr int kMendings = 4;
-  static constexpr std::size_t kWorthTrial = 20000;  // triangles
-  const HalfEdgeMesh& whole_;
-  const HalfEdgeMesh& dense_;
-  const StepOptions& options_;
-  Format format_;
-  RunContext& run_;
-  std::int32_t known_ = 0;             // patches below this one were recognised
-  std::vector<std::int32_t> refused_;  // patches that are to lose their surface
-};
 
 double diagonalOf(const HalfEdgeMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -337,12 +117,13 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
 // With the tolerance given, or with the smallest of a series that meets the limits; `options` then
 // says which.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format format,
-                        RunContext& run) {
+                        KernelSession& kernel, RunContext& run) {
+  const auto fits = [&](std::int64_t count) { return isWithinLimits(count, options, format); };
   constexpr double kFirst = 1.0 / 4000, kMost = 1.0 / 100;  // of the diagonal
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;
   if (!given) {
-    if (auto built = ShapeMaker(mesh, mesh, options, format, run).make(faces))
+    if (auto built = makeShape(mesh, mesh, options, fits, kernel, faces, run))
       return std::move(*built);
     if (options.exact) refuseTooMany(faces, options, format);
   }
@@ -356,7 +137,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
       thin = thinOut(*dense, kThinShare * options.tolerance, run);
       dense = &thin;
     }
-    if (auto built = ShapeMaker(mesh, *dense, options, format, run).make(faces))
+    if (auto built = makeShape(mesh, *dense, options, fits, kernel, faces, run))
       return std::move(*built);
     if (given || 2 * options.tolerance > kMost * diagonal) refuseTooMany(faces, options, format);
   }
@@ -409,7 +190,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
   KernelSession kernel;
   try {
     OCC_CATCH_SIGNALS
-    const Built built = buildWithinLimits(mesh, options, format, run);
+    const Built built = buildWithinLimits(mesh, options, format, kernel, run);
     report.secondsBuild = watch.lap();
     const std::string name = utf8FromPath(pathFromUtf8(file.target()).filename());
     if (format == Format::Brep) {
