@@ -47,28 +47,29 @@ struct TriedTriangle {
   }
 };
 
+/// Does x lead to the side of w, by more than rounding can do?
+bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
+  const double along = w.dot(x);
+  return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
+}
+
 /// Triangles (v, a, b) and (v, c, d), all relative to v: does a plane through v part them? Tried
 /// are the planes on either edge of the first one across its own plane, and the one across its
 /// middle line.
 bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                     const Eigen::Vector3d& d) {
   const Eigen::Vector3d normal = a.cross(b);
-  const double lengthA = a.norm(), lengthB = b.norm();
-  if (!(normal.norm() > kSine * lengthA * lengthB)) return false;
-  const Eigen::Vector3d away = -(a / lengthA + b / lengthB);
-  for (const Eigen::Vector3d& w :
-       {Eigen::Vector3d(a.cross(normal)), Eigen::Vector3d(normal.cross(b)), away}) {
-    const double size = kSine * w.norm();
-    if (w.dot(c) > size * c.norm() && w.dot(d) > size * d.norm()) return true;
-  }
-  return false;
+  const double a2 = a.squaredNorm(), b2 = b.squaredNorm();
+  if (!(normal.squaredNorm() > kSine * kSine * a2 * b2)) return false;
+  const auto parts = [&](const Eigen::Vector3d& w) { return leadsTo(w, c) && leadsTo(w, d); };
+  return parts(a.cross(normal)) || parts(normal.cross(b)) ||
+         parts(-(std::sqrt(b2) * a + std::sqrt(a2) * b));
 }
 
 /// Triangles over the edge from the origin to e with third corners p and q: do they lead away from
 /// the edge to different sides?
 bool partedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-  const Eigen::Vector3d n = e.cross(p), m = e.cross(q);
-  return n.dot(m) < -kSine * n.norm() * m.norm();
+  return leadsTo(e.cross(p), -e.cross(q));
 }
 
 }  // namespace

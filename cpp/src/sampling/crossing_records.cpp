@@ -2,6 +2,7 @@
 #include "sampling/crossing_records.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/parallel.h"
 #include "swept/types.h"
@@ -9,14 +10,57 @@
 namespace swept {
 namespace {
 
-bool before(const CrossingRecord& x, const CrossingRecord& y) {
-  return x.key != y.key ? x.key < y.key : x.element < y.element;
-}
+/// The crossings next to either end of each lattice edge of one column, found without sorting: the
+/// edges that are crossed are marked in a bit set.
+class ColumnEnds {
+ public:
+  explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
 
-/// Sorts the records of one layer (by axis and column, then within each) and keeps of every lattice
-/// edge the crossing next to either end.
+  void add(const CrossingRecord& r) {
+    Ends& ends = ends_[r.k()];
+    std::uint64_t& word = crossed_[r.k() >> 6];
+    const std::uint64_t bit = std::uint64_t{1} << (r.k() & 63);
+    if ((word & bit) == 0) {
+      word |= bit;
+      ends = {r, r};
+      return;
+    }
+    // Of equal positions the first element is taken, at both ends.
+    const auto firstOf = [&](const CrossingRecord& other) {
+      return r.key == other.key && r.element < other.element;
+    };
+    if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
+    if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
+  }
+  /// Appends the crossed edges in rising order and forgets them.
+  void moveTo(std::vector<MarkedEdge>& edges) {
+    for (std::size_t w = 0; w < crossed_.size(); ++w) {
+      for (; crossed_[w] != 0; crossed_[w] &= crossed_[w] - 1) {
+        const std::size_t k = w << 6 | static_cast<std::size_t>(std::countr_zero(crossed_[w]));
+        const Ends& ends = ends_[k];
+        MarkedEdge edge;
+        edge.k = static_cast<std::uint16_t>(k);
+        edge.lowElement = ends.low.element;
+        edge.lowFraction = ends.low.fraction();
+        edge.highElement = ends.high.element;
+        edge.highFraction = ends.high.fraction();
+        edges.push_back(edge);
+      }
+    }
+  }
+
+ private:
+  struct Ends {
+    CrossingRecord low, high;
+  };
+  std::vector<Ends> ends_;
+  std::vector<std::uint64_t> crossed_;
+};
+
+/// Parts the records of one layer by axis and column and keeps of every lattice edge the crossing
+/// next to either end.
 void reduceLayer(std::vector<CrossingRecord>& records, std::vector<CrossingRecord>& scratch,
-                 std::uint32_t columns, LayerEdges& layer) {
+                 ColumnEnds& ends, std::uint32_t columns, LayerEdges& layer) {
   const auto bucketOf = [&](const CrossingRecord& r) { return r.axis() * columns + r.column(); };
   std::vector<std::uint32_t> start(3 * columns + 1, 0);
   for (const auto& r : records) ++start[bucketOf(r)];
@@ -33,24 +77,9 @@ void reduceLayer(std::vector<CrossingRecord>& records, std::vector<CrossingRecor
     edges.reserve((start[(axis + 1) * columns] - start[axis * columns]) / 2 + 16);
     for (std::uint32_t j = 0; j < columns; ++j) {
       columnStart[j] = static_cast<std::uint32_t>(edges.size());
-      const auto begin = scratch.begin() + start[axis * columns + j];
-      const auto end = scratch.begin() + start[axis * columns + j + 1];
-      std::sort(begin, end, before);
-      for (auto r = begin; r != end;) {
-        auto last = r;
-        while (last + 1 != end && (last + 1)->key >> 23 == r->key >> 23) ++last;
-        MarkedEdge edge;
-        edge.k = static_cast<std::uint16_t>(r->k());
-        edge.lowElement = r->element;
-        edge.lowFraction = r->fraction();
-        // Of equal highest positions take the first element, as at the low end.
-        auto high = last;
-        while (high != r && (high - 1)->key == last->key) --high;
-        edge.highElement = high->element;
-        edge.highFraction = high->fraction();
-        edges.push_back(edge);
-        r = last + 1;
-      }
+      const std::uint32_t bucket = axis * columns + j;
+      for (std::uint32_t r = start[bucket]; r < start[bucket + 1]; ++r) ends.add(scratch[r]);
+      ends.moveTo(edges);
     }
     columnStart[columns] = static_cast<std::uint32_t>(edges.size());
     edges.shrink_to_fit();
@@ -106,8 +135,9 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
   const auto columns = static_cast<std::uint32_t>(grid.points[1]);
   parallelBlocks(layers, 4, [&](std::size_t begin, std::size_t end) {
     std::vector<CrossingRecord> scratch;
+    ColumnEnds ends(static_cast<std::size_t>(grid.points[2]));
     for (std::size_t layer = begin; layer < end; ++layer) {
-      reduceLayer(byLayer[layer], scratch, columns, out.layers[layer]);
+      reduceLayer(byLayer[layer], scratch, ends, columns, out.layers[layer]);
       std::vector<CrossingRecord>().swap(byLayer[layer]);
     }
   });
