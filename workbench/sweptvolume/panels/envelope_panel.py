@@ -290,16 +290,16 @@ class EnvelopePanel(StartPanel):
         if self.obj is not None and not widgets.alive(self.obj):
             self.obj = None  # deleted meanwhile: OK makes a new one
         self.box.hide()
-        self._enable(True)
         if run.state == "ok":
             self.obj = run.task.obj
             Gui.Selection.clearSelection()
             if self.close_when_done:
                 QtCore.QTimer.singleShot(CLOSE_DELAY, self._close)
-            else:
-                self.read_outs.show_result(self.obj)
-            return
-        widgets.show_failure(self.message, run)
+                return
+            self.read_outs.show_result(self.obj)
+        else:
+            widgets.show_failure(self.message, run)
+        self._enable(True)
 
     # --- task panel
 
