@@ -20,8 +20,8 @@ from .widgets import QtWidgets
 
 #: ms after the last change before estimate and preview are made anew.
 ESTIMATE_DELAY = 250
-#: ms after a run until the panel goes: to take over the mesh and to draw it is enough for one moment.
-CLOSE_DELAY = 40
+#: ms after a run until the panel goes: the window first draws what it has taken over.
+CLOSE_DELAY = 150
 #: Steps of the quality slider, in cells along the longest side.
 QUALITIES = [32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024]
 
@@ -289,7 +289,6 @@ class EnvelopePanel(StartPanel):
             return
         if self.obj is not None and not widgets.alive(self.obj):
             self.obj = None  # deleted meanwhile: OK makes a new one
-        self.box.hide()
         if run.state == "ok":
             self.obj = run.task.obj
             Gui.Selection.clearSelection()
@@ -299,6 +298,7 @@ class EnvelopePanel(StartPanel):
             self.read_outs.show_result(self.obj)
         else:
             widgets.show_failure(self.message, run)
+        self.box.hide()
         self._enable(True)
 
     # --- task panel
