@@ -27,12 +27,23 @@ def drawn(vertices, triangles, most=MOST):
         return np.array(vertices, np.float32), np.zeros((0, 3), np.float32), indices.ravel()
 
 
+#: Field of Coin -> what one of its values is in an array.
+_VALUES = {
+    "MFVec3f": (np.float32, (3,)),
+    "MFMatrix": (np.float32, (16,)),
+    "MFInt32": (np.int32, ()),
+}
+
+
 def fill(field, values):
-    """Puts an array into a field of Coin: its rows of float32 or numbers of int32, bit by bit.
+    """Puts an array into a field of Coin, bit by bit.
 
     Coin's own call takes Python's lists alone: to make and to read one of a preview takes 20 ms, in
     which no other thread gets to run."""
     values = np.ascontiguousarray(values)
+    kind = field.getTypeId().getName().getString()
+    if (values.dtype, values.shape[1:]) != _VALUES[kind]:
+        raise TypeError("{} {} for a field {}".format(values.dtype, values.shape, kind))
     field.setNum(len(values))
     if not len(values):
         return
