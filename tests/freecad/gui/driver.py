@@ -114,15 +114,15 @@ def viewport():
         if w.metaObject().className() in ("QOpenGLWidget", "QGLWidget") and w.isVisible()
     ]
     assert found, "no 3D view"
-    return found[0]
+    return max(found, key=lambda w: w.width() * w.height())  # FreeCAD 1.1 has a small one as well
 
 
 def drag(start, end, steps=8):
     """Drags the left button in the 3D view between two points of the world; a generator."""
     view, widget = Gui.activeDocument().activeView(), viewport()
     # Coin counts pixels of the screen, from below; Qt counts its own, from above.
-    region = view.getViewer().getSoRenderManager().getViewportRegion()
-    ratio = region.getViewportSizePixels()[0] / widget.width()
+    # (Not by getViewer(): FreeCAD 1.1 then crashes when the view is closed.)
+    ratio = view.getSize()[0] / widget.width()
     places = []
     for point in (start, end):
         x, y = view.getPointOnScreen(point)
