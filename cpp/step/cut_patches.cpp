@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swept::step {
 namespace {
@@ -35,8 +36,13 @@ class Cutter {
   Cutter(const HalfEdgeMesh& mesh, Partition& partition) : mesh_(mesh), partition_(partition) {}
 
   void cutAll() {
+    // Spheres may be cut in any direction: last, when the corners around them are known.
     const auto count = static_cast<std::int32_t>(partition_.patches.size());
-    for (std::int32_t p = 0; p < count; ++p) cut(p);
+    for (const bool spheres : {false, true}) {
+      for (std::int32_t p = 0; p < count; ++p) {
+        if ((partition_.patches[p].surface.kind == SurfaceKind::Sphere) == spheres) cut(p);
+      }
+    }
   }
 
  private:
@@ -104,7 +110,8 @@ class Cutter {
   }
 
   // The planes by which a patch of this surface may be cut, in the order in which they are used.
-  std::vector<Surface> planesFor(const Patch& patch) const {
+  std::vector<Surface> planesFor(std::int32_t p) const {
+    const Patch& patch = partition_.patches[p];
     const Surface& s = patch.surface;
     Vector3d mean = Vector3d::Zero();
     for (const std::int32_t t : patch.triangles) mean += mesh_.areaVector(t);
@@ -114,9 +121,7 @@ class Cutter {
     plane.kind = SurfaceKind::Plane;
     plane.point = s.point;
     std::vector<Surface> planes;
-    // An odd angle, so that the cut does not run along rows of vertices lying on both sides of it.
-    const Vector3d e1 = anyOrthogonal(axis), e2 = axis.cross(e1);
-    const Vector3d x = std::cos(0.3) * e1 + std::sin(0.3) * e2;
+    const Vector3d x = directionAwayFrom(cornersOf(p), s.point, axis);
     plane.axis = x;
     planes.push_back(plane);
     if (s.kind == SurfaceKind::Sphere) {
@@ -130,11 +135,53 @@ class Cutter {
     return planes;
   }
 
+  // Vertices on the border of a patch where two others meet.
+  std::vector<Vector3d> cornersOf(std::int32_t p) const {
+    std::vector<std::pair<std::int32_t, std::int32_t>> beside;  // vertex, patch beyond
+    for (const std::int32_t t : partition_.patches[p].triangles) {
+      for (std::int32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::int32_t other = partition_.patchOf[mesh_.opposite[h] / 3];
+        if (other == p) continue;
+        beside.emplace_back(mesh_.origin(h), other);
+        beside.emplace_back(mesh_.target(h), other);
+      }
+    }
+    std::sort(beside.begin(), beside.end());
+    std::vector<Vector3d> corners;
+    for (std::size_t i = 1; i < beside.size(); ++i) {
+      if (beside[i].first == beside[i - 1].first && beside[i].second != beside[i - 1].second)
+        corners.push_back(mesh_.points[beside[i].first]);
+    }
+    return corners;
+  }
+
+  // The direction about the axis for which the plane through `point` passes farthest from the
+  // corners: two corners that nearly fall together make edges shorter than their tolerance. Odd
+  // angles, so that the cut does not run along rows of vertices lying on both sides of it.
+  static Vector3d directionAwayFrom(const std::vector<Vector3d>& corners, const Vector3d& point,
+                                    const Vector3d& axis) {
+    constexpr int kDirections = 12;
+    const Vector3d e1 = anyOrthogonal(axis), e2 = axis.cross(e1);
+    Vector3d best = Vector3d::Zero();
+    double farthest = -1;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 0.3 + M_PI * i / kDirections;
+      const Vector3d x = std::cos(angle) * e1 + std::sin(angle) * e2;
+      double nearest = 1e300;
+      for (const Vector3d& corner : corners)
+        nearest = std::min(nearest, std::abs((corner - point).dot(x)));
+      if (nearest <= farthest) continue;
+      farthest = nearest;
+      best = x;
+    }
+    return best;
+  }
+
   void cut(std::int32_t first) {
     if (placeSeam(partition_.patches[first])) return;
     const std::int32_t surfaceId = partition_.patches[first].surfaceId;
     std::vector<std::int32_t> pieces{first};
-    for (const Surface& plane : planesFor(partition_.patches[first])) {
+    for (const Surface& plane : planesFor(first)) {
       std::vector<std::int32_t> next;
       for (const std::int32_t p : pieces) {
         for (const std::int32_t q : halve(p, plane)) next.push_back(q);

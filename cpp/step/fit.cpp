@@ -274,7 +274,7 @@ std::optional<Surface> guessSurface(SurfaceKind kind, const Samples& samples) {
   return surface;
 }
 
-void refineSurface(const Samples& samples, Surface& surface) {
+void refineSurface(const Samples& samples, Surface& surface, std::size_t most) {
   const Frame frame = frameOf(samples);
   if (surface.isPlanar()) {
     if (auto plane = guessPlane(samples, frame)) {
@@ -283,7 +283,7 @@ void refineSurface(const Samples& samples, Surface& surface) {
     }
     return;
   }
-  const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / 240);
+  const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / most);
   const std::vector<int> parameters = freeParameters(surface.kind);
   const auto count = static_cast<int>(parameters.size());
   auto cost = [&](const Surface& s) {

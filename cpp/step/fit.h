@@ -21,8 +21,8 @@ struct Samples {
 /// First guess; nothing where the samples do not determine the surface.
 std::optional<Surface> guessSurface(SurfaceKind kind, const Samples& samples);
 
-/// Least squares on the distances of the points (at most about 240 of them are used).
-void refineSurface(const Samples& samples, Surface& surface);
+/// Least squares on the distances of the points (at most about `most` of them are used).
+void refineSurface(const Samples& samples, Surface& surface, std::size_t most = 240);
 
 /// Largest and median absolute distance of the points.
 struct Residuals {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/parallel.h"
 #include "cut_patches.h"
+#include "fit.h"
 #include "seek_surface.h"
 #include "tidy_patches.h"
 
@@ -84,14 +86,7 @@ class Recogniser {
   std::vector<SurfaceSeeker> seekers_;
 };
 
-}  // namespace
-
-void recogniseSurfaces(const HalfEdgeMesh& mesh, double tolerance, Partition& partition,
-                       RunContext& run) {
-  const TriangleShapes shapes = shapesOf(mesh);
-  Recogniser(mesh, shapes, tolerance, partition, run).recognise();
-  tidyPatches(mesh, shapes, tolerance, partition);
-  cutRoundPatches(mesh, partition);
+void setDeviations(const HalfEdgeMesh& mesh, Partition& partition) {
   for (Patch& patch : partition.patches) {
     patch.deviation = 0;
     for (const std::int32_t t : patch.triangles) {
@@ -101,6 +96,110 @@ void recogniseSurfaces(const HalfEdgeMesh& mesh, double tolerance, Partition& pa
       }
     }
   }
+}
+
+constexpr double kScattered = 0.03;  // of the height of triangles: vertices on the surface itself
+constexpr double kMostMoved = 0.2;   // of the tolerance
+constexpr std::size_t kMostSamples = 5000;
+constexpr double kFarOff = 5;  // medians: what the patch took in beyond its surface
+
+void offsetSurface(Surface& surface, double outward) {
+  const double grow = surface.reversed ? -outward : outward;
+  if (surface.kind == SurfaceKind::Torus) {
+    surface.minor += grow;
+  } else {
+    surface.radius += surface.kind == SurfaceKind::Cone ? grow / surface.cosine : grow;
+  }
+}
+
+// The surface once more, without the vertices far off: a sphere takes in a ring of the cylinder
+// that it runs into.
+void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
+  for (int round = 0; round < 2; ++round) {
+    std::vector<std::pair<double, std::int32_t>> off;
+    for (const std::int32_t t : patch.triangles) {
+      const std::int32_t v = mesh.triangles[t][0];
+      off.emplace_back(std::abs(patch.surface.distance(mesh.points[v])), v);
+    }
+    std::vector<double> values;
+    for (const auto& entry : off) values.push_back(entry.first);
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    const double limit = kFarOff * values[values.size() / 2];
+    Samples samples;
+    for (const auto& [distance, v] : off) {
+      if (distance <= limit) samples.points.push_back(mesh.points[v]);
+    }
+    refineSurface(samples, patch.surface, kMostSamples);
+  }
+}
+
+struct Bend {
+  double height = 0;   // mm: middles of triangles above their corners, along the normal
+  double scatter = 0;  // mm: root mean square distance of the corners from the surface
+  double size = 0;     // mm^2: mean squared distance of corners from the middle
+};
+
+double sizeOf(const HalfEdgeMesh& mesh, std::int32_t t, Eigen::Vector3d& middle) {
+  const auto& tri = mesh.triangles[t];
+  middle = (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
+  double sum = 0;
+  for (const std::int32_t v : tri) sum += (mesh.points[v] - middle).squaredNorm() / 3;
+  return sum;
+}
+
+double meanSize(const HalfEdgeMesh& mesh) {
+  constexpr std::size_t kEvery = 5;
+  double sum = 0, count = 0;
+  Eigen::Vector3d middle;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += kEvery, ++count)
+    sum += sizeOf(mesh, static_cast<std::int32_t>(t), middle);
+  return sum / count;
+}
+
+Bend bendOf(const HalfEdgeMesh& mesh, const Patch& patch) {
+  Bend bend;
+  for (const std::int32_t t : patch.triangles) {
+    Eigen::Vector3d middle;
+    bend.size += sizeOf(mesh, t, middle);
+    bend.height += patch.surface.distance(middle);
+    for (const std::int32_t v : mesh.triangles[t]) {
+      const double off = patch.surface.distance(mesh.points[v]);
+      bend.height -= off / 3;
+      bend.scatter += off * off / 3;
+    }
+  }
+  const auto count = static_cast<double>(patch.triangles.size());
+  return {bend.height / count, std::sqrt(bend.scatter / count), bend.size / count};
+}
+
+// Moves curved surfaces that were found through the vertices of a contoured mesh to where the
+// surface itself ran: through the middles of the triangles, as contoured vertices lie outside of
+// what bends. Leaves surfaces on which the vertices lie exactly.
+void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
+                    Partition& partition) {
+  const double size = meanSize(whole);
+  parallelFor(partition.patches.size(), [&](std::size_t p) {
+    Patch& patch = partition.patches[p];
+    if (patch.surface.isPlanar() || patch.triangles.empty()) return;
+    fitToMost(mesh, patch);
+    const Bend bend = bendOf(mesh, patch);
+    // Where the mesh was thinned its triangles are higher, but the vertices lie as they did.
+    const double move = bend.height * std::min(1.0, size / bend.size);
+    if (bend.scatter > kScattered * std::abs(move) && std::abs(move) <= kMostMoved * tolerance)
+      offsetSurface(patch.surface, move);
+  });
+}
+
+}  // namespace
+
+void recogniseSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
+                       Partition& partition, RunContext& run) {
+  const TriangleShapes shapes = shapesOf(mesh);
+  Recogniser(mesh, shapes, tolerance, partition, run).recognise();
+  tidyPatches(mesh, shapes, tolerance, partition);
+  centreSurfaces(mesh, whole, tolerance, partition);
+  cutRoundPatches(mesh, partition);
+  setDeviations(mesh, partition);
 }
 
 }  // namespace swept::step

@@ -10,7 +10,8 @@
 
 namespace swept::step {
 
-void recogniseSurfaces(const HalfEdgeMesh& mesh, double tolerance, Partition& partition,
-                       RunContext& run);
+/// whole: the mesh before it was thinned, or the same.
+void recogniseSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
+                       Partition& partition, RunContext& run);
 
 }  // namespace swept::step

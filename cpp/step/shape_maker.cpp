@@ -28,11 +28,12 @@ Built describe(Model model, Brep brep, double deviation) {
   return built;
 }
 
-Partition partitionOf(const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
+Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
+                      const StepOptions& options, RunContext& run) {
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
   if (options.tolerance > 0 && options.recognise) {
-    recogniseSurfaces(mesh, kSurfaceShare * options.tolerance, partition, run);
+    recogniseSurfaces(mesh, whole, kSurfaceShare * options.tolerance, partition, run);
   }
   return partition;
 }
@@ -140,7 +141,7 @@ class ShapeMaker {
 
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
-    const Partition first = partitionOf(dense_, options_, run_);
+    const Partition first = partitionOf(dense_, whole_, options_, run_);
     known_ = static_cast<std::int32_t>(first.patches.size());
     const double tolerance = kFaceShare * options_.tolerance;
     Decimated start{dense_, first, {}, {}, 0};

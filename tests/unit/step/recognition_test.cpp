@@ -49,7 +49,7 @@ class Recognition : public testing::Test {
     const step::HalfEdgeMesh half = step::buildHalfEdges(mesh, run);
     step::Partition partition;
     partition.patchOf.assign(half.triangles.size(), -1);
-    step::recogniseSurfaces(half, tolerance, partition, run);
+    step::recogniseSurfaces(half, half, tolerance, partition, run);
     return partition.patches;
   }
   fs::path folder_;
@@ -199,7 +199,7 @@ TEST_F(Recognition, BordersOfOpenGroundStayOnTheirSurface) {
   const step::HalfEdgeMesh mesh = step::buildHalfEdges(postOnWaves(radius), run);
   step::Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
-  step::recogniseSurfaces(mesh, tolerance, partition, run);
+  step::recogniseSurfaces(mesh, mesh, tolerance, partition, run);
   const step::Decimated small = step::decimate({mesh, partition, {}, {}, 0}, tolerance, run);
   int borders = 0;
   for (std::size_t h = 0; h < small.mesh.opposite.size(); ++h) {
