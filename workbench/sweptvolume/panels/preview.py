@@ -22,8 +22,8 @@ MOST_CELLS = 192
 #: ms without a change before the fine envelope is computed.
 REST = 300
 #: ms between two looks for what a run has made, if no wish comes meanwhile: with a wish the view is
-#: drawn anyway, and each picture takes time.
-LOOK = 60
+#: drawn anyway, and each picture takes time. Longer than between two wishes of a dragger (its POLL).
+LOOK = 100
 #: s that a coarse run may take, and below which the next one may be finer by the factor STEP.
 SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
 #: Straight pieces of a smooth motion leave it by at most this part of the path's size.

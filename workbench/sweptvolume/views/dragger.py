@@ -17,7 +17,7 @@ _NAMES = ("SoTransformDragger", "SoFCCSysDragger")
 SIZE = 0.6
 #: ms between two looks at where the dragger is. It follows the mouse by itself; what follows it, the
 #: ghost and the path, is drawn so often, which leaves time for the envelopes.
-POLL = 60
+POLL = 80
 
 
 class PoseDragger:
