@@ -14,13 +14,12 @@
 #include "base/memory.h"
 #include "base/timer.h"
 #include "check/mesh_check.h"
+#include "check/self_intersections.h"
 #include "contour/surface.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
-#include "mend/mend.h"
-#include "mend/specks.h"
-#include "mend/surface_intersections.h"
 #include "pipeline/backend.h"
+#include "pipeline/finish_surface.h"
 #include "pipeline/grown_sweep.h"
 #include "pipeline/guarded.h"
 #include "pipeline/pilot.h"
@@ -186,7 +185,8 @@ class Run {
       report_.warnings.push_back(
           {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
     } else {
-      checkAndMend(surface, hermite);
+      const Finishing with{options_, prepared_, run_, [&](const char* name) { stage(name); }};
+      topology_ = checkAndMend(surface, hermite, with, report_);
     }
     result_.mesh = std::move(surface.mesh);
     result_.contactTime = std::move(surface.contactTime);
@@ -375,78 +375,6 @@ class Run {
         std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid, run_);
     cutKept(result_, options_.tolerance, run_);
     stage("simplify");
-  }
-
-  void checkAndMend(Surface& surface, const HermiteGrid& hermite) {
-    SelfIntersections pairs;
-    if (options_.components != ComponentMethod::Consistent) {
-      report_.check = checkMesh(surface.mesh, pairs, run_);
-      stage("check");
-    } else {
-      pairs = findSurfaceIntersections(surface, hermite, run_);
-      stage("intersections");
-      if (pairs.count > 0) mend(surface, hermite, pairs);
-      dropSpecks(surface, pairs);
-      report_.check = checkMesh(surface.mesh, topology_, run_);
-      if (!report_.check.oriented && turnInsideOut(surface)) {
-        report_.check = checkMesh(surface.mesh, topology_, run_);
-      }
-      report_.check.selfIntersections = pairs.count;
-      for (const auto& pair : pairs.pairs) {
-        if (report_.check.firstIntersections.size() == 32) break;
-        report_.check.firstIntersections.emplace_back(pair.first, pair.second);
-      }
-      stage("check");
-    }
-    if (report_.check.selfIntersections > 0) {
-      report_.warnings.push_back(
-          {"SelfIntersections",
-           report_.check.selfIntersections,
-           {},
-           std::to_string(report_.check.selfIntersections) +
-               " pairs of triangles meet; a smaller cell usually clears them"});
-    }
-    if (options_.components == ComponentMethod::Consistent) {
-      requirePassed(report_.check, "the envelope", report_.cellSize);
-    }
-  }
-
-  /// A body that stands still may have parts this small; what it sweeps hangs together.
-  void dropSpecks(Surface& surface, SelfIntersections& pairs) {
-    if (!prepared_.motion.continuous || options_.conservative) return;
-    const double cell = prepared_.grid.cell;
-    const Specks specks = swept::dropSpecks(surface, cell, pairs, run_);
-    if (specks.count == 0) return;
-    std::ostringstream text;
-    text.precision(3);
-    text << specks.count << " specks that hang on the envelope by less than the grid can see were "
-         << "dropped, the largest " << specks.largestSize * cell << " mm across, "
-         << specks.largestVolume * cell * cell * cell << " mm^3";
-    report_.warnings.push_back({"SpecksDropped", specks.count, {}, text.str()});
-  }
-
-  bool turnInsideOut(Surface& surface) {
-    if (options_.keepCavities) return false;
-    const std::int64_t count = swept::turnInsideOut(surface, prepared_.grid.cell, run_);
-    if (count == 0) return false;
-    report_.warnings.push_back({"ShellsTurned",
-                                count,
-                                {},
-                                std::to_string(count) +
-                                    " shells of a few cells, thinner than their vertices are "
-                                    "exact, came out inside out and were turned over"});
-    return true;
-  }
-
-  void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs) {
-    const std::int64_t before = pairs.count;
-    pairs = mendSelfIntersections(surface, hermite, pairs, run_);
-    report_.warnings.push_back({"Mended",
-                                before - pairs.count,
-                                {},
-                                std::to_string(before) + " pairs of triangles met at first; " +
-                                    std::to_string(pairs.count) + " are left after mending"});
-    stage("mend");
   }
 
   const Options& options_;

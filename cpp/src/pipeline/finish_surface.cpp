@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/finish_surface.h"
+
+#include <sstream>
+
+#include "mend/mend.h"
+#include "mend/specks.h"
+#include "mend/surface_intersections.h"
+#include "pipeline/require_passed.h"
+
+namespace swept {
+namespace {
+
+/// A body that stands still may have parts this small; what it sweeps hangs together.
+void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& with, Report& report) {
+  if (!with.prepared.motion.continuous || with.options.conservative) return;
+  const double cell = with.prepared.grid.cell;
+  const Specks specks = swept::dropSpecks(surface, cell, pairs, with.run);
+  if (specks.count == 0) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << specks.count << " specks that hang on the envelope by less than the grid can see were "
+       << "dropped, the largest " << specks.largestSize * cell << " mm across, "
+       << specks.largestVolume * cell * cell * cell << " mm^3";
+  report.warnings.push_back({"SpecksDropped", specks.count, {}, text.str()});
+}
+
+bool turnInsideOut(Surface& surface, const Finishing& with, Report& report) {
+  if (with.options.keepCavities) return false;
+  const std::int64_t count = swept::turnInsideOut(surface, with.prepared.grid.cell, with.run);
+  if (count == 0) return false;
+  report.warnings.push_back({"ShellsTurned",
+                             count,
+                             {},
+                             std::to_string(count) +
+                                 " shells of a few cells, thinner than their vertices are "
+                                 "exact, came out inside out and were turned over"});
+  return true;
+}
+
+void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs,
+          const Finishing& with, Report& report) {
+  const std::int64_t before = pairs.count;
+  pairs = mendSelfIntersections(surface, hermite, pairs, with.run);
+  report.warnings.push_back({"Mended",
+                             before - pairs.count,
+                             {},
+                             std::to_string(before) + " pairs of triangles met at first; " +
+                                 std::to_string(pairs.count) + " are left after mending"});
+  with.stage("mend");
+}
+
+/// Consistent components: all that can be dealt with is.
+MeshTopology mendAll(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
+                     Report& report) {
+  MeshTopology topology;
+  SelfIntersections pairs = findSurfaceIntersections(surface, hermite, with.run);
+  with.stage("intersections");
+  if (pairs.count > 0) mend(surface, hermite, pairs, with, report);
+  dropSpecks(surface, pairs, with, report);
+  report.check = checkMesh(surface.mesh, topology, with.run);
+  if (!report.check.oriented && turnInsideOut(surface, with, report)) {
+    report.check = checkMesh(surface.mesh, topology, with.run);
+  }
+  report.check.selfIntersections = pairs.count;
+  for (const auto& pair : pairs.pairs) {
+    if (report.check.firstIntersections.size() == 32) break;
+    report.check.firstIntersections.emplace_back(pair.first, pair.second);
+  }
+  return topology;
+}
+
+}  // namespace
+
+MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
+                          Report& report) {
+  const bool consistent = with.options.components == ComponentMethod::Consistent;
+  MeshTopology topology;
+  if (consistent) {
+    topology = mendAll(surface, hermite, with, report);
+  } else {
+    SelfIntersections pairs;
+    report.check = checkMesh(surface.mesh, pairs, with.run);
+  }
+  with.stage("check");
+  if (report.check.selfIntersections > 0) {
+    report.warnings.push_back({"SelfIntersections",
+                               report.check.selfIntersections,
+                               {},
+                               std::to_string(report.check.selfIntersections) +
+                                   " pairs of triangles meet; a smaller cell usually clears them"});
+  }
+  if (consistent) requirePassed(report.check, "the envelope", report.cellSize);
+  return topology;
+}
+
+}  // namespace swept
