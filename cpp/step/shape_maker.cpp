@@ -216,8 +216,9 @@ class ShapeMaker {
           measureDeviation(about.empty() ? whole_.points : about, small, model->places, tolerance);
       if (off.beyond.empty() && mended > 0)
         off = measureDeviation(whole_.points, small, model->places, tolerance);
+      const bool exact = options_.tolerance <= 0;
       about = pointsAbout(off.beyond, small, tolerance, whole_.points);
-      if (off.beyond.empty() || mended == kMendings || !putCorners(off.beyond, base, run_))
+      if (exact || off.beyond.empty() || mended == kMendings || !putCorners(off.beyond, base, run_))
         return describe(std::move(*model), std::move(brep), off.largest);
     }
   }

@@ -65,26 +65,43 @@ std::string number(const char* format, double value) {
 }
 
 // Rough figures of one core, measured on triangulated bodies.
-constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700;
+constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
 constexpr double kSecondsPerFace = 3e-4, kSecondsPerTriangle = 8e-6;
 
-double megabytesOf(std::int64_t faces, Format format) {
-  return 1e-6 * static_cast<double>(faces) *
-         (format == Format::Step ? kStepBytesPerFace : kBrepBytesPerFace);
+// What decides how many bytes a face takes.
+struct Writing {
+  Format format = Format::Step;
+  bool flat = false;  // plane faces only, no hollow spaces: many are written by their corners
+};
+
+Writing writingOf(const HalfEdgeMesh& mesh, const StepOptions& options, Format format) {
+  bool hollow = false;
+  for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s)
+    hollow = hollow || mesh.shellOwner[s] != static_cast<std::int32_t>(s);
+  return {format, !hollow && (options.tolerance <= 0 || !options.recognise)};
 }
 
-bool isWithinLimits(std::int64_t faces, const StepOptions& options, Format format) {
+double megabytesOf(std::int64_t faces, const Writing& writing) {
+  const bool corners = writing.flat && faces >= kManyFaces;
+  const double bytes = writing.format == Format::Brep ? kBrepBytesPerFace
+                       : corners                      ? kBytesByCorners
+                                                      : kStepBytesPerFace;
+  return 1e-6 * static_cast<double>(faces) * bytes;
+}
+
+bool isWithinLimits(std::int64_t faces, const StepOptions& options, const Writing& writing) {
   return faces <= options.maxFaces &&
-         (options.maxMegabytes <= 0 || megabytesOf(faces, format) <= options.maxMegabytes);
+         (options.maxMegabytes <= 0 || megabytesOf(faces, writing) <= options.maxMegabytes);
 }
 
-[[noreturn]] void refuseTooMany(std::int64_t faces, const StepOptions& options, Format format) {
+[[noreturn]] void refuseTooMany(std::int64_t faces, const StepOptions& options,
+                                const Writing& writing) {
   std::string limit = "the limit is " + std::to_string(options.maxFaces) + " faces";
   if (options.maxMegabytes > 0) limit += " and " + number("%.3g", options.maxMegabytes) + " MB";
   throw Error(Status::ExportFailed, "TooManyFaces",
               "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
                   number("%.3g", options.tolerance) + " mm; " + limit +
-                  "; the file would take about " + number("%.1f", megabytesOf(faces, format)) +
+                  "; the file would take about " + number("%.1f", megabytesOf(faces, writing)) +
                   " MB and " +
                   number("%.0f", std::ceil(kSecondsPerFace * static_cast<double>(faces))) +
                   " s. Allow a larger tolerance, raise the limit, or export a mesh file: PLY, STL, "
@@ -118,14 +135,16 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
 // says which.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format format,
                         KernelSession& kernel, RunContext& run) {
-  const auto fits = [&](std::int64_t count) { return isWithinLimits(count, options, format); };
+  const auto fits = [&](std::int64_t count) {
+    return isWithinLimits(count, options, writingOf(mesh, options, format));
+  };
   constexpr double kFirst = 1.0 / 4000, kMost = 1.0 / 100;  // of the diagonal
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;
   if (!given) {
     if (auto built = makeShape(mesh, mesh, options, fits, kernel, faces, run))
       return std::move(*built);
-    if (options.exact) refuseTooMany(faces, options, format);
+    if (options.exact) refuseTooMany(faces, options, writingOf(mesh, options, format));
   }
   const double diagonal = diagonalOf(mesh);
   HalfEdgeMesh thin;
@@ -139,7 +158,8 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
     }
     if (auto built = makeShape(mesh, *dense, options, fits, kernel, faces, run))
       return std::move(*built);
-    if (given || 2 * options.tolerance > kMost * diagonal) refuseTooMany(faces, options, format);
+    if (given || 2 * options.tolerance > kMost * diagonal)
+      refuseTooMany(faces, options, writingOf(mesh, options, format));
   }
 }
 
@@ -268,7 +288,7 @@ SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, Run
         static_cast<std::int64_t>(partition.patches.size()) +
         std::count(partition.patchOf.begin(), partition.patchOf.end(), std::int32_t{-1});
   }
-  estimate.megabytes = megabytesOf(estimate.faces, Format::Step);
+  estimate.megabytes = megabytesOf(estimate.faces, writingOf(whole, options, Format::Step));
   estimate.seconds = kSecondsPerFace * static_cast<double>(estimate.faces) +
                      kSecondsPerTriangle * static_cast<double>(estimate.triangles);
   return estimate;

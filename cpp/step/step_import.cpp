@@ -10,8 +10,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <filesystem>
+#include <fstream>
 
 #include "solid_file.h"
+#include "step_scan.h"
 
 namespace swept {
 namespace {
@@ -37,6 +39,16 @@ void appendFace(const TopoDS_Face& face, TriMesh& mesh) {
   }
 }
 
+void checkStructure(const std::filesystem::path& file, const std::string& path) {
+  std::ifstream text(file, std::ios::binary);
+  if (!text) return;  // the kernel says why
+  const std::string complaint = step::stepComplaint(text);
+  if (complaint.empty()) return;
+  throw Error(Status::InvalidInput, "BadFile",
+              "'" + path + "' is no sound STEP file: " + complaint +
+                  "; export it once more from where it comes from");
+}
+
 TriMesh meshOf(const TopoDS_Shape& shape) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
@@ -54,6 +66,7 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
     const std::string suffix = file.extension().string();
     const bool brep =
         suffix == ".brep" || suffix == ".brp" || suffix == ".BREP" || suffix == ".BRP";
+    if (!brep) checkStructure(file, path);
     const TopoDS_Shape shape =
         brep ? step::readBrepFile(path, run) : step::readStepFile(path, kernel, run);
     run.checkpoint(Phase::Input);

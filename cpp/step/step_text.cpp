@@ -18,9 +18,6 @@ using Eigen::Vector3d;
 constexpr int kPointDecimals = 9;
 constexpr int kDirectionDigits = 13;
 constexpr std::size_t kFlushAt = 1U << 20U;
-// From here on plane faces without hollow spaces are written by their corners alone: under half of
-// the bytes, and read in half of the time.
-constexpr std::size_t kManyFaces = 20000;
 
 using Id = std::int64_t;
 
@@ -450,7 +447,7 @@ bool isFlat(const Model& model) {
 }
 
 bool isFaceted(const Model& model) {
-  if (model.faces.size() < kManyFaces || !isFlat(model)) return false;
+  if (static_cast<std::int64_t>(model.faces.size()) < kManyFaces || !isFlat(model)) return false;
   for (std::size_t s = 0; s < model.shellOwner.size(); ++s) {
     if (model.shellOwner[s] != static_cast<std::int32_t>(s)) return false;
   }

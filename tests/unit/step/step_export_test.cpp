@@ -14,6 +14,7 @@
 
 #include "step/test_meshes.h"
 #include "support/sampled.h"
+#include "swept/step_import.h"
 
 namespace swept {
 namespace {
@@ -307,6 +308,10 @@ TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
   EXPECT_NEAR(report.volume, meshVolume(mesh), 1e-6 * report.volume);
   EXPECT_NE(text("many.step").find("FACETED_BREP("), std::string::npos);
   EXPECT_LT(report.fileBytes, 21000U * 400);
+  RunContext run;
+  const SolidEstimate estimate = estimateSolid(mesh, options, run);
+  EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(report.fileBytes),
+              0.15 * estimate.megabytes);
 }
 
 // An exact solid is refused, not simplified.
@@ -349,6 +354,39 @@ TEST_F(StepExport, EstimateIsOfTheRightSize) {
   EXPECT_EQ(estimate.faces, report.faces);
   EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(report.fileBytes),
               0.5 * estimate.megabytes);
+}
+
+// A damaged file is refused with the place, before the kernel sees it.
+TEST_F(StepExport, DamagedFilesAreRefusedWhenRead) {
+  write(boxMesh(2, 2, 2), "whole.step");
+  RunContext run;
+  EXPECT_EQ(readSolids(path("whole.step"), 0.1, 0.5, run).size(), 1U);
+  const std::string whole = text("whole.step");
+  const auto complaint = [&](const std::string& damaged) -> std::string {
+    std::ofstream(path("damaged.step"), std::ios::binary) << damaged;
+    try {
+      readSolids(path("damaged.step"), 0.1, 0.5, run);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "BadFile");
+      return error.what();
+    }
+    return "read";
+  };
+  const auto has = [](const std::string& said, const char* word) {
+    return said.find(word) != std::string::npos;
+  };
+  EXPECT_PRED2(has, complaint(whole.substr(0, whole.size() / 2)), "ends before");
+  EXPECT_PRED2(has, complaint(whole.substr(100)), "does not begin");
+  EXPECT_PRED2(has, complaint(""), "does not begin");
+  std::string bracket = whole;
+  bracket.erase(bracket.find(')', bracket.find("CARTESIAN_POINT")), 1);
+  EXPECT_PRED2(has, complaint(bracket), "bracket is not closed");
+  std::string quote = whole;
+  quote.erase(quote.rfind('\''), 1);
+  EXPECT_PRED2(has, complaint(quote), "quotes does not end");
+  std::string number = whole;
+  number.insert(number.rfind("\n#") + 2, "99999999999");
+  EXPECT_PRED2(has, complaint(number), "too large");
 }
 
 TEST_F(StepExport, BadInput40SpacesLettersAndLongNames) {
