@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kReachCells = 4;  ///< around a triangle that meets another one
 constexpr int kRounds = 8;
+constexpr double kThinFirst = 0.1;  ///< cells: walls up to this are laid together at once
 constexpr double kWaysBack[] = {1e-3, 1e-2, 0.1, 1};  ///< of a vertex whose triangle has no area
 
 using Triangle = std::array<std::int32_t, 3>;
@@ -99,7 +100,9 @@ class Mender {
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
     relax(vertices, around, round == 0 ? 0.5 : 1.0);
     // What the one does not mend the other often does.
-    if (round % 2 == 1) layTogether(surface_, grid_, facing, around);
+    if (round % 2 == 0) {
+      layTogether(surface_, grid_, facing, around, round == 0 ? kThinFirst : HUGE_VAL);
+    }
     const std::vector<std::int32_t> moved = touching(vertices, near);
     changed_.insert(changed_.end(), moved.begin(), moved.end());
     sortUnique(changed_);

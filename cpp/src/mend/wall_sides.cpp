@@ -58,7 +58,8 @@ class Layer {
   Layer(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
       : surface_(surface), grid_(grid), around_(around) {}
 
-  std::vector<Through> throughWall(const FacingSides& sides) const {
+  /// None where the wall is thicker than that along one of them, in cells.
+  std::vector<Through> throughWall(const FacingSides& sides, double thickest) const {
     const std::vector<std::uint32_t> ofA = crossingsOf(sides.a), ofB = crossingsOf(sides.b);
     std::vector<Through> out;
     for (const std::uint32_t c : ofA) {
@@ -72,6 +73,7 @@ class Layer {
         edge.middle = Vec3(p.i, p.j, p.k);
         edge.middle[p.axis] += (from + to) / 2;
         edge.across = Vec3::Unit(p.axis) * (to - from);
+        if (std::abs(to - from) > thickest) return {};
         out.push_back(edge);
       }
     }
@@ -166,7 +168,7 @@ std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersect
 }
 
 void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
-                 const TrianglesAround& around) {
+                 const TrianglesAround& around, double thickest) {
   const Layer layer(surface, grid, around);
   auto& x = surface.mesh.vertices;
   constexpr std::size_t kBlock = 64;
@@ -176,7 +178,7 @@ void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<Fa
     });
   };
   std::vector<std::vector<Through>> edges(sides.size());
-  forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n]); });
+  forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n], thickest); });
   forAll([&](std::size_t n) {
     if (edges[n].empty()) return;
     x[sides[n].a] = x[sides[n].b] =

@@ -30,8 +30,9 @@ struct FacingSides {
 /// Those to which triangles belong that meet; no vertex twice.
 std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersections& pairs);
 
-/// Lays both vertices of each pair side by side; pairs without a common lattice edge stay.
+/// Lays both vertices of each pair side by side; pairs without a common lattice edge stay, and
+/// those with more than `thickest` cells between them along one.
 void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
-                 const TrianglesAround& around);
+                 const TrianglesAround& around, double thickest);
 
 }  // namespace swept
