@@ -14,6 +14,7 @@ _KINDS = [
     ("PLY", "*.ply", ".ply"),
     ("OBJ", "*.obj", ".obj"),
     ("OFF", "*.off", ".off"),
+    ("3MF", "*.3mf", ".3mf"),
 ]
 
 
