@@ -209,10 +209,15 @@ class LayerBuilder {
         out_.quads[index][quadCorner(slot >> 1)] = static_cast<std::uint32_t>(twin);
       }
     }
-    place(Placing(sides[0]), vertex, vertices.size());
+    const auto placeOn = [&](const Qef& planes, std::size_t at) {
+      Placing placing(planes);
+      placing.best = split.alongCrease(planes, placing.best);
+      place(placing, vertex, at);
+    };
+    placeOn(sides[0], vertices.size());
     vertices.push_back(vertex);
     if (!splits) return;
-    place(Placing(sides[1]), vertex, twin);
+    placeOn(sides[1], twin);
     twins_.push_back(vertex);
     for (std::size_t f = 0; f < split.folds.size(); ++f) {
       RimSegment rim;

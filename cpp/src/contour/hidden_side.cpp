@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include "contour/qef.h"
 
@@ -16,7 +17,9 @@ constexpr double kLift = 0.02;   ///< cells: lines start this far outside and en
 constexpr double kKnown = 0.94;  ///< cosine from which a hit is on a side that is known already
 constexpr double kProof = 0.1;   ///< cells: a vertex is proved by a line this long to either side
 constexpr double kReach = 1;     ///< cells: corners this far outside the cell are looked at
-constexpr double kNear = 0.03;   ///< cells: and stands if the surface is met this near to it
+constexpr double kNear = 0.06;   ///< cells: and stands if the surface is met this near to it
+constexpr double kMeet = 0.03;   ///< cells: planes that miss a point by less meet in it
+constexpr double kSharp = 0.03;  ///< sharpness of two planes that differ by 20 degrees
 
 using Point = CrossingPoint;
 using Points = std::vector<Point>;
@@ -46,6 +49,12 @@ Points ringOf(const Cell& cell, const Components& components, int component,
     slot = onwards;
   } while (slot != first && slot >= 0);
   return ring;
+}
+
+Qef planesOf(const Points& points) {
+  Qef planes;
+  for (const Point& p : points) planes.add(p.position, p.normal);
+  return planes;
 }
 
 /// Both sides of a thin wall: no ledge, see wall_end.h.
@@ -82,6 +91,15 @@ double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   return sum;
 }
 
+/// The ring in two arcs.
+std::array<Points, 2> arcsOf(const Points& ring, std::size_t begin, std::size_t count) {
+  std::array<Points, 2> arcs;
+  for (std::size_t n = 0; n < ring.size(); ++n) {
+    arcs[n < count ? 0 : 1].push_back(ring[(begin + n) % ring.size()]);
+  }
+  return arcs;
+}
+
 /// The two arcs of the ring that are flattest in themselves, and how uneven they are.
 std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   std::size_t bestBegin = 0, bestCount = 1;
@@ -96,11 +114,35 @@ std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
       bestCount = count;
     }
   }
-  std::array<Points, 2> arcs;
-  for (std::size_t n = 0; n < ring.size(); ++n) {
-    arcs[n < bestCount ? 0 : 1].push_back(ring[(bestBegin + n) % ring.size()]);
+  return arcsOf(ring, bestBegin, bestCount);
+}
+
+/// The arcs whose planes, with those of the side at one of their ends, meet best in a feature of
+/// the cell each. Nothing: no two features take in all planes.
+std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
+  std::optional<Point> found;
+  double least = kMeet * kMeet;
+  for (std::size_t begin = 0; begin < ring.size(); ++begin) {
+    for (std::size_t count = 1; begin + count < ring.size(); ++count) {
+      const std::array<Points, 2> parts = arcsOf(ring, begin, count);
+      for (const Point& side :
+           {parts[0].front(), parts[0].back(), parts[1].front(), parts[1].back()}) {
+        double error = 0, sharpness = 1;
+        for (const Points& part : parts) {
+          Qef planes = planesOf(part);
+          planes.add(side.position, side.normal);
+          Eigen::Vector3d free;
+          error += planes.error(planes.solve(kCellMargin, free));
+          sharpness = std::min(sharpness, planes.sharpness());
+        }
+        if (error >= least || sharpness < kSharp) continue;
+        least = error;
+        arcs = parts;
+        found = side;
+      }
+    }
   }
-  return arcs;
+  return found;
 }
 
 /// Hits that show a side unlike all crossings: the largest group that is alike.
@@ -139,26 +181,32 @@ class Search {
       lines.push_back(line(p.position + kLift * p.normal, q.position - kLift * q.normal));
       lines.push_back(line(q.position + kLift * q.normal, p.position - kLift * p.normal));
     };
-    add(mean(arcs[0]), mean(arcs[1]));
+    // The middle of an arc that bends lies beside the surface, perhaps inside: what is met from
+    // there means nothing.
+    constexpr double kBent = 0.02;
+    if (unevenness(arcs[0], 0, arcs[0].size()) < kBent &&
+        unevenness(arcs[1], 0, arcs[1].size()) < kBent) {
+      add(mean(arcs[0]), mean(arcs[1]));
+    }
     add(arcs[0].front(), arcs[1].back());
     add(arcs[0].back(), arcs[1].front());
     cast(lines);
     return lines;
   }
 
-  /// Whether the planes of the points and of the hidden side meet in the cell (or no farther from
+  /// Whether the planes of the points and of the side between meet in the cell (or no farther from
   /// it than that), and on the surface.
   bool meets(const Points& points, const std::vector<ProbeLine>& hits, double outside = 0) const {
-    Qef planes;
-    Eigen::Vector3d way = mean(points).normal, vertex;
-    for (const Point& p : points) planes.add(p.position, p.normal);
+    Qef planes = planesOf(points);
+    Eigen::Vector3d way = mean(points).normal, free;
     for (const ProbeLine& hit : hits) {
       planes.add(hit.point - corner_, hit.normal);
       way += hit.normal / static_cast<double>(hits.size());
     }
-    planes.solve(0, vertex);
+    const Eigen::Vector3d best = planes.solve(kCellMargin, free);
+    const Eigen::Vector3d vertex = outside == 0 ? best : free;
     if (vertex.minCoeff() < -outside || vertex.maxCoeff() > 1 + outside) return false;
-    if (planes.error(vertex) > kNear * kNear * planes.count()) return false;
+    if (planes.error(vertex) > kMeet * kMeet * planes.count()) return false;
     way.normalize();
     std::vector<ProbeLine> proof{line(vertex + kProof * way, vertex - kProof * way)};
     cast(proof);
@@ -185,6 +233,13 @@ class Search {
   const SurfaceProbe& probe_;
 };
 
+void setParts(const std::array<Points, 2>& arcs, VertexSplit& out) {
+  out.part.fill(-1);
+  for (int n = 0; n < 2; ++n) {
+    for (const Point& p : arcs[n]) out.part[p.slot] = static_cast<std::int8_t>(n);
+  }
+}
+
 }  // namespace
 
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
@@ -193,9 +248,23 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   const Points ring = ringOf(cell, components, component, crossings);
   if (ring.size() < 3 || hasOpposed(ring)) return false;
   double uneven;
-  const std::array<Points, 2> arcs = flattestArcs(ring, uneven);
+  std::array<Points, 2> arcs = flattestArcs(ring, uneven);
   if (betweenPlanes && uneven > kFlat) return false;
   const Search search(cell, at, ring, probe);
+  std::array<Points, 2> knownArcs;
+  if (const auto known = betweenPlanes ? std::nullopt : findKnownSide(ring, knownArcs)) {
+    ProbeLine side;
+    side.from = side.to = side.point = at.cast<double>() + known->position;
+    side.normal = known->normal;
+    out.between = {side};
+    if (search.meets(knownArcs[0], out.between) && search.meets(knownArcs[1], out.between)) {
+      setParts(knownArcs, out);
+      out.findFolds(cell, components, component, crossings);
+      out.seen = known->position;
+      if (!out.folds.empty()) return true;
+      out.seen.reset();
+    }
+  }
   out.between = hitsOfNewSide(ring, search.between(arcs));
   if (out.between.empty()) return false;
   // A corner goes before two edges: all planes meet in it, if only in the next cell.
@@ -203,10 +272,7 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   const std::array<bool, 2> meets{corner || search.meets(arcs[0], out.between),
                                   corner || search.meets(arcs[1], out.between)};
   if (!meets[0] && !meets[1]) return false;
-  out.part.fill(-1);
-  for (int n = 0; n < 2; ++n) {
-    for (const Point& p : arcs[n]) out.part[p.slot] = static_cast<std::int8_t>(n);
-  }
+  setParts(arcs, out);
   if (!corner && meets[0] && meets[1]) out.findFolds(cell, components, component, crossings);
   if (!out.folds.empty()) return true;
   for (auto& part : out.part) {
