@@ -117,25 +117,37 @@ std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   return arcsOf(ring, bestBegin, bestCount);
 }
 
+/// Whether the crossing before the given one lies on another plane.
+bool beginsArc(const Points& ring, std::size_t at) {
+  constexpr double kAlike = 0.98, kLevel = 0.05;  // cosine; cells
+  const Point &p = ring[(at + ring.size() - 1) % ring.size()], &q = ring[at % ring.size()];
+  const Eigen::Vector3d way = q.position - p.position;
+  return p.normal.dot(q.normal) < kAlike || std::abs(p.normal.dot(way)) > kLevel ||
+         std::abs(q.normal.dot(way)) > kLevel;
+}
+
 /// The arcs whose planes, with those of the side at one of their ends, meet best in a feature of
 /// the cell each. Nothing: no two features take in all planes.
 std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMeet * kMeet;
   for (std::size_t begin = 0; begin < ring.size(); ++begin) {
+    if (!beginsArc(ring, begin)) continue;
     for (std::size_t count = 1; begin + count < ring.size(); ++count) {
+      if (!beginsArc(ring, begin + count)) continue;
       const std::array<Points, 2> parts = arcsOf(ring, begin, count);
+      const std::array<Qef, 2> bare{planesOf(parts[0]), planesOf(parts[1])};
       for (const Point& side :
            {parts[0].front(), parts[0].back(), parts[1].front(), parts[1].back()}) {
-        double error = 0, sharpness = 1;
-        for (const Points& part : parts) {
-          Qef planes = planesOf(part);
-          planes.add(side.position, side.normal);
-          Eigen::Vector3d free;
-          error += planes.error(planes.solve(kCellMargin, free));
-          sharpness = std::min(sharpness, planes.sharpness());
+        std::array<Qef, 2> planes{bare[0], bare[1]};
+        for (Qef& part : planes) part.add(side.position, side.normal);
+        if (planes[0].sharpness() < kSharp || planes[1].sharpness() < kSharp) continue;
+        double error = 0;
+        Eigen::Vector3d free;
+        for (int n = 0; n < 2 && error < least; ++n) {
+          error += planes[n].error(planes[n].solve(kCellMargin, free));
         }
-        if (error >= least || sharpness < kSharp) continue;
+        if (error >= least) continue;
         least = error;
         arcs = parts;
         found = side;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
+#include <vector>
 
 #include "support/checked_compute.h"
 #include "support/mesh_distance.h"
@@ -60,6 +62,37 @@ TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
   std::printf("upper edge of ledges: mean %.4f, max %.4f cell\n", sum / count, most);
   EXPECT_LT(most, 0.25);
   EXPECT_LT(sum / count, 0.03);
+}
+
+/// The riser stands across the lattice, so that some cells see all three sides of the step.
+TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
+  const double cell = 0.25;
+  std::vector<double> upper, lower;
+  for (const double height : {0.4, 0.7, 1.0}) {
+    for (const double degrees : {17.0, 31.0, 43.0}) {
+      const Eigen::Isometry3d place = placement({0.2, 0.15, 1}, degrees, {0.07, 0.11, 0.03});
+      const double rise = height * cell;
+      Options options;
+      options.cellSize = cell;
+      const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
+      const Result result = checkedCompute(transformed(stepped(rise), place), still, options);
+      const MeshDistance envelope(result.mesh);
+      for (int n = 4; n <= 196; ++n) {
+        upper.push_back(envelope.distance(place * V3(3, 0.025 * n, 2 + rise)) / cell);
+        lower.push_back(envelope.distance(place * V3(3, 0.025 * n, 2)) / cell);
+      }
+    }
+  }
+  for (auto* edge : {&upper, &lower}) {
+    std::sort(edge->begin(), edge->end());
+    const double mean =
+        std::accumulate(edge->begin(), edge->end(), 0.0) / static_cast<double>(edge->size());
+    std::printf("%s edge: mean %.4f, 99 %% %.4f, max %.4f cell\n",
+                edge == &upper ? "upper" : "lower", mean, (*edge)[edge->size() * 99 / 100],
+                edge->back());
+    EXPECT_LT((*edge)[edge->size() * 99 / 100], 0.25);
+    EXPECT_LT(mean, 0.01);
+  }
 }
 
 }  // namespace
