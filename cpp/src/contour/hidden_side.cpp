@@ -264,7 +264,9 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   if (betweenPlanes && uneven > kFlat) return false;
   const Search search(cell, at, ring, probe);
   std::array<Points, 2> knownArcs;
-  if (const auto known = betweenPlanes ? std::nullopt : findKnownSide(ring, knownArcs)) {
+  const auto known = betweenPlanes ? std::nullopt : findKnownSide(ring, knownArcs);
+  // A corner goes before two edges: all planes meet in it, if only in the next cell.
+  if (known && !search.meets(ring, {}, kReach)) {
     ProbeLine side;
     side.from = side.to = side.point = at.cast<double>() + known->position;
     side.normal = known->normal;
@@ -279,7 +281,6 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   }
   out.between = hitsOfNewSide(ring, search.between(arcs));
   if (out.between.empty()) return false;
-  // A corner goes before two edges: all planes meet in it, if only in the next cell.
   const bool corner = search.meets(ring, out.between, kReach);
   const std::array<bool, 2> meets{corner || search.meets(arcs[0], out.between),
                                   corner || search.meets(arcs[1], out.between)};
