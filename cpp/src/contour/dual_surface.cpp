@@ -5,12 +5,13 @@
 #include <bit>
 #include <memory>
 #include <tuple>
-#include <unordered_set>
+#include <utility>
 
 #include "base/parallel.h"
 #include "contour/components.h"
 #include "contour/hidden_side.h"
 #include "contour/qef.h"
+#include "contour/tip_placer.h"
 #include "contour/wall_end.h"
 
 namespace swept {
@@ -65,14 +66,6 @@ class CellColumn {
   const HermiteGrid& grid_;
   std::vector<std::int32_t> cellAt_;
   std::vector<Cell> cells_;
-};
-
-/// A vertex whose planes meet outside its cell.
-struct Escape {
-  std::uint32_t vertex;      // in its layer
-  Eigen::Vector3d from, to;  // mass point and minimiser, in the cell's coordinates
-  Qef planes;                // in the cell's coordinates
-  double error;              // mean squared distance of the planes from the minimiser
 };
 
 /// Where the planes of a component put its vertex.
@@ -267,186 +260,6 @@ class LayerBuilder {
   const SurfaceProbe* probe_;
 };
 
-/// Any single cell of the grid, found by binary search in the edge lists.
-Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
-  Cell cell;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (at[axis] < 0 || at[axis] + 1 >= grid.plan.points[axis]) return cell;
-  }
-  cell.k = static_cast<std::uint16_t>(at[2]);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int ob = 0; ob < 2; ++ob) {
-      for (int oc = 0; oc < 2; ++oc) {
-        Eigen::Vector3i low = at;
-        low[(axis + 1) % 3] += ob;
-        low[(axis + 2) % 3] += oc;
-        const HermiteLayer& layer = grid.layers[low[0]];
-        const auto begin = layer.edges[axis].begin() + layer.columnStart[axis][low[1]];
-        const auto end = layer.edges[axis].begin() + layer.columnStart[axis][low[1] + 1];
-        const auto edge = std::lower_bound(begin, end, low[2],
-                                           [](const HermiteEdge& e, int k) { return e.k < k; });
-        if (edge == end || edge->k != low[2]) continue;
-        const int number = edgeOf(axis, ob, oc);
-        cell.mask |= static_cast<std::uint32_t>(edge->sides) << (2 * number);
-        cell.first[number] = edge->first;
-      }
-    }
-  }
-  return cell;
-}
-
-/// Vertices whose planes meet outside their cell: what becomes of the point where they meet.
-///   Its way leads through empty cells: the vertex may follow (the tip of a corner or wedge can
-///   reach into a neighbour without meeting any of its edges; nothing else lives there). It lies in
-///   a neighbouring leaf cell: a component there whose own planes agree with it takes it (it saw
-///   only some of the planes of the corner that it holds).
-/// A cell is given one point only; whatever still meets is found and mended later.
-class TipPlacer {
- public:
-  TipPlacer(const HermiteGrid& grid, ComponentMethod method, DualSurface& surface)
-      : grid_(grid), method_(method), surface_(surface) {}
-
-  void place(const std::vector<LayerNotes>& notes) {
-    std::vector<std::vector<Claim>> byLayer(notes.size());
-    parallelFor(notes.size(), [&](std::size_t layer) {
-      const auto finder = std::make_unique<ComponentFinder>(method_);
-      for (const Escape& escape : notes[layer].escapes) {
-        claim(static_cast<std::uint32_t>(layer), escape, *finder, byLayer[layer]);
-      }
-    });
-    std::vector<Claim> claims;
-    for (const auto& part : byLayer) claims.insert(claims.end(), part.begin(), part.end());
-    std::stable_sort(claims.begin(), claims.end(), [](const Claim& x, const Claim& y) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (x.cell[axis] != y.cell[axis]) return x.cell[axis] < y.cell[axis];
-      }
-      if (x.corner != y.corner) return x.corner;
-      return x.error < y.error;
-    });
-    // A vertex with a point of its own outside its cell goes there, whatever others ask it to take.
-    std::unordered_set<std::uint64_t> moved;
-    for (const bool own : {true, false}) {
-      std::size_t group = 0;  // first claim on the same cell
-      for (std::size_t n = 0; n < claims.size(); ++n) {
-        if (claims[n].cell != claims[group].cell) group = n;
-        if (claims[n].own == own) grant(claims, group, n, moved);
-      }
-    }
-  }
-
- private:
-  struct Claim {
-    Eigen::Vector3i cell;
-    double error;
-    std::uint32_t layer, vertex;
-    Eigen::Vector3d point;  // grid coordinates
-    bool own;     // the vertex's own planes meet there; else it takes a point for another one
-    bool corner;  // three planes meet there: goes before creases
-    bool granted = false;
-  };
-  void grant(std::vector<Claim>& claims, std::size_t group, std::size_t n,
-             std::unordered_set<std::uint64_t>& moved) {
-    Claim& claim = claims[n];
-    const auto key = static_cast<std::uint64_t>(claim.layer) << 32 | claim.vertex;
-    if (moved.contains(key)) return;
-    for (std::size_t m = group; m < claims.size() && claims[m].cell == claim.cell; ++m) {
-      if (claims[m].granted && (claims[m].point - claim.point).norm() <= kApart) return;
-    }
-    claim.granted = true;
-    moved.insert(key);
-    DualVertex& v = surface_.vertices[claim.layer][claim.vertex];
-    v.local = (claim.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
-  }
-
-  static constexpr double kApart = 0.1;  // cells between two vertices on one crease
-
-  void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
-             std::vector<Claim>& out) {
-    if (escape.error > kPlanesMeet || escape.planes.sharpness() < kSharp) return;
-    const DualVertex& v = surface_.vertices[layer][escape.vertex];
-    const Eigen::Vector3i own(v.i, v.j, v.k);
-    const Eigen::Vector3d way = escape.to - escape.from;
-    const Eigen::Vector3i target = own + escape.to.array().floor().matrix().cast<int>();
-    const Eigen::Vector3d point = escape.to + own.cast<double>();
-    const double count = escape.planes.count();
-    const bool corner = escape.planes.matrix().determinant() > kCorner * count * count * count;
-    const Cell cell = gatherCell(grid_, target);
-    if (cell.mask != 0) {
-      const auto [vertex, wholly] = agreeing(cell, target, point, finder);
-      if (vertex == DualSurface::kNone) return;
-      const DualVertex& taker = surface_.vertices[target[0]][vertex];
-      const Eigen::Vector3d there =
-          Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
-      const double missed = escape.planes.error(there - own.cast<double>()) / escape.planes.count();
-      if (missed > kPlanesMeet) {
-        if (!wholly) return;
-        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point,
-                       false, corner});
-      } else if ((there - point).norm() > kApart) {
-        // The neighbour stands on the same crease: this vertex may go there as well.
-        out.push_back({target, way.norm(), layer, escape.vertex, point, true, corner});
-      }
-      return;
-    }
-    constexpr int kSamples = 16;  // corners cut shorter than this do no harm
-    for (int s = 1; s < kSamples; ++s) {
-      const Eigen::Vector3d x = escape.from + way * (static_cast<double>(s) / kSamples);
-      const Eigen::Vector3i step = x.array().floor().matrix().cast<int>();
-      if (step == Eigen::Vector3i::Zero()) continue;
-      const Cell passed = gatherCell(grid_, own + step);
-      if (passed.mask != 0 &&
-          agreeing(passed, own + step, point, finder).vertex == DualSurface::kNone) {
-        return;
-      }
-    }
-    out.push_back({target, way.norm(), layer, escape.vertex, point, true, corner});
-  }
-
-  /// Vertex of the first component of a leaf cell on whose crease the point lies, or kNone: its
-  /// planes pass through the point, or two or more do that make a crease and the point is behind
-  /// the others (the crease ends at them, in a corner that the cell holds).
-  struct Agreement {
-    std::uint32_t vertex = DualSurface::kNone;
-    bool wholly = false;  // all planes of the component pass through the point
-  };
-  Agreement agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
-                     ComponentFinder& finder) const {
-    Components components;
-    finder.find(cell, grid_.crossings.data(), components);
-    const Eigen::Vector3d local = point - at.cast<double>();
-    for (int c = 0; c < components.count; ++c) {
-      Qef all, through;
-      bool behind = true;
-      std::uint32_t vertex = DualSurface::kNone;
-      for (int slot = 0; slot < kSlots; ++slot) {
-        if (components.of[slot] != c) continue;
-        const Crossing& crossing = grid_.crossings[cell.crossing(slot)];
-        const Eigen::Vector3d position = localPosition(slot >> 1, crossing.fraction);
-        const Eigen::Vector3d normal = crossing.normal.cast<double>();
-        const double distance = normal.dot(local - position);
-        all.add(position, normal);
-        if (distance * distance <= kPlanesMeet) {
-          through.add(position, normal);
-        } else {
-          behind &= distance < 0;
-        }
-        vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
-      }
-      if (all.error(local) <= kPlanesMeet * all.count()) return {vertex, true};
-      if (behind && through.count() > 1 && through.sharpness() >= kSharp) return {vertex, false};
-    }
-    return {};
-  }
-
-  static constexpr double kSharp = 0.05;       // two planes that differ by 26 degrees
-  static constexpr double kCorner = 1e-3;      // of the planes' product; 0.037 for a cube's corner
-  static constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
-
-  const HermiteGrid& grid_;
-  ComponentMethod method_;
-  DualSurface& surface_;
-};
-
 }  // namespace
 
 DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
@@ -465,7 +278,9 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
       builder->build(static_cast<std::int32_t>(i), notes[i]);
     }
   });
-  TipPlacer(grid, method, out).place(notes);
+  std::vector<std::vector<Escape>> escapes;
+  for (LayerNotes& layer : notes) escapes.push_back(std::move(layer.escapes));
+  placeTips(grid, method, escapes, out);
   out.firstVertex.resize(layers + 1, 0);
   for (std::size_t i = 0; i < layers; ++i) {
     out.firstVertex[i + 1] =
