@@ -232,9 +232,21 @@ def long_run(program, shared, inputs):
     ]  # fmt: skip
 
 
+def wait_until_caught(child, number):
+    """Until the program has a handler for the signal: a busy machine may be long in loading it."""
+    for _ in range(1200):
+        with open("/proc/{}/status".format(child.pid)) as status:
+            caught = next(line.split()[1] for line in status if line.startswith("SigCgt:"))
+        if int(caught, 16) >> (number - 1) & 1:
+            return
+        time.sleep(0.05)
+    raise AssertionError("the program does not handle signal {}".format(number))
+
+
 def test_bad_input_24_and_25_interrupts_cancel_cleanly(program, shared, inputs):
     child = subprocess.Popen(long_run(program, shared, inputs), stderr=subprocess.PIPE, text=True)
-    time.sleep(0.5)
+    wait_until_caught(child, signal.SIGINT)
+    time.sleep(0.3)
     start = time.monotonic()
     child.send_signal(signal.SIGINT)
     child.send_signal(signal.SIGINT)  # twice is once
