@@ -249,6 +249,7 @@ def test_bad_input_24_and_25_interrupts_cancel_cleanly(program, shared, inputs):
     time.sleep(0.3)
     start = time.monotonic()
     child.send_signal(signal.SIGINT)
+    time.sleep(0.02)
     child.send_signal(signal.SIGINT)  # twice is once
     _, said = child.communicate(timeout=60)
     assert child.returncode == 130, said

@@ -20,7 +20,8 @@ extern "C" void onInterrupt(int) {
   if (RunContext* run = interrupted.load()) run->cancel();
 }
 
-// While it lives, the first interrupt cancels the run; a second one ends the program at once.
+// While it lives, an interrupt cancels the run, and another one has no effect: the run is about to
+// end and clears up after itself.
 class InterruptGuard {
  public:
   explicit InterruptGuard(RunContext& run) {
@@ -28,7 +29,6 @@ class InterruptGuard {
     struct sigaction action {};
     action.sa_handler = onInterrupt;
     sigemptyset(&action.sa_mask);
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, &oldInterrupt_);
     sigaction(SIGTERM, &action, &oldTerminate_);
   }
