@@ -20,11 +20,11 @@ extern "C" void onInterrupt(int) {
   if (RunContext* run = interrupted.load()) run->cancel();
 }
 
-// While it lives, an interrupt cancels the run, and another one has no effect: the run is about to
-// end and clears up after itself.
+// While it lives, an interrupt cancels the run. Another one has no effect, then and afterwards: the
+// program is about to end and clears up after itself.
 class InterruptGuard {
  public:
-  explicit InterruptGuard(RunContext& run) {
+  explicit InterruptGuard(RunContext& run) : run_(run) {
     interrupted.store(&run);
     struct sigaction action {};
     action.sa_handler = onInterrupt;
@@ -33,6 +33,7 @@ class InterruptGuard {
     sigaction(SIGTERM, &action, &oldTerminate_);
   }
   ~InterruptGuard() {
+    if (run_.isCancelled()) oldInterrupt_.sa_handler = oldTerminate_.sa_handler = SIG_IGN;
     sigaction(SIGINT, &oldInterrupt_, nullptr);
     sigaction(SIGTERM, &oldTerminate_, nullptr);
     interrupted.store(nullptr);
@@ -41,6 +42,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
+  RunContext& run_;
   struct sigaction oldInterrupt_ {};
   struct sigaction oldTerminate_ {};
 };
