@@ -48,13 +48,26 @@ def angle(value, minimum=0.0, step=None):
 
 
 def _quantity(unit, value, minimum, step):
-    field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+    field = _quantity_field()
     field.setProperty("unit", unit)
     field.setProperty("minimum", float(minimum))
     if step is not None:
         field.setProperty("singleStep", float(step))
     field.setProperty("rawValue", float(value))
     return field
+
+
+def _quantity_field():
+    """A field that Python can use. PySide finds its wrapper by the address: where that was a field's which
+    went with its panel while somebody still held the wrapper, it hands out the dead one."""
+    for attempt in range(10):
+        field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        try:
+            field.objectName()
+            return field
+        except RuntimeError:  # it stays, unused, so that the next one gets another address
+            if attempt == 9:
+                raise
 
 
 #: Values of properties, and stages of a run as the core names them, that panels show.
