@@ -186,6 +186,20 @@ class ShapeMaker {
     return left;
   }
 
+  // A model whose faces the kernel accepts and reads back; none if a patch has to lose its surface.
+  std::optional<Model> tryFaces(Decimated& small, double tolerance, Brep& brep) {
+    for (int trial = 0; trial < 3; ++trial) {
+      Model model = buildModel(small.mesh, small.partition, tolerance, run_);
+      brep = buildBrep(model, run_);
+      std::vector<std::int32_t> bad = brep.failed;
+      if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
+      if (bad.empty()) bad = findUnreadable(model, options_, kernel_, run_);
+      if (bad.empty()) return model;
+      if (!takeBack(bad, model, known_, small, refused_) || !refused_.empty()) break;
+    }
+    return std::nullopt;
+  }
+
   // Where the kernel takes offence, by falling apart into facets, and where the mesh is left by too
   // much, by more corners.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
@@ -198,19 +212,8 @@ class ShapeMaker {
       addFacets(small.mesh, small.partition);
       faces = countFaces(small.partition);
       if (!fits_(faces)) return std::nullopt;
-      std::optional<Model> model;
       Brep brep;
-      for (int inner = 0; inner < 3 && !model; ++inner) {
-        model = buildModel(small.mesh, small.partition, tolerance, run_);
-        brep = buildBrep(*model, run_);
-        std::vector<std::int32_t> bad = brep.failed;
-        if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-        if (bad.empty()) bad = findUnreadable(*model, options_, kernel_, run_);
-        if (bad.empty()) break;
-        const bool again = takeBack(bad, *model, known_, small, refused_);
-        model.reset();
-        if (!again || !refused_.empty()) return std::nullopt;
-      }
+      std::optional<Model> model = tryFaces(small, tolerance, brep);
       if (!model) return std::nullopt;
       Deviation off =
           measureDeviation(about.empty() ? whole_.points : about, small, model->places, tolerance);

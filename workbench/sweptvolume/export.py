@@ -10,6 +10,7 @@ import zipfile
 from . import core
 from .convert import InputProblem, mesh_from_arrays
 from .features import solid
+from .safe_file import written_beside
 from .texts import translate
 
 SOLID_SUFFIXES = (".step", ".stp", ".brep", ".brp")
@@ -45,8 +46,7 @@ def request(source, settings=None):
 
 def _write_3mf(vertices, triangles, path):
     """By FreeCAD's own writer; what it leaves when the disk is full is found out here."""
-    beside = "{}.{}.3mf".format(path, os.getpid())
-    try:
+    with written_beside(path) as beside:
         mesh_from_arrays(vertices, triangles).write(beside)
         found = -1
         if zipfile.is_zipfile(beside):
@@ -59,10 +59,6 @@ def _write_3mf(vertices, triangles, path):
                     path
                 )
             )
-        os.replace(beside, path)
-    finally:
-        if os.path.exists(beside):
-            os.remove(beside)
 
 
 def write(req, path, control=None):

@@ -86,7 +86,6 @@ struct Placing {
   /// Sharp ones meet outside and miss it by a little.
   bool isDoubtful() const {
     constexpr double kOutside = 0.02, kLittle = 0.008;  // cells
-    constexpr double kSharp = 0.03;                     // two planes that differ by 20 degrees
     return out > kOutside && missed2 > kLittle * kLittle && qef.sharpness() > kSharp;
   }
 

@@ -19,7 +19,6 @@ constexpr double kProof = 0.1;   ///< cells: a vertex is proved by a line this l
 constexpr double kReach = 1;     ///< cells: corners this far outside the cell are looked at
 constexpr double kNear = 0.06;   ///< cells: and stands if the surface is met this near to it
 constexpr double kMeet = 0.03;   ///< cells: planes that miss a point by less meet in it
-constexpr double kSharp = 0.03;  ///< sharpness of two planes that differ by 20 degrees
 
 using Point = CrossingPoint;
 using Points = std::vector<Point>;

@@ -14,6 +14,9 @@
 
 namespace swept {
 
+/// Sharpness (see below) of two planes that differ by 20 degrees.
+constexpr double kSharp = 0.03;
+
 /// Accumulates planes in coordinates local to the cell, [0, 1]^3.
 class Qef {
  public:

@@ -100,7 +100,7 @@ class TipPlacer {
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
              std::vector<Claim>& out) {
-    if (escape.error > kPlanesMeet || escape.planes.sharpness() < kSharp) return;
+    if (escape.error > kPlanesMeet || escape.planes.sharpness() < kSharpTip) return;
     const DualVertex& v = surface_.vertices[layer][escape.vertex];
     const Eigen::Vector3i own(v.i, v.j, v.k);
     const Eigen::Vector3d way = escape.to - escape.from;
@@ -171,12 +171,12 @@ class TipPlacer {
         vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
       }
       if (all.error(local) <= kPlanesMeet * all.count()) return {vertex, true};
-      if (behind && through.count() > 1 && through.sharpness() >= kSharp) return {vertex, false};
+      if (behind && through.count() > 1 && through.sharpness() >= kSharpTip) return {vertex, false};
     }
     return {};
   }
 
-  static constexpr double kSharp = 0.05;       // two planes that differ by 26 degrees
+  static constexpr double kSharpTip = 0.05;    // two planes that differ by 26 degrees
   static constexpr double kCorner = 1e-3;      // of the planes' product; 0.037 for a cube's corner
   static constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
 

@@ -38,25 +38,35 @@ TriMesh stepped(double height) {
   return signedVolume(mesh) > 0 ? mesh : inverted(mesh);
 }
 
+constexpr double kCell = 0.25;
+
+/// The envelope of a block with a ledge so high, in cells, that stands still, turned about `axis`;
+/// use(distance): cells between a point, given in the block's coordinates, and the envelope.
+template <class Use>
+void withLedge(double height, const V3& axis, double degrees, const Use& use) {
+  const Eigen::Isometry3d place = placement(axis, degrees, {0.07, 0.11, 0.03});
+  Options options;
+  options.cellSize = kCell;
+  const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
+  const TriMesh body = transformed(stepped(height * kCell), place);
+  const Result result = checkedCompute(body, still, options);
+  const MeshDistance envelope(result.mesh);
+  use([&](const V3& x) { return envelope.distance(place * x) / kCell; });
+}
+
 TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
-  const double cell = 0.25;
   double most = 0, sum = 0;
   int count = 0;
   for (const double height : {0.3, 0.5, 0.8}) {
     for (const double degrees : {2.0, 4.0, 7.0}) {
-      const Eigen::Isometry3d place = placement({0.3, 1, 0.2}, degrees, {0.07, 0.11, 0.03});
-      const double rise = height * cell;
-      Options options;
-      options.cellSize = cell;
-      const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
-      const Result result = checkedCompute(transformed(stepped(rise), place), still, options);
-      const MeshDistance envelope(result.mesh);
-      for (int n = 2; n <= 98; ++n) {
-        const double d = envelope.distance(place * V3(3, 0.05 * n, 2 + rise)) / cell;
-        most = std::max(most, d);
-        sum += d;
-        ++count;
-      }
+      withLedge(height, {0.3, 1, 0.2}, degrees, [&](const auto& distance) {
+        for (int n = 2; n <= 98; ++n) {
+          const double d = distance(V3(3, 0.05 * n, 2 + height * kCell));
+          most = std::max(most, d);
+          sum += d;
+          ++count;
+        }
+      });
     }
   }
   std::printf("upper edge of ledges: mean %.4f, max %.4f cell\n", sum / count, most);
@@ -66,21 +76,15 @@ TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
 
 /// The riser stands across the lattice, so that some cells see all three sides of the step.
 TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
-  const double cell = 0.25;
   std::vector<double> upper, lower;
   for (const double height : {0.4, 0.7, 1.0}) {
     for (const double degrees : {17.0, 31.0, 43.0}) {
-      const Eigen::Isometry3d place = placement({0.2, 0.15, 1}, degrees, {0.07, 0.11, 0.03});
-      const double rise = height * cell;
-      Options options;
-      options.cellSize = cell;
-      const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
-      const Result result = checkedCompute(transformed(stepped(rise), place), still, options);
-      const MeshDistance envelope(result.mesh);
-      for (int n = 4; n <= 196; ++n) {
-        upper.push_back(envelope.distance(place * V3(3, 0.025 * n, 2 + rise)) / cell);
-        lower.push_back(envelope.distance(place * V3(3, 0.025 * n, 2)) / cell);
-      }
+      withLedge(height, {0.2, 0.15, 1}, degrees, [&](const auto& distance) {
+        for (int n = 4; n <= 196; ++n) {
+          upper.push_back(distance(V3(3, 0.025 * n, 2 + height * kCell)));
+          lower.push_back(distance(V3(3, 0.025 * n, 2)));
+        }
+      });
     }
   }
   for (auto* edge : {&upper, &lower}) {

@@ -5,12 +5,12 @@ In: mesh arrays in mm, a path. Out: the file, and a dict like that of the core's
 beside the target, read back, then renamed. Cost: 0.3 ms a triangle and more; for some thousands.
 """
 import os
-import tempfile
 
 import FreeCAD as App
 import numpy as np
 
 from ..convert import InputProblem
+from ..safe_file import written_beside
 from ..texts import mark, translate
 
 #: Of a face, about: in a STEP file, and to make and write it.
@@ -47,15 +47,6 @@ def check(shape, volume):
         )
 
 
-def _final_mode(path):
-    """Who may read the finished file: as the old one, else as any new file. The temporary is private."""
-    if os.path.exists(path):
-        return os.stat(path).st_mode & 0o777
-    mask = os.umask(0o077)
-    os.umask(mask)
-    return 0o666 & ~mask
-
-
 def write(vertices, triangles, path, max_faces):
     """Raises InputProblem."""
     import Part
@@ -72,23 +63,14 @@ def write(vertices, triangles, path, max_faces):
     volume = float((corners[:, 0] * np.cross(corners[:, 1], corners[:, 2])).sum() / 6)
     shape = shape_of(vertices, triangles)
     check(shape, volume)
-    suffix = os.path.splitext(path)[1]
-    folder = os.path.dirname(os.path.abspath(path))
-    handle, beside = tempfile.mkstemp(suffix=suffix, dir=folder)
-    os.close(handle)
-    try:
-        if suffix.lower() in (".brep", ".brp"):
+    with written_beside(path) as beside:
+        if path.lower().endswith((".brep", ".brp")):
             shape.exportBrep(beside)
         else:
             shape.exportStep(beside)
         check(Part.read(beside), volume)
-        size = os.path.getsize(beside)
-        os.chmod(beside, _final_mode(path))
-        os.replace(beside, path)
-    except BaseException:
-        os.remove(beside)
-        raise
     return {
         "faces": len(shape.Faces), "solids": 1, "valid": True, "volume": shape.Volume,
-        "tolerance": 0.0, "deviation": 0.0, "file_bytes": size, "note": translate("Messages", NOTE),
+        "tolerance": 0.0, "deviation": 0.0, "file_bytes": os.path.getsize(path),
+        "note": translate("Messages", NOTE),
     }  # fmt: skip
