@@ -58,8 +58,8 @@ def faults(result):
     return found + flags
 
 
-def one_run(swept, make, motion, resolution):
-    vertices, triangles, options = make()
+def one_run(swept, body, motion, resolution):
+    vertices, triangles, cell = body
     finite = np.isfinite(vertices).all(axis=1) if len(vertices) else np.zeros(0, bool)
     size = float(np.ptp(vertices[finite], axis=0).max()) if finite.any() else 1.0
     poses = matrices(*scaled_motion(swept, motion, size or 1.0))
@@ -67,8 +67,8 @@ def one_run(swept, make, motion, resolution):
     outcome = {"valid_end": True, "self_intersections": 0}
     try:
         run = swept.RunContext(memory_limit_mb=2500)
-        options = options or {"resolution": resolution}
-        result = swept.compute(vertices, triangles, poses, run=run, **options)
+        fine = {"cell": cell * 64 / resolution} if cell else {"resolution": resolution}
+        result = swept.compute(vertices, triangles, poses, run=run, **fine)
         outcome["status"] = "Ok"
         outcome["self_intersections"] = result.report["self_intersections"]
         wrong = faults(result)
@@ -87,10 +87,13 @@ def serve(build):
     """Child: one line of JSON in, one out."""
     swept = load(build)
     makers = {name: make for name, _, _, make in corpus_bodies.all_bodies(swept)}
+    name, body = None, None
     for line in sys.stdin:
         job = json.loads(line)
         try:
-            outcome = one_run(swept, makers[job["body"]], job["motion"], job["resolution"])
+            if job["body"] != name:
+                name, body = job["body"], makers[job["body"]]()
+            outcome = one_run(swept, body, job["motion"], job["resolution"])
         except (
             Exception
         ) as error:  # what is not the module's own kind of failure breaks the promise
@@ -181,15 +184,16 @@ def table(results):
     return every and most
 
 
-def one_of_each_first(jobs):
-    """Families in turn, so that a part of a campaign has tried every kind of body; else at random."""
-    random.Random(1).shuffle(jobs)
-    seen = collections.Counter()
-    turn = []
-    for job in jobs:
-        turn.append((seen[job["family"]], len(turn)))
-        seen[job["family"]] += 1
-    return [jobs[n] for _, n in sorted(turn)]
+def one_of_each_first(jobs, resolutions):
+    """Resolution after resolution, families in turn, the motions of a body together (it is then made
+    once): a part of a campaign has tried every kind of body. Bodies of a family at random."""
+    bodies = sorted({(job["family"], job["body"]) for job in jobs})
+    random.Random(1).shuffle(bodies)
+    seen, turn = collections.Counter(), {}
+    for family, body in bodies:
+        turn[body] = (seen[family], len(turn))
+        seen[family] += 1
+    return sorted(jobs, key=lambda job: (resolutions.index(job["resolution"]), turn[job["body"]]))
 
 
 def main():
@@ -209,18 +213,20 @@ def main():
     store = pathlib.Path(wish.store)
     store.parent.mkdir(exist_ok=True)
     key = ("body", "motion", "resolution")
-    results = [json.loads(line) for line in store.open()] if store.exists() else []
-    done = {tuple(r[k] for k in key) for r in results}
+    stored = [json.loads(line) for line in store.open()] if store.exists() else []
+    done = {tuple(r[k] for k in key): r for r in stored}
+    results = list(done.values())
+    resolutions = wish.resolution or [64, 128]
     jobs = [
         {"body": name, "family": family, "valid": valid, "motion": motion, "resolution": r}
         for name, family, valid, _ in corpus_bodies.all_bodies(None)
         for motion in MOTIONS
-        for r in wish.resolution or (64, 128)
+        for r in resolutions
         if not wish.only or any(word in name for word in wish.only)
     ]
     bodies = len({job["body"] for job in jobs})
     print(f"{bodies} bodies, {len(jobs)} runs, {len(done)} stored in {store}", flush=True)
-    jobs = one_of_each_first(jobs)
+    jobs = one_of_each_first(jobs, resolutions)
     child, end = Child(wish.build), time.time() + wish.seconds
     with store.open("a") as file:
         for job in jobs:

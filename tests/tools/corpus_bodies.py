@@ -2,8 +2,9 @@
 """Bodies of the corpus: made ones for every row of the table of bad input, and variants of the
 shared meshes.
 
-`all_bodies` gives entries (name, family, valid, make); make() -> (vertices, triangles, options).
+`all_bodies` gives entries (name, family, valid, make); make() -> (vertices, triangles, cell).
 valid: a solid whose envelope must come out Ok; others end as the table says (docs/bad_input.md).
+cell: None, or its size where 64 cells are asked for.
 """
 import numpy as np
 
@@ -182,8 +183,8 @@ FAMILIES = [
 def made(family, change, seed):
     rng = np.random.default_rng([seed, FAMILIES_INDEX[family]])
     vertices, triangles = change(rng, solid(rng))
-    options = {"cell": float(10 ** rng.uniform(-7, 5))} if family == "15_cell" else {}
-    return vertices, triangles, options
+    cell = float(10 ** rng.uniform(-7, 5)) if family == "15_cell" else None
+    return vertices, triangles, cell
 
 
 FAMILIES_INDEX = {name: i for i, (name, _, _) in enumerate(FAMILIES)}
@@ -236,6 +237,6 @@ def all_bodies(swept):
             def make(path=path, number=number):
                 body = swept.read_mesh(str(path))
                 v, t = np.array(body.vertices), np.array(body.triangles)
-                return (*list(variants(v, t, 7))[number][2](), {})
+                return (*list(variants(v, t, 7))[number][2](), None)
 
             yield f"{path.stem}/{word}", "shared_" + word, whole and keeps, make
