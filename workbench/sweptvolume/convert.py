@@ -208,12 +208,23 @@ def root_path(obj):
     return obj, ""
 
 
-def pairs_of(links):
-    """Value of a LinkSubList property -> flat list of (root, sub)."""
+def links_in(links):
+    """Value of a LinkSubList or LinkSub property -> flat list of (object, sub), as it stands."""
+    if isinstance(links, tuple):
+        links = [links]
     pairs = []
     for root, subs in links or []:
         names = [subs] if isinstance(subs, str) else list(subs)
         pairs += [(root, name) for name in (names or [""])]
+    return pairs
+
+
+def pairs_of(links):
+    """The same as (root, sub), each from the outermost group around the object."""
+    pairs = []
+    for obj, sub in links_in(links):
+        root, path = root_path(obj)
+        pairs.append((root, path + sub))
     return pairs
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from .. import convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
+from . import containers
 from . import envelope as envelope_feature
 from . import motion as motion_feature
 from .base import (  # noqa: F401 (the states are read from here as well)
@@ -133,6 +134,8 @@ _RESULT = [
     ),
 ]
 
+containers.watch()
+
 
 class Clearance(Feature):
     """Proxy of the clearance check."""
@@ -150,6 +153,10 @@ class Clearance(Feature):
     def execute(self, obj):
         """Marks the result stale or current; keeps it."""
         update_status(obj)
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        containers.shorten(obj)  # documents of before may have circles
 
 
 def is_clearance(obj):
@@ -208,9 +215,9 @@ class Plan:
         """Puts the plan into a clearance object."""
         obj.Envelope = self.envelope
         if self.envelope is None:
-            obj.Generators = self.pairs
+            containers.set_pairs(obj, "Generators", self.pairs)
             obj.Motion = self.motion
-        obj.Neighbours = self.neighbours
+        containers.set_pairs(obj, "Neighbours", self.neighbours)
         obj.AllVisible = self.all_visible
         for name, value in self.values.items():
             set_changed(obj, name, value)

@@ -15,7 +15,7 @@ from .. import convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
 from ..trajectory.poses import swept_box
-from . import kept
+from . import containers, kept
 from . import motion as motion_feature
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
@@ -206,6 +206,8 @@ _RESULT = [
     ("App::PropertyFloat", "Seconds", mark("Properties", "Duration of the run (s)")),
 ]
 
+containers.watch()
+
 
 class Envelope(Feature):
     """Proxy of the envelope."""
@@ -231,6 +233,10 @@ class Envelope(Feature):
     def execute(self, obj):
         """Marks the result stale or current; keeps the mesh."""
         update_status(obj)
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        containers.shorten(obj)  # documents of before may have circles
 
 
 def is_envelope(obj):
@@ -259,7 +265,7 @@ class Plan:
         values = {name: getattr(obj, name) for name in cls.SETTINGS}
         for name, value in values.items():
             values[name] = getattr(value, "Value", value)
-        seen_from = convert.pairs_of([obj.Reference] if obj.Reference else [])
+        seen_from = convert.pairs_of(obj.Reference)
         return cls(
             convert.pairs_of(obj.Generators),
             obj.Motion,
@@ -271,10 +277,10 @@ class Plan:
 
     def write(self, obj):
         """Puts the plan into an envelope object."""
-        obj.Generators = self.pairs
+        containers.set_pairs(obj, "Generators", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
-        obj.Reference = (self.reference[0], [self.reference[1]]) if self.reference else None
+        containers.set_pairs(obj, "Reference", [self.reference] if self.reference else [])
         obj.ReferenceMotion = self.reference_motion
         for name, value in self.values.items():
             if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:

@@ -8,12 +8,15 @@ from ..convert import InputProblem, matrix_of
 from ..texts import mark, translate
 from ..trajectory import sources
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
+from . import containers
 from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
 
 TYPE = "App::FeaturePython"
 UNITS = ["mm", "cm", "m", "in"]
 #: Status of a motion whose source changed after it was read.
 STALE = mark("Messages", "Stale")
+
+containers.watch()
 
 
 class Motion(Feature):

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Our objects and groups (App::Part and the like). A group depends on what it holds: a link of ours that
+begins at a group around its own object would close a circle, so it begins below that group; and as
+such a link does not tell that the group was moved, an observer does.
+"""
+import FreeCAD as App
+
+from .. import convert
+from .base import kind_of
+
+#: Properties with paths to parts.
+_LISTS, _SINGLES = ("Generators", "Neighbours"), ("Reference",)
+
+_observer = None
+
+
+def around(obj):
+    """All groups that hold an object, also through others."""
+    found, waiting = [], [obj]
+    while waiting:
+        now = waiting.pop()
+        for user in now.InList:
+            if user not in found and now in getattr(user, "Group", []):
+                found.append(user)
+                waiting.append(user)
+    return found
+
+
+def inside(group):
+    """All that a group holds, also through others."""
+    found, waiting = [], [group]
+    while waiting:
+        for member in getattr(waiting.pop(), "Group", []):
+            if member not in found:
+                found.append(member)
+                waiting.append(member)
+    return found
+
+
+def links_for(holder, pairs):
+    """(root, sub) pairs as `holder` may link to them; convert.pairs_of() is the way back. A whole group
+    around the holder stands for what else it holds now."""
+    outer, found, waiting = around(holder), [], list(reversed(pairs))
+    while waiting:
+        root, sub = waiting.pop()
+        if root not in outer:
+            found.append((root, sub))
+        elif sub:
+            name, rest = sub.split(".", 1)
+            child = root.getSubObject(name + ".", retType=1)
+            if child is not None:
+                waiting.append((child, rest))
+        else:
+            parts = [o for o in root.Group if o.Visibility or o in outer]
+            waiting += [(o, "") for o in reversed(parts) if not kind_of(o)]
+    return found
+
+
+def set_pairs(holder, name, pairs):
+    """Puts pairs into one of our link properties, if they are others than now."""
+    links = links_for(holder, pairs)
+    if name in _SINGLES:
+        links = links[:1]
+    if convert.links_in(getattr(holder, name)) == links:
+        return
+    if name in _SINGLES:
+        setattr(holder, name, (links[0][0], [links[0][1]]) if links else None)
+    else:
+        setattr(holder, name, links)
+
+
+def shorten(holder):
+    """Makes the links of an object of ours begin below the groups around it."""
+    for name in _LISTS + _SINGLES:
+        if name in holder.PropertiesList:
+            set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
+
+
+class _Observer:
+    """Hears of objects that come into a group or leave it, and of groups that are moved."""
+
+    def slotChangedObject(self, obj, name):  # noqa: N802
+        if name not in ("Group", "Placement") or "Group" not in obj.PropertiesList:
+            return
+        document = obj.Document
+        if getattr(document, "Restoring", False) or getattr(document, "Transacting", False):
+            return
+        if name == "Group":
+            for holder in [o for o in document.Objects if kind_of(o)]:
+                shorten(holder)
+            return
+        for member in inside(obj):
+            for ours in [member] + member.InList:
+                if kind_of(ours):
+                    ours.touch()
+
+
+def watch():
+    """Begins to listen, once."""
+    global _observer
+    if _observer is None:
+        _observer = _Observer()
+        App.addDocumentObserver(_observer)
