@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/grown_sweep.h"
 
+#include <sstream>
+
 #include "sampling/hermite.h"
 #include "sampling/offset/offset_surface.h"
 
@@ -19,6 +21,32 @@ HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
         return offset::offsetCrossing(tree_, distance, axis, i, j, edge, fromLow);
       },
       run);
+}
+
+Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
+  std::ostringstream text;
+  text.precision(4);
+  text << "grown by " << offset << " mm, measured from " << cover_.triangles.size();
+  if (fromMesh) {
+    text << " triangles of the envelope: how far that leaves the true one adds to the deviation";
+  } else {
+    text << " triangles of the body in motion, which lie within "
+         << (cover_.largestSlack + cover_.chord) * grid_.cell << " mm of the swept volume";
+  }
+  return {"Offset", static_cast<std::int64_t>(cover_.triangles.size()), {}, text.str()};
+}
+
+Finding GrownSweep::conservativeFinding(const offset::Containment& proof, double offset,
+                                        double bound) const {
+  const double cell = grid_.cell;
+  std::ostringstream text;
+  text.precision(4);
+  text << "the envelope holds the swept volume";
+  if (offset > 0) text << " grown by " << offset << " mm";
+  text << ": no point of it is nearer than " << proof.nearest * cell
+       << " mm to the sampled motion, which the true one leaves by at most " << cover_.chord * cell
+       << " mm; no point lies more than " << bound << " mm outside";
+  return {"Conservative", static_cast<std::int64_t>(cover_.triangles.size()), {}, text.str()};
 }
 
 }  // namespace swept

@@ -1,7 +1,7 @@
 // A swept volume grown by a length: safety distance, conservative envelope.
 //
 // In:    a cover of the swept volume (sampling/offset). Out: Hermite grids at any distance from it,
-//        and the proof that a mesh made from one holds the swept volume.
+//        the proof that a mesh made from one holds the swept volume, and what the report says.
 // Units: cells. Cost: see sampling/offset.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -9,6 +9,7 @@
 #include "data/hermite_grid.h"
 #include "sampling/cavities.h"
 #include "sampling/offset/containment.h"
+#include "swept/report.h"
 
 namespace swept {
 
@@ -26,6 +27,11 @@ class GrownSweep {
   offset::Containment prove(const TriMesh& mesh, double least, RunContext& run) const {
     return offset::proveContainment(cover_, tree_, mesh, grid_, least, run);
   }
+
+  /// What the report says. `offset`, `bound` (how far outside a point may lie): mm. `fromMesh`: the
+  /// cover is that of an envelope.
+  Finding offsetFinding(double offset, bool fromMesh) const;
+  Finding conservativeFinding(const offset::Containment& proof, double offset, double bound) const;
 
  private:
   offset::Cover cover_;

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/envelope_run.h"
+
+#include "input/body_check.h"
+#include "input/trajectory_check.h"
+#include "pipeline/backend.h"
+#include "pipeline/enclosure.h"
+#include "pipeline/finish_surface.h"
+#include "pipeline/kept_surface.h"
+#include "pipeline/pilot.h"
+#include "sampling/element_probe.h"
+#include "sampling/hermite.h"
+#include "simplify/feature_edges.h"
+#include "simplify/simplify.h"
+
+namespace swept {
+namespace {
+
+/// Copies of triangles up to which an offset is measured from the copies themselves.
+constexpr std::size_t kMostCopies = 8'000'000;
+
+void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+void EnvelopeRun::compute(const TriMesh& body, const Trajectory& trajectory) {
+  begin();
+  prepared_.body = checkBody(body, options_, run_);
+  sweep(trajectory);
+}
+
+void EnvelopeRun::compute(WarmBody& warm, const Trajectory& trajectory, bool sketch) {
+  begin();
+  sketch_ = sketch;
+  prepared_.body = warm.body;
+  prepared_.keepRoom = true;
+  if (warm.grid) prepared_.lastGrid = &*warm.grid;
+  topologyOfBody_ = &warm.topology;
+  clusters_ = &warm.clusters;
+  cache_ = &warm.cache;
+  sweep(trajectory);
+  warm.grid = prepared_.grid;
+}
+
+void EnvelopeRun::begin() {
+  checkOptions(options_);
+  refuseCombinations();
+  run_.checkpoint(Phase::Input);
+}
+
+void EnvelopeRun::sweep(const Trajectory& trajectory) {
+  prepareTrajectory(prepared_, trajectory, options_);
+  add(report_.warnings, prepared_.body.findings);
+  add(report_.warnings, prepared_.trajectory.findings);
+  stage("input");
+
+  planRun(prepared_, options_, run_);
+  describePlan();
+  BodyTopology own;
+  if (topologyOfBody_ == nullptr) own = buildTopology(prepared_.body.mesh);
+  const BodyTopology& topology = topologyOfBody_ != nullptr ? *topologyOfBody_ : own;
+  Estimate e = estimateOf(prepared_, options_);
+  if (!fitsMemory(e, run_, 2)) e = estimateByPilot(e, prepared_, topology, options_, run_);
+  report_.estimatedMemoryBytes = e.memoryBytes;
+  cpuSeconds_ = e.seconds;
+  requireMemory(e, run_);
+  stage("motion");
+
+  if (options_.offset > 0 || options_.conservative) {
+    grow(topology);
+  } else {
+    envelope(topology);
+    simplify();
+  }
+  if (options_.tolerance <= 0 && !sketch_) {
+    result_.featureEdges = topology_.across.size() > 0
+                               ? findFeatureEdges(result_.mesh, topology_.across)
+                               : findFeatureEdges(result_.mesh);
+  }
+  stage("features");
+}
+
+void EnvelopeRun::refuseCombinations() const {
+  if (!(options_.positionFilter > 0) || !options_.conservative) return;
+  throw Error(Status::InvalidInput, "BadOption",
+              "a conservative envelope holds every pose: it cannot be had with a position filter; "
+              "leave one of them out");
+}
+
+void EnvelopeRun::describePlan() {
+  report_.cellSize = prepared_.grid.cell;
+  report_.gridOrigin = prepared_.grid.origin;
+  report_.grid = prepared_.grid.cells();
+  report_.placements = static_cast<std::int64_t>(prepared_.givenPoses);
+  report_.positionFilterDistance = prepared_.positionFilterDistance;
+  report_.refinedPlacements = static_cast<std::int64_t>(prepared_.motion.placements.size());
+  report_.largestStepTravel = prepared_.motion.largestStepTravel;
+  report_.chordError = prepared_.motion.chordError;
+}
+
+SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) const {
+  return {prepared_.body.mesh, topology, prepared_.motion,
+          prepared_.grid,      cull,     prepared_.body.orientable,
+          clusters_,           cache_};
+}
+
+void EnvelopeRun::envelope(const BodyTopology& topology) {
+  const SamplerInput input = samplerInput(topology, options_.cull);
+  HermiteGrid hermite = sample(topology, options_.cull);
+  // In a preview the ends of thin walls are not worth the time that looking for them takes.
+  std::optional<ElementProbe> probe;
+  if (cache_ == nullptr) probe.emplace(input, elements_, hermite.winner);
+  Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
+  std::vector<SweptElement>().swap(elements_);
+  std::vector<std::uint32_t>().swap(hermite.winner);
+  stage("contour");
+  finish(std::move(surface), hermite);
+}
+
+void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite) {
+  if (sketch_) {
+    report_.warnings.push_back(
+        {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
+  } else {
+    const Finishing with{options_, prepared_, run_, [&](const char* name) { stage(name); }};
+    topology_ = checkAndMend(surface, hermite, with, report_);
+  }
+  result_.mesh = std::move(surface.mesh);
+  result_.contactTime = std::move(surface.contactTime);
+}
+
+void EnvelopeRun::grow(const BodyTopology& topology) {
+  const SamplerInput input = samplerInput(topology, options_.cull);
+  const double cell = prepared_.grid.cell, wanted = options_.offset / cell;
+  const bool fromMesh = offset::copiesOf(input) > kMostCopies;
+  if (fromMesh && options_.conservative) {
+    throw Error(Status::ResourceLimit, "TooManyCopies",
+                "a conservative envelope of a union of copies looks at every triangle of every "
+                "copy: " +
+                    std::to_string(offset::copiesOf(input)) + " here, the limit is " +
+                    std::to_string(kMostCopies) +
+                    "; use fewer poses or a coarser body, or interpolate between poses");
+  }
+  if (fromMesh) envelope(topology);
+  const GrownSweep sweep(
+      fromMesh ? offset::coverOfMesh(result_.mesh, result_.contactTime, prepared_.grid)
+               : offset::coverOfMotion(input, options_.conservative, run_),
+      prepared_.grid);
+  stage("cover");
+  if (!options_.conservative) {
+    report_.warnings.push_back(sweep.offsetFinding(options_.offset, fromMesh));
+    growTo(sweep, input, wanted);
+    return;
+  }
+  const double chord = sweep.cover().chord;
+  offset::Containment proof;
+  for (const double margin : kMarginCells) {
+    growTo(sweep, input, wanted + margin + options_.tolerance / cell);
+    proof = sweep.prove(result_.mesh, wanted + chord, run_);
+    stage("proof");
+    if (!proof.holds) continue;
+    report_.conservativeBound = (proof.farthest + chord - wanted) * cell;
+    report_.warnings.push_back(
+        sweep.conservativeFinding(proof, options_.offset, report_.conservativeBound));
+    result_.kept.reset();  // another tolerance would need a proof of its own
+    return;
+  }
+  throw Error(Status::InternalError, "NotProven",
+              "the surface could not be proven to hold the swept volume: " +
+                  std::to_string(proof.tooNear) + " triangles too near, " +
+                  std::to_string(proof.outside) + " pieces outside; use a smaller cell");
+}
+
+void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, double distance) {
+  HermiteGrid hermite = sweep.hermite(
+      distance,
+      [&](const MarkedEdges& marks, const SolidPoint& isSolid) {
+        return findSigns(input, marks, isSolid, prepared_, options_.keepCavities, report_, run_);
+      },
+      run_);
+  stage("offset");
+  report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
+  requireCrossings(hermite);
+  Surface surface = contourUniform(hermite, options_, run_);
+  stage("contour");
+  finish(std::move(surface), hermite);
+  hermite = HermiteGrid{};
+  simplify();
+}
+
+HermiteGrid EnvelopeRun::sample(const BodyTopology& topology, bool cull) {
+  const SamplerInput input = samplerInput(topology, cull);
+  SampledSurface sampled = sampleSurface(
+      input, options_.backend, cpuSeconds_,
+      [&](const MarkedEdges& marks) {
+        stage("sampling");
+        SignRuns found =
+            findSigns(input, marks, {}, prepared_, options_.keepCavities, report_, run_);
+        stage("signs");
+        return found;
+      },
+      run_);
+  MarkedEdges& marked = sampled.marked;
+  const SignRuns& signs = sampled.signs;
+  if (sampled.backend == "gpu") stage("winners");
+  report_.backend = sampled.backend;
+  report_.device = sampled.device;
+  add(report_.warnings, sampled.notes);
+  report_.sweptFaces = report_.sweptPatches = 0;
+  for (const SweptElement& element : marked.elements) {
+    ++(element.isPatch() ? report_.sweptPatches : report_.sweptFaces);
+  }
+  HermiteGrid hermite = buildHermiteGrid(input, marked, signs, run_);
+  elements_ = std::move(marked.elements);
+  stage("crossings");
+  report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
+  requireEnclosed(hermite, prepared_, report_);
+  return hermite;
+}
+
+void EnvelopeRun::simplify() {
+  if (options_.tolerance <= 0) return;
+  topology_ = MeshTopology{};
+  if (!report_.check.passes()) {
+    report_.warnings.push_back({"NotSimplified",
+                                1,
+                                {},
+                                "the surface is not a closed manifold and stays as it is; use the "
+                                "consistent components to simplify it"});
+    result_.featureEdges = findFeatureEdges(result_.mesh);
+    return;
+  }
+  result_.kept = std::make_shared<const SimplifyTree>(
+      std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid, run_);
+  cutKept(result_, options_.tolerance, run_);
+  stage("simplify");
+}
+
+}  // namespace swept

@@ -1,0 +1,75 @@
+// One run from a body and a trajectory to the envelope in a result, stage by stage.
+// In:    options, body, trajectory. Out: mesh, contact times, feature edges, and the report with
+//        each stage's seconds; throws Error.
+// Cost:  see docs/performance.md. Invariants: the same bytes for any number of threads.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/timer.h"
+#include "check/mesh_check.h"
+#include "contour/surface.h"
+#include "pipeline/grown_sweep.h"
+#include "pipeline/plan.h"
+#include "sampling/body_topology.h"
+#include "sampling/cpu/sample_cache.h"
+#include "sampling/face_clusters.h"
+#include "sampling/sampler.h"
+
+namespace swept {
+
+/// What a preview session keeps between calls.
+struct WarmBody {
+  CheckedBody body;
+  BodyTopology topology;
+  FaceClusters clusters;
+  std::optional<GridPlan> grid;
+  SampleCache cache;
+};
+
+class EnvelopeRun {
+ public:
+  EnvelopeRun(const Options& options, RunContext& context, Result& result)
+      : options_(options), run_(context), result_(result), report_(result.report) {}
+
+  void compute(const TriMesh& body, const Trajectory& trajectory);
+  /// The same for a body that has been checked before. `sketch`: the surface as contoured.
+  void compute(WarmBody& warm, const Trajectory& trajectory, bool sketch);
+
+ private:
+  void begin();
+  void sweep(const Trajectory& trajectory);
+  void refuseCombinations() const;
+  void stage(const char* name) { report_.seconds.push_back({name, timer_.lap()}); }
+
+  void describePlan();
+  SamplerInput samplerInput(const BodyTopology& topology, bool cull) const;
+
+  /// The swept volume as it is: result_.mesh.
+  void envelope(const BodyTopology& topology);
+  void finish(Surface surface, const HermiteGrid& hermite);
+
+  /// The swept volume grown by the safety distance, or so far that it is proven to be held.
+  void grow(const BodyTopology& topology);
+  void growTo(const GrownSweep& sweep, const SamplerInput& input, double distance);
+  HermiteGrid sample(const BodyTopology& topology, bool cull);
+  void simplify();
+
+  const Options& options_;
+  RunContext& run_;
+  Result& result_;
+  Report& report_;
+  Prepared prepared_;
+  const BodyTopology* topologyOfBody_ = nullptr;  ///< null: not known yet
+  const FaceClusters* clusters_ = nullptr;
+  SampleCache* cache_ = nullptr;
+  bool sketch_ = false;
+  MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
+  std::vector<SweptElement> elements_;  // while the contouring may ask for them
+  Timer timer_;
+  double cpuSeconds_ = 0;
+};
+
+}  // namespace swept
