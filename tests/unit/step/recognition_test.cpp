@@ -57,7 +57,7 @@ class Recognition : public testing::Test {
 };
 
 TEST_F(Recognition, TorusIsExact) {
-  const TriMesh mesh = transformed(torusMesh(20, 6, 160, 64), oddTurn(), {5, 7, -9});
+  const TriMesh mesh = transformed(makeTorus(20, 6, 160, 64), oddTurn(), {5, 7, -9});
   for (const step::Patch& patch : patchesOf(mesh, 0.02)) {
     ASSERT_EQ(patch.surface.kind, SurfaceKind::Torus);
     EXPECT_NEAR(patch.surface.radius, 20, 1e-6);
@@ -163,7 +163,7 @@ TEST_F(Recognition, SweptBallIsSphereAndCylinder) {
 
 // A free form: nothing is recognised, the facets are fewer and within the tolerance.
 TEST_F(Recognition, FreeFormIsSimplifiedWithinTheTolerance) {
-  TriMesh mesh = torusMesh(20, 6, 150, 60);
+  TriMesh mesh = makeTorus(20, 6, 150, 60);
   for (auto& p : mesh.vertices) {
     p *= 1 + 0.04 * std::sin(0.31 * p.x()) * std::cos(0.23 * p.y() + 0.5) +
          0.03 * std::sin(0.4 * p.z());
@@ -222,7 +222,7 @@ TEST_F(Recognition, BordersOfOpenGroundStayOnTheirSurface) {
 }
 
 TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
-  const TriMesh input = torusMesh(20, 6, 120, 48);
+  const TriMesh input = makeTorus(20, 6, 120, 48);
   RunContext run;
   const step::HalfEdgeMesh mesh = step::buildHalfEdges(input, run);
   step::Partition nothing;
@@ -240,7 +240,7 @@ TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
 
 // Large enough to be worked on in parts, which must neither show nor depend on the threads.
 TEST_F(Recognition, DecimationInPartsIsTheSameWithOneThread) {
-  const TriMesh input = torusMesh(20, 6, 220, 90);
+  const TriMesh input = makeTorus(20, 6, 220, 90);
   RunContext run;
   const step::HalfEdgeMesh mesh = step::buildHalfEdges(input, run);
   ASSERT_GT(mesh.triangles.size(), 30000U);

@@ -149,7 +149,7 @@ TEST_F(StepExport, BodyInsideACavityIsASolidOfItsOwn) {
 }
 
 TEST_F(StepExport, CurvedMeshKeepsItsFacets) {
-  const TriMesh mesh = torusMesh(20, 6, 24, 12);
+  const TriMesh mesh = makeTorus(20, 6, 24, 12);
   const StepReport report = write(mesh, "torus.step");
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 1);
@@ -222,7 +222,7 @@ TEST_F(StepExport, BrokenMeshesAreRefusedByName) {
 
 // Row 36: the disk (here: the allowed file size) ends in the middle of writing.
 TEST_F(StepExport, BadInput36WriteFailsHalfWay) {
-  const TriMesh mesh = torusMesh(20, 6, 24, 12);
+  const TriMesh mesh = makeTorus(20, 6, 24, 12);
   for (const char* name : {"old.step", "old.brep"}) {
     SCOPED_TRACE(name);
     put(name, "the old file");
@@ -281,13 +281,13 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
   options.recognise = false;
   options.maxFaces = 100;
   put("x.step", "old");
-  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
+  EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
   for (const char* word : {"limit is 100 faces", "MB", " s.", "PLY", "STL"}) {
     EXPECT_NE(message_.find(word), std::string::npos) << word << " in " << message_;
   }
   options.maxFaces = 100000;
   options.maxMegabytes = 0.05;
-  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
+  EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
   EXPECT_NE(message_.find("0.05 MB"), std::string::npos) << message_;
   EXPECT_EQ(text("x.step"), "old");
   EXPECT_EQ(filesIn(folder_), 1U);
@@ -296,7 +296,7 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
 // Very many plane faces are written by their corners alone, and still read back as one solid whose
 // faces share their edges.
 TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
-  TriMesh mesh = torusMesh(20, 6, 150, 70);
+  TriMesh mesh = makeTorus(20, 6, 150, 70);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
   StepOptions options;
   options.mergeCoplanar = false;
@@ -319,15 +319,15 @@ TEST_F(StepExport, ExactIsNotSimplified) {
   StepOptions options;
   options.exact = true;
   options.maxFaces = 100;
-  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
+  EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
   options.tolerance = 0.1;
-  EXPECT_EQ(failure(torusMesh(20, 6, 24, 12), path("x.step"), options), "BadOption");
+  EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "BadOption");
   EXPECT_EQ(filesIn(folder_), 0U);
 }
 
 // A limit without a tolerance: the smallest tolerance of a series that meets it is taken and said.
 TEST_F(StepExport, LimitsChooseTheTolerance) {
-  TriMesh mesh = torusMesh(20, 6, 60, 24);
+  TriMesh mesh = makeTorus(20, 6, 60, 24);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
   const StepReport exact = write(mesh, "exact.step");
   EXPECT_EQ(exact.tolerance, 0);
@@ -346,7 +346,7 @@ TEST_F(StepExport, LimitsChooseTheTolerance) {
 }
 
 TEST_F(StepExport, EstimateIsOfTheRightSize) {
-  const TriMesh mesh = torusMesh(20, 6, 60, 24);
+  const TriMesh mesh = makeTorus(20, 6, 60, 24);
   RunContext run;
   const SolidEstimate estimate = estimateSolid(mesh, {}, run);
   EXPECT_EQ(estimate.triangles, 2880);
@@ -414,7 +414,7 @@ TEST_F(StepExport, OldFileIsReplacedThroughALinkAndKeepsItsMode) {
 }
 
 TEST_F(StepExport, CancelledAtEveryCheckpointLeavesTheOldFile) {
-  const TriMesh mesh = torusMesh(20, 6, 5, 4);
+  const TriMesh mesh = makeTorus(20, 6, 5, 4);
   for (const char* name : {"x.step", "x.brep"}) {
     put(name, "old");
     RunContext whole;
@@ -445,7 +445,7 @@ TEST_F(StepExport, CancelledAtEveryCheckpointLeavesTheOldFile) {
 }
 
 TEST_F(StepExport, TwoThreadsAtOnce) {
-  const TriMesh a = boxMesh(3, 3, 3), b = torusMesh(20, 6, 12, 8);
+  const TriMesh a = boxMesh(3, 3, 3), b = makeTorus(20, 6, 12, 8);
   std::array<std::int64_t, 4> faces{};
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "support/shapes.h"
 #include "swept/types.h"
 
 namespace swept::test {
@@ -56,25 +57,6 @@ inline TriMesh voxelMesh(const std::function<bool(int, int, int)>& inside, int n
 
 inline TriMesh boxMesh(int nx, int ny, int nz, double cell = 1.0) {
   return voxelMesh([](int, int, int) { return true; }, nx, ny, nz, cell);
-}
-
-inline TriMesh torusMesh(double major, double minor, int around, int across) {
-  TriMesh mesh;
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      const double u = 2 * M_PI * i / around, v = 2 * M_PI * j / across;
-      const double r = major + minor * std::cos(v);
-      mesh.vertices.emplace_back(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
-    }
-  }
-  auto at = [&](int i, int j) { return (i % around) * across + j % across; };
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh;
 }
 
 /// Body of revolution about z. The profile (radius, z) runs so that the material lies on its left
