@@ -67,6 +67,7 @@ class AsItStands : public XSAlgo_AlgoContainer {
   using Text = Standard_CString;
 
  public:
+  bool active = true;
 #if OCC_VERSION_HEX < 0x070800
   TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Real precision, const Real largest,
                             const Text resource, const Text sequence,
@@ -100,7 +101,7 @@ class AsItStands : public XSAlgo_AlgoContainer {
  private:
   template <class... Rest>
   TopoDS_Shape process(const TopoDS_Shape& shape, Rest&&... rest) const {
-    if (std::this_thread::get_id() == owner_) return shape;
+    if (active && std::this_thread::get_id() == owner_) return shape;
     return Base::ProcessShape(shape, std::forward<Rest>(rest)...);
   }
   std::thread::id owner_ = std::this_thread::get_id();
@@ -113,6 +114,9 @@ struct KernelSession::State {
   std::unique_lock<std::mutex> lock{kernelMutex()};
   Message_SequenceOfPrinters printers;
   Handle(Collector) collector;
+#if OCC_VERSION_HEX < 0x070900
+  Handle(AsItStands) asItStands;
+#endif
   std::vector<std::function<void()>> undo;
 };
 
@@ -145,10 +149,14 @@ void KernelSession::setReal(const char* name, double value) {
   Interface_Static::SetRVal(name, value);
 }
 
-void KernelSession::skipHealing() {
+void KernelSession::setHealing([[maybe_unused]] bool on) {
 #if OCC_VERSION_HEX < 0x070900
-  state_->undo.push_back([old = XSAlgo::AlgoContainer()] { XSAlgo::SetAlgoContainer(old); });
-  XSAlgo::SetAlgoContainer(new AsItStands);
+  if (!state_->asItStands) {
+    state_->undo.push_back([old = XSAlgo::AlgoContainer()] { XSAlgo::SetAlgoContainer(old); });
+    state_->asItStands = new AsItStands;
+    XSAlgo::SetAlgoContainer(state_->asItStands);
+  }
+  state_->asItStands->active = !on;
 #endif
 }
 

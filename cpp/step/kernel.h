@@ -22,9 +22,9 @@ class KernelSession {
   /// A text setting of the STEP translators, until the end of the session.
   void set(const char* name, const std::string& value);
   void setReal(const char* name, double value);
-  /// What this thread reads stays as it stands in the file, until the end of the session. (Kernels
-  /// from 7.9 on mend all the same.)
-  void skipHealing();
+  /// Whether what this thread reads is mended by the kernel, as is usual, or stays as it stands in
+  /// the file, until the end of the session. (Kernels from 7.9 on mend all the same.)
+  void setHealing(bool on);
   /// Warnings and failures said since the session began, one line, at most a few hundred
   /// characters.
   std::string messages() const;

@@ -3,7 +3,9 @@
 
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "shape_check.h"
 #include "solid_file.h"
@@ -48,21 +50,32 @@ Model curvedPart(const Model& model, std::vector<std::int32_t>& from) {
 
 }  // namespace
 
-std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
-                                         KernelSession& kernel, RunContext& run) {
+std::vector<std::int32_t> ReadCheck::findUnreadable(const Model& model) {
   std::vector<std::int32_t> from;
   const Model part = curvedPart(model, from);
   if (from.empty()) return {};
-  std::stringstream text;
-  writeStepText(part, text, "curved", options, run);
-  const TopoDS_Shape shape = readStepText(text, kernel, run);
+  std::stringstream stream;
+  writeStepText(part, stream, "curved", options_, run_);
+  const std::string text = std::move(stream).str();
+  // The header says when it was written.
+  std::string data = text.substr(std::min(text.size(), text.find("DATA;")));
+  if (data != asked_) {
+    answer_ = read(text, from.size());
+    asked_ = std::move(data);
+  }
+  std::vector<std::int32_t> bad;
+  for (const std::int32_t i : answer_) bad.push_back(from[i]);
+  return bad;
+}
+
+std::vector<std::int32_t> ReadCheck::read(const std::string& text, std::size_t count) {
+  std::istringstream stream(text);
+  const TopoDS_Shape shape = readStepText(stream, kernel_, run_);
   std::vector<TopoDS_Shape> faces;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
   // Where the reader cut faces apart, the check of the whole file decides.
-  if (faces.size() != from.size()) return {};
-  std::vector<std::int32_t> bad;
-  for (const std::int32_t i : findBadFaces(faces, run, 0.3, 0.3)) bad.push_back(from[i]);
-  return bad;
+  if (faces.size() != count) return {};
+  return findBadFaces(faces, run_, 0.3, 0.3);
 }
 
 }  // namespace swept::step

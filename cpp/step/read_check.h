@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "kernel.h"
@@ -14,7 +15,21 @@
 
 namespace swept::step {
 
-std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
-                                         KernelSession& kernel, RunContext& run);
+class ReadCheck {
+ public:
+  ReadCheck(const StepOptions& options, KernelSession& kernel, RunContext& run)
+      : options_(options), kernel_(kernel), run_(run) {}
+  std::vector<std::int32_t> findUnreadable(const Model& model);
+
+ private:
+  std::vector<std::int32_t> read(const std::string& text, std::size_t faces);
+
+  const StepOptions& options_;
+  KernelSession& kernel_;
+  RunContext& run_;
+  // The same faces are asked for again where only facets have changed.
+  std::string asked_;
+  std::vector<std::int32_t> answer_;
+};
 
 }  // namespace swept::step

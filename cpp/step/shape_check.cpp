@@ -131,6 +131,8 @@ std::string shellComplaint(const TopoDS_Shape& shell) {
 
 }  // namespace
 
+bool isPlaneTriangle(const TopoDS_Face& face) { return triangleOf(face).has_value(); }
+
 std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
                                        double from, double to) {
   std::vector<char> bad(faces.size(), 0);

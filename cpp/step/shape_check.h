@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdint>
 #include <string>
@@ -18,6 +19,9 @@ namespace swept::step {
 /// progress.
 std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
                                        double from, double to);
+
+/// A sound plane triangle with straight edges.
+bool isPlaneTriangle(const TopoDS_Face& face);
 
 struct ShapeCheck {
   std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;

@@ -118,11 +118,10 @@ std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition&
     const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
     if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
   }
-  const TriangleShapes shapes = shapesOf(dense);
   for (std::size_t p = 0; p < count; ++p) {
     const Patch& patch = first.patches[p];
     const double each = patch.surface.isPlanar() ? kBorderPerSavedByPlane : kBorderPerSaved;
-    if (border[p] > each * facetsSaved(patch, shapes, tolerance))
+    if (border[p] > each * facetsSaved(dense, patch, tolerance))
       costly.push_back(static_cast<std::int32_t>(p));
   }
   return costly;
@@ -137,7 +136,7 @@ class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
              const std::function<bool(std::int64_t)>& fits, KernelSession& kernel, RunContext& run)
-      : whole_(whole), dense_(dense), options_(options), fits_(fits), kernel_(kernel), run_(run) {}
+      : whole_(whole), dense_(dense), options_(options), fits_(fits), reader_(options, kernel, run), run_(run) {}
 
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
@@ -145,7 +144,7 @@ class ShapeMaker {
     known_ = static_cast<std::int32_t>(first.patches.size());
     const double tolerance = kFaceShare * options_.tolerance;
     Decimated start{dense_, first, {}, {}, 0};
-    if (known_ > 0 && worthTrial()) start.partition = tryOut(first, tolerance);
+    if (known_ > 0 && worthTrial()) start = tryOut(first, tolerance);
     for (int round = 0; round <= kRounds; ++round) {
       const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
       if (tolerance > 0) start = decimate(std::move(start), tolerance, run_, effort);
@@ -165,24 +164,21 @@ class ShapeMaker {
 
   // Patches that are not worth their border and those that the kernel refuses show in a rough
   // simplification; without them the right one starts from ground that is open from the beginning.
-  Partition tryOut(const Partition& first, double tolerance) {
-    Decimated rough = decimate({dense_, first, {}, {}, 0}, tolerance, run_, Effort::Rough);
-    std::vector<std::int32_t> bad = findCostly(dense_, first, rough, tolerance);
+  Decimated tryOut(const Partition& first, double tolerance) {
+    Decimated left = decimate({dense_, first, {}, {}, 0}, tolerance, run_, Effort::Rough);
+    std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
+    Decimated rough = left;
     addFacets(rough.mesh, rough.partition);
     const Model model = buildModel(rough.mesh, rough.partition, options_.tolerance, run_);
     const Brep brep = buildBrep(model, run_);
     std::vector<std::int32_t> faces = brep.failed;
     if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
-    const std::vector<std::int32_t> unread = findUnreadable(model, options_, kernel_, run_);
+    const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
     faces.insert(faces.end(), unread.begin(), unread.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
     }
-    Partition left = first;
-    for (const std::int32_t p : bad) {
-      for (const std::int32_t t : first.patches[p].triangles) left.patchOf[t] = -1;
-      left.patches[p].triangles.clear();
-    }
+    forgetPatches(bad, dense_, first, left);
     return left;
   }
 
@@ -193,7 +189,7 @@ class ShapeMaker {
       brep = buildBrep(model, run_);
       std::vector<std::int32_t> bad = brep.failed;
       if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-      if (bad.empty()) bad = findUnreadable(model, options_, kernel_, run_);
+      if (bad.empty()) bad = reader_.findUnreadable(model);
       if (bad.empty()) return model;
       if (!takeBack(bad, model, known_, small, refused_) || !refused_.empty()) break;
     }
@@ -232,7 +228,7 @@ class ShapeMaker {
   const HalfEdgeMesh& dense_;
   const StepOptions& options_;
   const std::function<bool(std::int64_t)>& fits_;
-  KernelSession& kernel_;
+  ReadCheck reader_;
   RunContext& run_;
   std::int32_t known_ = 0;             // patches below this one were recognised
   std::vector<std::int32_t> refused_;  // patches that are to lose their surface

@@ -8,16 +8,23 @@
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Shape.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_FormatVersion.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
 #include <typeinfo>
 
+#include "shape_check.h"
 #include "swept/types.h"
 
 namespace swept::step {
@@ -129,10 +136,29 @@ TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext&
 
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
                               RunContext& run) {
-  kernel.skipHealing();
+  kernel.setHealing(false);
   const TopoDS_Shape shape = readStepFile(path, kernel, run);
   ShapeFix_ShapeTolerance().LimitTolerance(shape, tolerance);
+  kernel.setHealing(true);
   return shape;
+}
+
+TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
+                                    RunContext& run) {
+  kernel.setHealing(false);
+  const TopoDS_Shape shape = readStepFile(path, kernel, run);
+  kernel.setHealing(true);
+  TopoDS_Compound others;
+  const BRep_Builder builder;
+  builder.MakeCompound(others);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    if (!isPlaneTriangle(TopoDS::Face(it.Current()))) builder.Add(others, it.Current());
+  }
+  const Handle(ShapeFix_Shape) mender = new ShapeFix_Shape(others);
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.8, 0.85);
+  mender->Perform(progress->Start());
+  throwIfCancelled(run);
+  return mender->Context()->Apply(shape);
 }
 
 void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run) {

@@ -26,6 +26,10 @@ TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext&
 /// takes a fifth of the time.
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
                               RunContext& run);
+/// The same for a file with some other faces: only those the kernel mends as it usually does, plane
+/// triangles stay as they stand.
+TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
+                                    RunContext& run);
 void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run);
 TopoDS_Shape readBrepFile(const std::string& path, RunContext& run);
 

@@ -21,10 +21,30 @@ constexpr int kStepsBeyond = 6;        // triangles
 constexpr double kSteep = 0.12;        // about 7 degrees
 constexpr double kSteepFrom = 0.25;    // of the tolerance: how far a patch may be off at its border
 
-double areaOf(const Patch& patch, const std::vector<double>& areas) {
+double areaOf(const HalfEdgeMesh& mesh, const Patch& patch) {
   double area = 0;
-  for (const std::int32_t t : patch.triangles) area += areas[t];
+  for (const std::int32_t t : patch.triangles) area += 0.5 * mesh.areaVector(t).norm();
   return area;
+}
+
+// The angle about the surface's axis that the corners of a patch take up, as positions say it: the
+// normals of small triangles would say far more.
+double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
+  const Surface& s = patch.surface;
+  const auto outward = [&](std::int32_t v) {
+    const Vector3d d = mesh.points[v] - s.point;
+    return Vector3d(d - d.dot(s.axis) * s.axis).normalized();
+  };
+  Vector3d mean = Vector3d::Zero();
+  for (const std::int32_t t : patch.triangles) {
+    for (const std::int32_t v : mesh.triangles[t]) mean += outward(v);
+  }
+  mean.normalize();
+  double least = 1;
+  for (const std::int32_t t : patch.triangles) {
+    for (const std::int32_t v : mesh.triangles[t]) least = std::min(least, outward(v).dot(mean));
+  }
+  return 2 * std::acos(std::max(-1.0, least));
 }
 
 class Tidier {
@@ -32,9 +52,7 @@ class Tidier {
   Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
          Partition& partition)
       : mesh_(mesh),
-        shapes_(shapes),
         normal_(shapes.normal),
-        area_(shapes.area),
         thin_(shapes.thin),
         tolerance_(tolerance),
         partition_(partition) {}
@@ -51,42 +69,49 @@ class Tidier {
   // Unassigned triangles beside a patch go to it while their corners lie on its surface; repeated,
   // so that strips along creases close. Thin ones may lean as they like.
   void absorbLeftovers() {
-    std::vector<std::int32_t> front;
-    for (std::size_t t = 0; t < partition_.patchOf.size(); ++t) {
-      if (partition_.patchOf[t] < 0) front.push_back(static_cast<std::int32_t>(t));
+    std::vector<std::int32_t> front, next;
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const auto t = static_cast<std::int32_t>(h / 3);
+      if (partition_.patchOf[t] >= 0 || partition_.patchOf[mesh_.opposite[h] / 3] < 0) continue;
+      if (front.empty() || front.back() != t) front.push_back(t);
     }
-    for (bool changed = true; changed;) {
-      changed = false;
-      std::vector<std::int32_t> rest;
+    for (; !front.empty(); front.swap(next)) {
+      next.clear();
       for (const std::int32_t t : front) {
-        std::int32_t best = -1;
-        double least = tolerance_;
+        const std::int32_t patch = partition_.patchOf[t] < 0 ? hostOf(t) : -1;
+        if (patch < 0) continue;
+        partition_.patchOf[t] = patch;
+        partition_.patches[patch].triangles.push_back(t);
         for (int k = 0; k < 3; ++k) {
-          const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
-          if (patch < 0) continue;
-          const Surface& surface = partition_.patches[patch].surface;
-          double worst = 0;
-          Vector3d centre = Vector3d::Zero();
-          for (const std::int32_t v : mesh_.triangles[t]) {
-            worst = std::max(worst, std::abs(surface.distance(mesh_.points[v])));
-            centre += mesh_.points[v] / 3;
-          }
-          if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
-          if (worst <= least) {
-            least = worst;
-            best = patch;
-          }
+          const std::int32_t other = mesh_.opposite[3 * t + k] / 3;
+          if (partition_.patchOf[other] < 0) next.push_back(other);
         }
-        if (best < 0) {
-          rest.push_back(t);
-          continue;
-        }
-        partition_.patchOf[t] = best;
-        partition_.patches[best].triangles.push_back(t);
-        changed = true;
       }
-      front.swap(rest);
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
     }
+  }
+
+  // The patch beside t on whose surface its corners lie nearest; -1: none within the tolerance.
+  std::int32_t hostOf(std::int32_t t) const {
+    std::int32_t best = -1;
+    double least = tolerance_;
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+      if (patch < 0) continue;
+      const Surface& surface = partition_.patches[patch].surface;
+      double worst = 0;
+      Vector3d centre = Vector3d::Zero();
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        worst = std::max(worst, std::abs(surface.distance(mesh_.points[v])));
+        centre += mesh_.points[v] / 3;
+      }
+      if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
+      if (worst > least) continue;
+      least = worst;
+      best = patch;
+    }
+    return best;
   }
 
   // Small islands inside one patch go to it if their corners lie on its surface, however they lean.
@@ -184,8 +209,8 @@ class Tidier {
     const std::vector<char> turns = turningBorders();
     std::vector<double> saved;
     for (Patch& patch : partition_.patches) {
-      saved.push_back(facetsSaved(patch, shapes_, tolerance_));
-      if (areaOf(patch, area_) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
+      saved.push_back(facetsSaved(mesh_, patch, tolerance_));
+      if (areaOf(mesh_, patch) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
         release(patch);
     }
     std::vector<std::int32_t> smooth(partition_.patches.size());
@@ -250,9 +275,7 @@ class Tidier {
   }
 
   const HalfEdgeMesh& mesh_;
-  const TriangleShapes& shapes_;
   const std::vector<Vector3d>& normal_;
-  const std::vector<double>& area_;
   const std::vector<char>& thin_;
   double tolerance_;
   Partition& partition_;
@@ -282,26 +305,16 @@ TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
   return shapes;
 }
 
-double facetsSaved(const Patch& patch, const TriangleShapes& shapes, double tolerance) {
+double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   const Surface& s = patch.surface;
   if (s.isPlanar()) return kFacetsOfPlane;
-  const double area = areaOf(patch, shapes.area);
-  if (s.kind == SurfaceKind::Sphere) return area / (kAreaPerFacet * tolerance * s.radius);
-  if (s.kind == SurfaceKind::Torus) {
-    const double radius = std::sqrt(s.minor * (s.radius + s.minor));
-    return area / (kAreaPerFacet * tolerance * radius);
+  if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) {
+    const double radius =
+        s.kind == SurfaceKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));
+    return areaOf(mesh, patch) / (kAreaPerFacet * tolerance * radius);
   }
   // Strips along the axis, two facets each.
-  Vector3d mean = Vector3d::Zero();
-  for (const std::int32_t t : patch.triangles) mean += shapes.area[t] * shapes.normal[t];
-  mean -= mean.dot(s.axis) * s.axis;
-  double least = 1;
-  for (const std::int32_t t : patch.triangles) {
-    const Vector3d around = shapes.normal[t] - shapes.normal[t].dot(s.axis) * s.axis;
-    const double length = around.norm() * mean.norm();
-    if (!shapes.thin[t] && length > 0) least = std::min(least, around.dot(mean) / length);
-  }
-  return 2 * std::acos(std::max(-1.0, least)) / std::sqrt(4 * tolerance / s.radius);
+  return angleOf(mesh, patch) / std::sqrt(4 * tolerance / s.radius);
 }
 
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,

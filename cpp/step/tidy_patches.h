@@ -23,7 +23,7 @@ TriangleShapes shapesOf(const HalfEdgeMesh& mesh);
 constexpr int kLeastTriangles = 24;
 
 /// How many facets the best triangulation of the patch within the tolerance would need, about.
-double facetsSaved(const Patch& patch, const TriangleShapes& shapes, double tolerance);
+double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance);
 
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
                  Partition& partition);
