@@ -18,8 +18,9 @@ constexpr double kSurfaceCosine =
 constexpr double kLeastShare = 0.1;  // of the tolerance, that is always allowed
 constexpr double kExactShare = 0.1;  // of the tolerance: how closely half of the vertices must lie
 constexpr int kRimRings = 3;
-constexpr double kWorthMore = 1.25;   // a more complicated surface must cover this much more
-constexpr double kWorthMuchMore = 4;  // and this much more if it fits less exactly
+constexpr std::size_t kFewSamples = 80;  // for a guess: most of them come to nothing
+constexpr double kWorthMore = 1.25;      // a more complicated surface must cover this much more
+constexpr double kWorthMuchMore = 4;     // and this much more if it fits less exactly
 
 constexpr std::array<SurfaceKind, 5> kKinds{SurfaceKind::Plane, SurfaceKind::Cylinder,
                                             SurfaceKind::Sphere, SurfaceKind::Cone,
@@ -138,7 +139,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t s
                                                 const Samples& first) {
   std::optional<Surface> surface = guessSurface(kind, first);
   if (!surface) return std::nullopt;
-  refineSurface(first, *surface);
+  refineSurface(first, *surface, kFewSamples);
   const Residuals start = residuals(first, *surface);
   if (start.largest > tolerance_ || start.median > 2 * kExactShare * tolerance_)
     return std::nullopt;

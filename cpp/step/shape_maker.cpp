@@ -136,7 +136,12 @@ class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
              const std::function<bool(std::int64_t)>& fits, KernelSession& kernel, RunContext& run)
-      : whole_(whole), dense_(dense), options_(options), fits_(fits), reader_(options, kernel, run), run_(run) {}
+      : whole_(whole),
+        dense_(dense),
+        options_(options),
+        fits_(fits),
+        reader_(options, kernel, run),
+        run_(run) {}
 
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
