@@ -31,6 +31,13 @@ class Body:
         self.triangles = triangles
         self.placement = placement
         self.labels = labels
+        self._seen = None
+
+    def seen(self, matrix):
+        """The vertices moved by a 4x4 matrix; those of the last call are kept."""
+        if self._seen is None or not np.array_equal(self._seen[0], matrix):
+            self._seen = matrix, transform(matrix, self.vertices)
+        return self._seen[1]
 
 
 # --- placements

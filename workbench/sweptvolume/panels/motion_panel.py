@@ -14,14 +14,16 @@ from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, base
 from ..trajectory.spline import Spline
 from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
+from ..views.surface import LightParts
 from . import key_table, selection, widgets
 from .player import Player
 from .preview import MOST_CELLS, Preview, request_for
 from .tangent_box import TangentBox
 from .widgets import QtWidgets
 
-#: Deflection of the part for ghosts and preview, of its box diagonal; most keys that get a ghost.
-GHOST_DEFLECTION, MOST_GHOSTS = 0.003, 60
+#: Deflection of the part for ghosts and preview, of its box diagonal; most keys that get a ghost;
+#: triangles of a mesh as it is drawn meanwhile.
+GHOST_DEFLECTION, MOST_GHOSTS, PART_TRIANGLES = 0.003, 60, 15000
 
 #: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
 opened = []
@@ -36,6 +38,7 @@ class MotionPanel:
         self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
         self.before = _content(self.keys)
         self.body, self.ghosts, self.coarse, self.dragger = None, None, None, None
+        self.light = None
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
         self.home = App.Placement(self.target.Placement) if self.target is not None else None
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
@@ -230,6 +233,7 @@ class MotionPanel:
         )
         self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
+        self.light = LightParts(self.pair, PART_TRIANGLES)
         self._show_own_path(False)  # the edited one is drawn in its place
         self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
         self._set_snap()
@@ -336,7 +340,7 @@ class MotionPanel:
         self.preview.stop()
         if widgets.alive(self.document):
             self._show_own_path(True)
-            for drawn in (self.ghosts, self.coarse, self.dragger):
+            for drawn in (self.ghosts, self.coarse, self.dragger, self.light):
                 if drawn is not None:
                     drawn.remove()
         Gui.Control.closeDialog()

@@ -32,8 +32,7 @@ STRAIGHT = 1e-3
 
 def request_for(body, poses, frame, interpolation, resolution):
     """Run for a body as it stands now (convert.Body), no document behind it."""
-    into_base = convert.matrix_of(base_of(poses, frame, body.placement).inverse())
-    vertices = convert.transform(into_base, body.vertices)
+    vertices = body.seen(convert.matrix_of(base_of(poses, frame, body.placement).inverse()))
     if interpolation == "Spline":
         reach = float(np.linalg.norm(vertices, axis=1).max())
         size = float(np.ptp(convert.pose_arrays(poses.placements)[0], axis=0).max()) + reach

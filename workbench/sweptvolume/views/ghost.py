@@ -78,8 +78,9 @@ class Ghosts(Overlay):
         )
         self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
         self.copies.addChild(at_keys)
-        self.path = coin.SoAnnotation()  # seen through the parts
-        self.root.addChild(self.path)
+        self.way, seen = path.Way(), coin.SoAnnotation()  # seen through the parts
+        seen.addChild(self.way.root)
+        self.root.addChild(seen)
         self.add(KEY_COLOUR, 0.6, self.copies)
         self.add(MOVING_COLOUR, 0.35, self.moving, shape)
 
@@ -90,8 +91,7 @@ class Ghosts(Overlay):
 
     def show_path(self, poses, interpolation):
         """The way as a line with frames."""
-        self.path.removeAllChildren()
-        self.path.addChild(path.drawn(poses, interpolation))
+        self.way.show(poses, interpolation)
 
     def show_moving(self, placement):
         self.moving.matrix = _matrix(placement)

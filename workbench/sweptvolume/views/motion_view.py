@@ -29,12 +29,10 @@ class MotionView(View):
             view.PathWidth = 3.0
 
     def attach(self, view):
-        from pivy import coin
-
         super().attach(view)
         self.add_properties(view)
-        self.root = coin.SoSeparator()
-        view.addDisplayMode(self.root, "Path")
+        self.way = path.Way()
+        view.addDisplayMode(self.way.root, "Path")
         self.draw(view.Object)
 
     def getDisplayModes(self, view):
@@ -56,10 +54,7 @@ class MotionView(View):
             self.draw(view.Object)
 
     def draw(self, obj):
-        if not hasattr(self, "root"):
-            return
-        self.root.removeAllChildren()
-        if "Placements" not in obj.PropertiesList or not obj.Placements:
+        if not hasattr(self, "way") or "Placements" not in obj.PropertiesList:
             return
         try:
             poses = poses_of(obj)
@@ -67,7 +62,7 @@ class MotionView(View):
             return
         view = obj.ViewObject
         width, size = getattr(view, "PathWidth", 3.0), getattr(view, "FrameSize", 0)
-        self.root.addChild(path.drawn(poses, obj.Interpolation, width, size))
+        self.way.show(poses, obj.Interpolation, width, size)
 
     def getIcon(self):
         status = getattr(self.Object, "Status", "")

@@ -12,19 +12,32 @@ AXES = ((0.85, 0.15, 0.15), (0.15, 0.65, 0.15), (0.20, 0.35, 0.90))
 BETWEEN, MOST_FRAMES, MOST_SMOOTH = 8, 200, 2000
 
 
-def drawn(poses, interpolation, width=3.0, size=0.0):
-    """Coin node of Poses. width: pixels; size: mm of the frames' axes, 0: from the path."""
-    from pivy import coin
+class Way:
+    """Coin nodes of the way and its frames, kept from picture to picture."""
 
-    group = coin.SoSeparator()
-    if not len(poses):
-        return group
-    group.addChild(_line(points_of(poses, interpolation), LINE, width))
-    step = max(1, len(poses) // MOST_FRAMES)
-    frames = np.array([matrix_of(p) for p in poses.placements[::step]])
-    for axis in range(3):
-        group.addChild(_axes(frames, axis, size or frame_size(poses)))
-    return group
+    def __init__(self):
+        from pivy import coin
+
+        self.root, self.shown = coin.SoSeparator(), coin.SoSwitch()
+        self.line, self.axes = _Lines(LINE, 3.0), [_Lines(colour, 2.0) for colour in AXES]
+        for lines in [self.line] + self.axes:
+            self.shown.addChild(lines.root)
+        self.root.addChild(self.shown)
+
+    def show(self, poses, interpolation, width=3.0, size=0.0):
+        """Draws Poses. width: pixels; size: mm of the frames' axes, 0: from the path."""
+        self.shown.whichChild = -3 if len(poses) else -1  # all, none
+        if not len(poses):
+            return
+        points = points_of(poses, interpolation)
+        self.line.fill(points, [len(points)], width)
+        step = max(1, len(poses) // MOST_FRAMES)
+        frames = np.array([matrix_of(p) for p in poses.placements[::step]])
+        size = size or frame_size(poses)
+        middles = frames[:, :3, 3]
+        for axis, lines in enumerate(self.axes):
+            ends = np.stack([middles, middles + size * frames[:, :3, axis]], axis=1)
+            lines.fill(ends.reshape(-1, 3), [2] * len(frames), 2.0)
 
 
 def points_of(poses, interpolation):
@@ -46,30 +59,28 @@ def frame_size(poses):
     return size * 0.05 or 1.0
 
 
-def _line(points, colour, width):
-    return _lines(points, [len(points)], colour, width)
+class _Lines:
+    """Lines of one colour."""
 
+    def __init__(self, colour, width):
+        from pivy import coin
 
-def _axes(frames, axis, size):
-    """One axis of all frames (n,4,4) as one line set."""
-    middles = frames[:, :3, 3]
-    points = np.stack([middles, middles + size * frames[:, :3, axis]], axis=1).reshape(-1, 3)
-    return _lines(points, [2] * len(frames), AXES[axis], 2.0)
+        self.root, self.width = coin.SoSeparator(), width
+        shade, self.style = coin.SoBaseColor(), coin.SoDrawStyle()
+        shade.rgb = colour
+        self.style.lineWidth = width
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        self.where, self.lines = coin.SoCoordinate3(), coin.SoLineSet()
+        for node in (light, shade, self.style, self.where, self.lines):
+            self.root.addChild(node)
+        self.lengths = []
 
-
-def _lines(points, lengths, colour, width):
-    """Lines of so many points each."""
-    from pivy import coin
-
-    group = coin.SoSeparator()
-    shade, style = coin.SoBaseColor(), coin.SoDrawStyle()
-    shade.rgb = colour
-    style.lineWidth = width
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    where, lines = coin.SoCoordinate3(), coin.SoLineSet()
-    fill(where.point, np.asarray(points, np.float32))
-    fill(lines.numVertices, np.array(lengths, np.int32))
-    for node in (light, shade, style, where, lines):
-        group.addChild(node)
-    return group
+    def fill(self, points, lengths, width):
+        """points (n,3), so many in each line."""
+        fill(self.where.point, np.asarray(points, np.float32))
+        if lengths != self.lengths:
+            self.lengths = lengths
+            fill(self.lines.numVertices, np.array(lengths, np.int32))
+        if width != self.width:
+            self.width = self.style.lineWidth = width

@@ -12,6 +12,7 @@ import numpy as np
 from PySide import QtCore
 
 from .. import convert, core, runner
+from ..features.base import kind_of
 
 #: Triangles that are drawn of one surface, about; edges that turn by more (rad) are drawn sharp.
 MOST, CREASE = 60000, 0.6
@@ -177,6 +178,25 @@ class LightDisplay:
     def take(self, surface, now):
         if now == self._round:
             self.show(surface)
+
+
+class LightParts:
+    """Meshes of a part that are drawn thinned until remove(), where they are heavy and of one colour."""
+
+    def __init__(self, pair, most):
+        parts = [linked for linked, _ in convert.leaves(*pair)]
+        parts = [o for o in parts if o.isDerivedFrom("Mesh::Feature") and not kind_of(o)]
+        parts = [o for o in parts if not getattr(o.ViewObject, "Coloring", False)]
+        self.displays = [LightDisplay(o, lambda: most) for o in parts]
+        for display in self.displays:
+            display.later()
+
+    def remove(self):
+        for display in self.displays:
+            try:
+                display.full()
+            except ReferenceError:
+                pass  # the object went meanwhile
 
 
 class _Thinning(runner.Task):
