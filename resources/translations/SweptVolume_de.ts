@@ -236,6 +236,177 @@
   </message>
  </context>
  <context>
+  <name>SweptVolume_Core</name>
+  <message>
+   <source>The part has no surface: choose a solid or a mesh with triangles.</source>
+   <translation>Das Teil hat keine Oberfläche: Wählen Sie einen Festkörper oder ein Netz mit Dreiecken.</translation>
+  </message>
+  <message>
+   <source>The mesh has points that are no numbers: repair or export it.</source>
+   <translation>Das Netz hat Punkte, die keine Zahlen sind: Reparieren Sie es oder exportieren Sie es neu.</translation>
+  </message>
+  <message>
+   <source>The part encloses no volume: choose a solid or a closed mesh.</source>
+   <translation>Das Teil umschließt keinen Raum: Wählen Sie einen Festkörper oder ein geschlossenes Netz.</translation>
+  </message>
+  <message>
+   <source>The part is open, and its motion does not close it: close its holes, or check where the outside leaks in.</source>
+   <translation>Das Teil ist offen, und seine Bewegung schließt es nicht: Schließen Sie seine Löcher, oder sehen Sie nach, wo es offen ist.</translation>
+  </message>
+  <message>
+   <source>The part is too far from the origin for its size: move it nearer.</source>
+   <translation>Das Teil liegt für seine Größe zu weit vom Ursprung: Rücken Sie es näher.</translation>
+  </message>
+  <message>
+   <source>The part or the motion is too large: check the unit of length.</source>
+   <translation>Das Teil oder die Bewegung ist zu groß: Prüfen Sie die Längeneinheit.</translation>
+  </message>
+  <message>
+   <source>The cell is too large for the part: take a smaller one.</source>
+   <translation>Die Zelle ist für das Teil zu groß: Nehmen Sie eine kleinere.</translation>
+  </message>
+  <message>
+   <source>A setting is outside what is allowed.</source>
+   <translation>Eine Einstellung liegt außerhalb des Erlaubten.</translation>
+  </message>
+  <message>
+   <source>The motion has no poses: give at least one.</source>
+   <translation>Die Bewegung hat keine Lagen: Geben Sie mindestens eine an.</translation>
+  </message>
+  <message>
+   <source>A pose scales, shears or mirrors the part: give turns and shifts only.</source>
+   <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Erlaubt sind nur Drehungen und Verschiebungen.</translation>
+  </message>
+  <message>
+   <source>A pose or its time cannot be used: times must grow.</source>
+   <translation>Eine Lage oder ihre Zeit ist unbrauchbar: Die Zeiten müssen wachsen.</translation>
+  </message>
+  <message>
+   <source>Between two poses the part makes half a turn: put a pose between them.</source>
+   <translation>Zwischen zwei Lagen dreht sich das Teil um 180 Grad: Setzen Sie eine Lage dazwischen.</translation>
+  </message>
+  <message>
+   <source>The file cannot be read as it stands.</source>
+   <translation>Die Datei lässt sich so nicht lesen.</translation>
+  </message>
+  <message>
+   <source>The ending of the file's name is not one that is known here.</source>
+   <translation>Die Endung des Dateinamens ist hier nicht bekannt.</translation>
+  </message>
+  <message>
+   <source>The file is larger than may be read.</source>
+   <translation>Die Datei ist größer, als gelesen werden darf.</translation>
+  </message>
+  <message>
+   <source>This would take more than it may: take a larger cell, or raise the memory limit.</source>
+   <translation>Das bräuchte mehr, als erlaubt ist: Nehmen Sie eine größere Zelle, oder erhöhen Sie die Speichergrenze.</translation>
+  </message>
+  <message>
+   <source>There are too many triangles: take a larger cell.</source>
+   <translation>Es sind zu viele Dreiecke: Nehmen Sie eine größere Zelle.</translation>
+  </message>
+  <message>
+   <source>The solid would have too many faces: give a tolerance, or keep the mesh.</source>
+   <translation>Der Festkörper hätte zu viele Flächen: Geben Sie eine Toleranz an, oder bleiben Sie beim Netz.</translation>
+  </message>
+  <message>
+   <source>The memory was not enough: take a larger cell.</source>
+   <translation>Der Speicher hat nicht gereicht: Nehmen Sie eine größere Zelle.</translation>
+  </message>
+  <message>
+   <source>Cancelled.</source>
+   <translation>Abgebrochen.</translation>
+  </message>
+  <message>
+   <source>There is no neighbour to be checked against.</source>
+   <translation>Es gibt kein Nachbarteil, gegen das geprüft werden könnte.</translation>
+  </message>
+  <message>
+   <source>The file could not be written: check folder and free space.</source>
+   <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner und freien Platz.</translation>
+  </message>
+  <message>
+   <source>The kernel for solids failed: give a tolerance, or a mesh file.</source>
+   <translation>Der Kern für Festkörper hat versagt: Geben Sie eine Toleranz an, oder schreiben Sie eine Netzdatei.</translation>
+  </message>
+  <message>
+   <source>There is no graphics device that can be used: choose the backend CPU.</source>
+   <translation>Es gibt keine brauchbare Grafikkarte: Wählen Sie als Rechenwerk CPU.</translation>
+  </message>
+  <message>
+   <source>The graphics device failed: choose the backend CPU.</source>
+   <translation>Die Grafikkarte hat versagt: Wählen Sie als Rechenwerk CPU.</translation>
+  </message>
+  <message>
+   <source>The part is open; its motion closes it.</source>
+   <translation>Das Teil ist offen; seine Bewegung schließt es.</translation>
+  </message>
+  <message>
+   <source>Triangles without an area were left out.</source>
+   <translation>Dreiecke ohne Fläche wurden weggelassen.</translation>
+  </message>
+  <message>
+   <source>Triangles that repeat others were left out.</source>
+   <translation>Doppelte Dreiecke wurden weggelassen.</translation>
+  </message>
+  <message>
+   <source>Triangles back to back were left out.</source>
+   <translation>Dreiecke Rücken an Rücken wurden weggelassen.</translation>
+  </message>
+  <message>
+   <source>The part was inside out and was turned over.</source>
+   <translation>Das Innere des Teils war außen; es wurde umgestülpt.</translation>
+  </message>
+  <message>
+   <source>Triangles of the part face different ways.</source>
+   <translation>Dreiecke des Teils sind verschieden ausgerichtet.</translation>
+  </message>
+  <message>
+   <source>The surface of the part has one side only.</source>
+   <translation>Die Oberfläche des Teils hat nur eine Seite.</translation>
+  </message>
+  <message>
+   <source>More than two triangles meet at edges of the part.</source>
+   <translation>An Kanten des Teils treffen sich mehr als zwei Dreiecke.</translation>
+  </message>
+  <message>
+   <source>The part crosses itself and is inside out in places.</source>
+   <translation>Das Teil durchdringt sich selbst, und stellenweise ist sein Inneres außen.</translation>
+  </message>
+  <message>
+   <source>The part has hollow spaces inside.</source>
+   <translation>Das Teil hat innen Hohlräume.</translation>
+  </message>
+  <message>
+   <source>The part has bodies inside others; they count as material.</source>
+   <translation>Im Teil liegen Körper in anderen; sie zählen als Material.</translation>
+  </message>
+  <message>
+   <source>Poses that repeat the one before were left out.</source>
+   <translation>Lagen, die die vorige wiederholen, wurden weggelassen.</translation>
+  </message>
+  <message>
+   <source>Poses that were not quite rigid were mended.</source>
+   <translation>Nicht ganz starre Lagen wurden berichtigt.</translation>
+  </message>
+  <message>
+   <source>Hollow spaces inside the envelope were filled.</source>
+   <translation>Hohlräume in der Hülle wurden gefüllt.</translation>
+  </message>
+  <message>
+   <source>Triangles of the envelope cross each other.</source>
+   <translation>Dreiecke der Hülle durchdringen sich.</translation>
+  </message>
+  <message>
+   <source>The envelope was not simplified.</source>
+   <translation>Die Hülle wurde nicht vereinfacht.</translation>
+  </message>
+  <message>
+   <source>It was not checked whether triangles cross each other.</source>
+   <translation>Ob sich Dreiecke durchdringen, wurde nicht geprüft.</translation>
+  </message>
+ </context>
+ <context>
   <name>SweptVolume_Messages</name>
   <message>
    <source>Select an envelope first.</source>

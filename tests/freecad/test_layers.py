@@ -11,6 +11,7 @@ HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
 #: From the bottom up; a module may import what stands before its own group.
 ORDER = [
     ["texts", "settings", "safe_file"],
+    ["core_texts"],
     ["core"],
     ["convert"],
     ["trajectory"],

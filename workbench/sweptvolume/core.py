@@ -15,6 +15,7 @@ import FreeCAD as App
 import numpy as np
 
 from . import ROOT, settings
+from .core_texts import said
 from .texts import translate
 
 #: Triangles above which a body is lightened for quick looks, and cells along its longest side then.
@@ -149,7 +150,7 @@ def _errors():
     try:
         yield
     except module().Error as error:
-        raise CoreError(error.status, error.code, str(error)) from None
+        raise CoreError(error.status, error.code, said(error.code, str(error))) from None
 
 
 class Control:

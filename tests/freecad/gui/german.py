@@ -80,6 +80,21 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
+    # A refusal of the core: in German, with the core's own sentence and numbers behind it.
+    hull.CellSize = 5000
+    doc.recompute()
+    select(hull)
+    Gui.runCommand("SweptVolume_Recompute")
+    yield lambda: not runner.running()
+    yield 0.3
+    text = "Die Zelle ist für das Teil zu groß: Nehmen Sie eine kleinere. (the cell of 5000 mm"
+    assert hull.Message.startswith(text), hull.Message
+    assert any(text in line for line in texts_of_panel())
+    shot("70_german_refusal")
+    yield 0.8
+    click(panel_button(Cancel))
+    yield no_panel
+
     # The document goes while the path editor is open and its preview runs.
     select(starter, path)
     Gui.runCommand("SweptVolume_EditMotion")

@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import convert, core
 from ..convert import InputProblem
+from ..core_texts import said
 from ..texts import mark, translate
 from . import containers
 from . import envelope as envelope_feature
@@ -358,7 +359,9 @@ def apply(obj, outcome, hash_at_start):
     obj.Checked = len(report["neighbours"])
     obj.Smallest = report["neighbours"][report["smallest"]]["distance"]
     obj.MapDistances = [] if outcome.distances is None else [float(d) for d in outcome.distances]
-    obj.Message = "\n".join(outcome.notes + [w["text"] for w in report["warnings"]])
+    obj.Message = "\n".join(
+        outcome.notes + [said(w["code"], w["text"]) for w in report["warnings"]]
+    )
     obj.InputHash = hash_at_start
     update_status(obj)
 

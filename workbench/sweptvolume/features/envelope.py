@@ -13,6 +13,7 @@ import numpy as np
 
 from .. import convert, core
 from ..convert import InputProblem
+from ..core_texts import said
 from ..texts import mark, translate
 from ..trajectory.poses import swept_box
 from . import containers, kept
@@ -459,8 +460,10 @@ def update_status(obj):
 
 
 def warnings_of(report):
-    """The findings of a report that ask for attention; all are kept in the property Report."""
-    return [w for w in report.get("warnings", []) if w["code"] not in NOTES]
+    """The findings of a report that ask for attention, in the user's language; all are kept in the
+    property Report."""
+    found = [w for w in report.get("warnings", []) if w["code"] not in NOTES]
+    return [dict(w, text=said(w["code"], w["text"])) for w in found]
 
 
 def apply(obj, outcome, hash_at_start):

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the core says, in the user's language: by the code of a finding. The numbers stand in the core's
+own sentence, which follows in brackets; where there is no translation it stands alone."""
+from .texts import mark, translate
+
+#: Code -> what happened and what to do.
+_TEXTS = {
+    # failures
+    "EmptyMesh": mark("Core", "The part has no surface: choose a solid or a mesh with triangles."),
+    "NonFiniteVertex": mark(
+        "Core", "The mesh has points that are no numbers: repair or export it."
+    ),
+    "NoVolume": mark("Core", "The part encloses no volume: choose a solid or a closed mesh."),
+    "OpenMesh": mark(
+        "Core",
+        "The part is open, and its motion does not close it: close its holes, or check where the "
+        "outside leaks in.",
+    ),
+    "PrecisionTooCoarse": mark(
+        "Core", "The part is too far from the origin for its size: move it nearer."
+    ),
+    "OutOfRange": mark("Core", "The part or the motion is too large: check the unit of length."),
+    "CellTooLarge": mark("Core", "The cell is too large for the part: take a smaller one."),
+    "BadOption": mark("Core", "A setting is outside what is allowed."),
+    "EmptyTrajectory": mark("Core", "The motion has no poses: give at least one."),
+    "NotRigid": mark(
+        "Core", "A pose scales, shears or mirrors the part: give turns and shifts only."
+    ),
+    "BadPose": mark("Core", "A pose or its time cannot be used: times must grow."),
+    "AmbiguousTurn": mark(
+        "Core", "Between two poses the part makes half a turn: put a pose between them."
+    ),
+    "BadFile": mark("Core", "The file cannot be read as it stands."),
+    "BadFormat": mark("Core", "The ending of the file's name is not one that is known here."),
+    "FileTooLarge": mark("Core", "The file is larger than may be read."),
+    "ResourceLimit": mark(
+        "Core", "This would take more than it may: take a larger cell, or raise the memory limit."
+    ),
+    "TooManyTriangles": mark("Core", "There are too many triangles: take a larger cell."),
+    "TooManyFaces": mark(
+        "Core", "The solid would have too many faces: give a tolerance, or keep the mesh."
+    ),
+    "OutOfMemory": mark("Core", "The memory was not enough: take a larger cell."),
+    "Cancelled": mark("Core", "Cancelled."),
+    "NoNeighbours": mark("Core", "There is no neighbour to be checked against."),
+    "WriteFailed": mark("Core", "The file could not be written: check folder and free space."),
+    "KernelFailure": mark(
+        "Core", "The kernel for solids failed: give a tolerance, or a mesh file."
+    ),
+    "DeviceUnavailable": mark(
+        "Core", "There is no graphics device that can be used: choose the backend CPU."
+    ),
+    "DeviceLost": mark("Core", "The graphics device failed: choose the backend CPU."),
+    # findings
+    "OpenEdges": mark("Core", "The part is open; its motion closes it."),
+    "DegenerateTriangles": mark("Core", "Triangles without an area were left out."),
+    "DuplicateTriangles": mark("Core", "Triangles that repeat others were left out."),
+    "OppositeTriangles": mark("Core", "Triangles back to back were left out."),
+    "Flipped": mark("Core", "The part was inside out and was turned over."),
+    "MixedOrientation": mark("Core", "Triangles of the part face different ways."),
+    "NotOrientable": mark("Core", "The surface of the part has one side only."),
+    "NonManifoldEdges": mark("Core", "More than two triangles meet at edges of the part."),
+    "InsideOut": mark("Core", "The part crosses itself and is inside out in places."),
+    "Cavities": mark("Core", "The part has hollow spaces inside."),
+    "NestedShells": mark("Core", "The part has bodies inside others; they count as material."),
+    "RepeatedPoses": mark("Core", "Poses that repeat the one before were left out."),
+    "RotationMended": mark("Core", "Poses that were not quite rigid were mended."),
+    "CavitiesFilled": mark("Core", "Hollow spaces inside the envelope were filled."),
+    "SelfIntersections": mark("Core", "Triangles of the envelope cross each other."),
+    "NotSimplified": mark("Core", "The envelope was not simplified."),
+    "NotChecked": mark("Core", "It was not checked whether triangles cross each other."),
+}
+
+
+def said(code, text):
+    """A message of the core: code of the finding, its own sentence."""
+    known = _TEXTS.get(code, "")
+    ours = translate("Core", known) if known else ""
+    return text if ours == known else "{} ({})".format(ours, text) if text else ours
