@@ -10,6 +10,8 @@
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <ShapeFix_Edge.hxx>
@@ -112,6 +114,11 @@ class BrepBuilder {
         return new Geom_SphericalSurface(frame, s.radius);
       case SurfaceKind::Torus:
         return new Geom_ToroidalSurface(frame, s.radius, s.minor);
+      case SurfaceKind::Extrusion:
+        return new Geom_SurfaceOfLinearExtrusion(curveOf(profileOf(s)), dirOf(s.axis));
+      case SurfaceKind::Revolution:
+        return new Geom_SurfaceOfRevolution(curveOf(profileOf(s)),
+                                            gp_Ax1(pointOf(s.point), dirOf(s.axis)));
       default:
         return new Geom_Plane(frame);
     }
@@ -171,7 +178,9 @@ class BrepBuilder {
     auto periods = [](double value, double wanted) {
       return std::round((wanted - value) / (2 * M_PI));
     };
-    const double u = 2 * M_PI * periods(middle.X(), M_PI);
+    // Only angles come round again.
+    const double u =
+        surface.kind == SurfaceKind::Extrusion ? 0 : 2 * M_PI * periods(middle.X(), M_PI);
     const double v =
         surface.kind == SurfaceKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;
     if (u != 0 || v != 0) flat->Translate(gp_Vec2d(u, v));

@@ -23,6 +23,9 @@ double lengthScale(const Surface& s) {
     case SurfaceKind::Sphere:
     case SurfaceKind::Cone:
       return s.radius;
+    case SurfaceKind::Extrusion:
+    case SurfaceKind::Revolution:
+      return s.profile->length() / (2 * M_PI);
     default:
       return 1e300;
   }
@@ -180,6 +183,30 @@ Curve lineThrough(const Vector3d& a, const Vector3d& b) {
   curve.start = a;
   curve.last = (b - a).norm();
   if (curve.last > 0) curve.axis = (b - a) / curve.last;
+  return curve;
+}
+
+Curve profileOf(const Surface& surface) {
+  const Vector3d& x = surface.xdir;
+  const Vector3d y =
+      surface.kind == SurfaceKind::Extrusion ? surface.axis.cross(x) : Vector3d(surface.axis);
+  const std::vector<Profile::Node>& nodes = surface.profile->nodes();
+  const double from = nodes.front().knot;
+  const auto inSpace = [&](const Eigen::Vector2d& q) {
+    return Vector3d(surface.point + q.x() * x + q.y() * y);
+  };
+  Curve curve;
+  curve.kind = CurveKind::Spline;
+  curve.last = surface.profile->length();
+  curve.poles.push_back(inSpace(nodes.front().at));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    curve.knots.push_back(nodes[i].knot - from);
+    if (i + 1 == nodes.size()) break;
+    const double third = (nodes[i + 1].knot - nodes[i].knot) / 3;
+    curve.poles.push_back(inSpace(nodes[i].at + third * nodes[i].slope));
+    curve.poles.push_back(inSpace(nodes[i + 1].at - third * nodes[i + 1].slope));
+  }
+  curve.poles.push_back(inSpace(nodes.back().at));
   return curve;
 }
 

@@ -27,6 +27,9 @@ struct Curve {
 
 Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
+/// The profile of an extrusion or a revolution, in space.
+Curve profileOf(const Surface& surface);
+
 /// Line, circle or spline through points in order, whichever is the simplest within eps. With
 /// `surfaces` (two that meet along the curve) spline tangents come from their normals.
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,

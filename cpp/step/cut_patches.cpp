@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace swept::step {
@@ -50,12 +51,15 @@ class Cutter {
     return std::atan2(d.dot(y), d.dot(x));
   }
 
-  // Turns the surface's reference direction so that its seam lies in the largest gap. True if it
-  // fits.
+  // Turns the surface's reference direction, or opens its profile, so that its seam lies in the
+  // largest gap. True if it fits.
   bool placeSeam(Patch& patch) const {
     Surface& s = patch.surface;
     if (s.isPlanar()) return true;
     if (s.kind == SurfaceKind::Sphere) return placePoles(patch);
+    if (s.hasProfile() && s.profile->isClosed() && !openProfile(patch)) return false;
+    // The reference direction of an extrusion is its profile's.
+    if (s.kind == SurfaceKind::Extrusion) return true;
     const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
     std::vector<double> turn, tube;
     for (const std::int32_t t : patch.triangles) {
@@ -74,6 +78,31 @@ class Cutter {
       s.tubeMid = middle + M_PI;
     }
     return fits;
+  }
+
+  // The part of a closed profile that the patch uses, and some room. False if there is no gap.
+  bool openProfile(Patch& patch) const {
+    Surface& s = patch.surface;
+    const double period = s.profile->length(), from = s.profile->nodes().front().knot;
+    std::vector<double> turn;
+    for (const std::int32_t t : patch.triangles) {
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        const double at = s.profile->foot(s.inProfile(mesh_.points[v])).t;
+        turn.push_back(2 * M_PI * (at - from) / period);
+      }
+    }
+    double middle = 0;
+    const double gap = largestGap(turn, middle);
+    if (gap <= kWantedGap) return false;
+    // Some of the gap is left out, or the ends would meet.
+    const double left = std::max(0.15 * gap, gap / 2 - kWantedGap / 2);
+    const auto inPeriod = [&](double angle) {
+      const double share = angle / (2 * M_PI);
+      return from + period * (share - std::floor(share));
+    };
+    s.profile = std::make_shared<const Profile>(
+        s.profile->opened(inPeriod(middle + left), inPeriod(middle - left)));
+    return true;
   }
 
   bool placePoles(Patch& patch) const {
@@ -128,7 +157,8 @@ class Cutter {
       plane.axis = axis.cross(x);
       planes.push_back(plane);
     }
-    if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) {
+    const bool closedBothWays = s.kind == SurfaceKind::Revolution && s.profile->isClosed();
+    if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus || closedBothWays) {
       plane.axis = axis;
       planes.push_back(plane);
     }

@@ -275,6 +275,7 @@ std::optional<Surface> guessSurface(SurfaceKind kind, const Samples& samples) {
 }
 
 void refineSurface(const Samples& samples, Surface& surface, std::size_t most) {
+  if (surface.hasProfile()) return;  // see fit_profile.h
   const Frame frame = frameOf(samples);
   if (surface.isPlanar()) {
     if (auto plane = guessPlane(samples, frame)) {

@@ -319,7 +319,10 @@ class Builder {
     const Vector3d first = place_[root(vertexAt(chain, 0))],
                    last = place_[root(vertexAt(chain, count))];
     std::vector<Vector3d> along{first}, points{first};
-    const int between = count < 8 ? 4 : 1;
+    const bool profiled = std::any_of(chain.surfaces.begin(), chain.surfaces.end(),
+                                      [](const Surface* s) { return s->hasProfile(); });
+    // A profile bends as it likes between the few vertices that its border has kept.
+    const int between = profiled ? 1 + static_cast<int>(60 / count) : count < 8 ? 4 : 1;
     double reach = 0, moved = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const Vector3d a = i == 0 ? first : mesh_.points[vertexAt(chain, i)];

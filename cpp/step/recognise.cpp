@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "cut_patches.h"
 #include "fit.h"
+#include "seek_profile.h"
 #include "seek_surface.h"
 #include "tidy_patches.h"
 
@@ -105,6 +106,10 @@ constexpr double kFarOff = 5;  // medians: what the patch took in beyond its sur
 
 void offsetSurface(Surface& surface, double outward) {
   const double grow = surface.reversed ? -outward : outward;
+  if (surface.hasProfile()) {
+    surface.profile = std::make_shared<const Profile>(surface.profile->offset(grow));
+    return;
+  }
   if (surface.kind == SurfaceKind::Torus) {
     surface.minor += grow;
   } else {
@@ -197,6 +202,8 @@ void recogniseSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, doub
   const TriangleShapes shapes = shapesOf(mesh);
   Recogniser(mesh, shapes, tolerance, partition, run).recognise();
   tidyPatches(mesh, shapes, tolerance, partition);
+  if (seekProfiles(mesh, shapes, tolerance, partition, run))
+    tidyPatches(mesh, shapes, tolerance, partition);
   centreSurfaces(mesh, whole, tolerance, partition);
   cutRoundPatches(mesh, partition);
   setDeviations(mesh, partition);

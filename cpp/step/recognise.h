@@ -1,8 +1,8 @@
 // Finds the elementary surfaces a mesh was made of.
 // In: HalfEdgeMesh, tolerance in mm. Out: patches in a Partition: planes, cylinders, cones,
-// spheres, tori, each edge-connected with every mesh vertex within the tolerance; what fits nothing
-// stays unassigned. Patches that go round their surface are cut (cut_patches.h).
-// Cost: O(triangles x surfaces tried).
+// spheres, tori, extrusions, revolutions, each edge-connected with every mesh vertex within the
+// tolerance; what fits nothing stays unassigned. Patches that go round their surface are cut
+// (cut_patches.h). Cost: O(triangles x surfaces tried).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

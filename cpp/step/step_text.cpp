@@ -247,6 +247,7 @@ class Writer {
     }
     const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
     if (s.kind == SurfaceKind::Plane) return plane(placement(s.point, s.axis, x));
+    if (s.hasProfile()) return pushedOrTurned(s);
     // The angle of a cone is positive: the radius grows along its axis.
     const bool turned = s.kind == SurfaceKind::Cone && s.halfAngle < 0;
     const Id frame = placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);
@@ -255,6 +256,20 @@ class Writer {
     if (s.kind == SurfaceKind::Cone) lines_.raw(",").ratio(std::abs(s.halfAngle));
     if (s.kind == SurfaceKind::Torus) lines_.raw(",").length(s.minor);
     lines_.end();
+    return id;
+  }
+  Id pushedOrTurned(const Surface& s) {
+    const Id profile = spline(profileOf(s)), along = direction(s.axis);
+    const bool pushed = s.kind == SurfaceKind::Extrusion;
+    const Id origin = pushed ? 0 : point(s.point);
+    const Id way = lines_.begin(pushed ? "VECTOR" : "AXIS1_PLACEMENT");
+    if (pushed) {
+      lines_.raw("'',").id(along).raw(",1.").end();
+    } else {
+      lines_.raw("'',").id(origin).raw(",").id(along).end();
+    }
+    const Id id = lines_.begin(pushed ? "SURFACE_OF_LINEAR_EXTRUSION" : "SURFACE_OF_REVOLUTION");
+    lines_.raw("'',").id(profile).raw(",").id(way).end();
     return id;
   }
   static const char* keywordOf(SurfaceKind kind) {

@@ -19,6 +19,10 @@ const char* surfaceKindName(SurfaceKind kind) {
       return "sphere";
     case SurfaceKind::Torus:
       return "torus";
+    case SurfaceKind::Extrusion:
+      return "extrusion";
+    case SurfaceKind::Revolution:
+      return "revolution";
   }
   return "?";
 }
@@ -33,6 +37,13 @@ void Surface::setHalfAngle(double angle) {
   halfAngle = angle;
   cosine = std::cos(angle);
   sine = std::sin(angle);
+}
+
+Eigen::Vector2d Surface::inProfile(const Eigen::Vector3d& p) const {
+  const Eigen::Vector3d d = p - point;
+  if (kind == SurfaceKind::Extrusion) return {d.dot(xdir), d.dot(axis.cross(xdir))};
+  const double along = d.dot(axis);
+  return {(d - along * axis).norm(), along};
 }
 
 double Surface::distance(const Eigen::Vector3d& p) const {
@@ -56,6 +67,10 @@ double Surface::distance(const Eigen::Vector3d& p) const {
       const double out = (d - along * axis).norm() - radius;
       value = std::sqrt(out * out + along * along) - minor;
     } break;
+    case SurfaceKind::Extrusion:
+    case SurfaceKind::Revolution:
+      value = profile->distance(inProfile(p));
+      break;
   }
   return reversed ? -value : value;
 }
@@ -75,6 +90,10 @@ Eigen::Vector3d Surface::normal(const Eigen::Vector3d& p) const {
   } else if (kind == SurfaceKind::Torus) {
     const Eigen::Vector3d tube = (rho - radius) * radial + along * axis;
     result = tube.norm() > 1e-12 ? Eigen::Vector3d(tube.normalized()) : radial;
+  } else if (hasProfile()) {
+    const Eigen::Vector2d n = profile->normal(inProfile(p));
+    result = kind == SurfaceKind::Extrusion ? n.x() * xdir + n.y() * axis.cross(xdir)
+                                            : n.x() * radial + n.y() * axis;
   }
   return reversed ? Eigen::Vector3d(-result) : result;
 }

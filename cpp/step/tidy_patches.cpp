@@ -10,6 +10,7 @@
 namespace swept::step {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kFacetsOfPlane = 3;      // that a plane saves, whatever its size
@@ -283,6 +284,35 @@ class Tidier {
 
 }  // namespace
 
+namespace {
+
+double bendAt(const Profile& profile, double t) {
+  Vector2d first, second;
+  profile.derivatives(t, first, second);
+  return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
+}
+
+// Strips along the direction; where the surface bends both ways, as on a torus.
+double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
+  constexpr int kSteps = 200;
+  const Profile& profile = *patch.surface.profile;
+  const double from = profile.nodes().front().knot, step = profile.length() / kSteps;
+  double strips = 0, facets = 0;
+  for (int i = 0; i < kSteps; ++i)
+    strips += step * std::sqrt(bendAt(profile, from + (i + 0.5) * step) / tolerance);
+  if (patch.surface.kind == SurfaceKind::Extrusion) return strips;
+  for (const std::int32_t t : patch.triangles) {
+    const Vector2d q = patch.surface.inProfile(mesh.points[mesh.triangles[t][0]]);
+    const Profile::Foot foot = profile.foot(q);
+    const double across = std::abs(foot.tangent.y()) / std::max(q.x(), tolerance);
+    const double area = 0.5 * mesh.areaVector(t).norm();
+    facets += area * std::sqrt(bendAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
+  }
+  return std::max(strips, facets);
+}
+
+}  // namespace
+
 TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   TriangleShapes shapes{std::vector<Vector3d>(count), std::vector<double>(count),
@@ -308,6 +338,7 @@ TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
 double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   const Surface& s = patch.surface;
   if (s.isPlanar()) return kFacetsOfPlane;
+  if (s.hasProfile()) return savedByProfile(mesh, patch, tolerance);
   if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) {
     const double radius =
         s.kind == SurfaceKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));

@@ -23,8 +23,9 @@ struct StepOptions {
   /// mm; above 0: the solid may leave the mesh by this. Then surfaces are recognised and what is
   /// left is simplified. 0: exact, unless a limit asks for more (see below).
   double tolerance = 0;
-  bool exact = false;     ///< never leave the mesh: what exceeds a limit is refused at once
-  bool recognise = true;  ///< with a tolerance: planes, cylinders, cones, spheres and tori
+  bool exact = false;  ///< never leave the mesh: what exceeds a limit is refused at once
+  /// With a tolerance: planes, cylinders, cones, spheres, tori, extrusions and revolutions.
+  bool recognise = true;
   /// Limits. Without a tolerance of its own the solid gets the smallest one that meets them, up to
   /// 1 % of the box diagonal; what still exceeds them is refused as Error(ExportFailed,
   /// "TooManyFaces") with numbers.
