@@ -18,13 +18,16 @@ constexpr double kAreaPerFacet = 5.2;     // of tolerance times radius, on a sph
 constexpr double kLeastArea = 1.0 / 400;  // of the whole: a smaller patch has to save this many
 constexpr double kLeastSaved = 8;
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make a facet outside
+constexpr std::size_t kSpeck = 6;      // triangles
+constexpr double kSpeckArea = 30;      // of the squared tolerance
+constexpr double kSpeckReach = 6;      // tolerances
 constexpr int kStepsBeyond = 6;        // triangles
 constexpr double kSteep = 0.12;        // about 7 degrees
 constexpr double kSteepFrom = 0.25;    // of the tolerance: how far a patch may be off at its border
 
-double areaOf(const HalfEdgeMesh& mesh, const Patch& patch) {
+double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles) {
   double area = 0;
-  for (const std::int32_t t : patch.triangles) area += 0.5 * mesh.areaVector(t).norm();
+  for (const std::int32_t t : triangles) area += 0.5 * mesh.areaVector(t).norm();
   return area;
 }
 
@@ -63,6 +66,7 @@ class Tidier {
     mergePatches();
     absorbLeftovers();
     fillHoles();
+    giveSpecksAway();
     dropCostly();
   }
 
@@ -79,10 +83,9 @@ class Tidier {
     for (; !front.empty(); front.swap(next)) {
       next.clear();
       for (const std::int32_t t : front) {
-        const std::int32_t patch = partition_.patchOf[t] < 0 ? hostOf(t) : -1;
+        const std::int32_t patch = partition_.patchOf[t] < 0 ? hostOf(t, 1) : -1;
         if (patch < 0) continue;
-        partition_.patchOf[t] = patch;
-        partition_.patches[patch].triangles.push_back(t);
+        join(t, patch);
         for (int k = 0; k < 3; ++k) {
           const std::int32_t other = mesh_.opposite[3 * t + k] / 3;
           if (partition_.patchOf[other] < 0) next.push_back(other);
@@ -93,10 +96,11 @@ class Tidier {
     }
   }
 
-  // The patch beside t on whose surface its corners lie nearest; -1: none within the tolerance.
-  std::int32_t hostOf(std::int32_t t) const {
+  // The patch beside t on whose surface its corners lie nearest; -1: none within so many
+  // tolerances.
+  std::int32_t hostOf(std::int32_t t, double tolerances) const {
     std::int32_t best = -1;
-    double least = tolerance_;
+    double least = tolerances * tolerance_;
     for (int k = 0; k < 3; ++k) {
       const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
       if (patch < 0) continue;
@@ -107,7 +111,7 @@ class Tidier {
         worst = std::max(worst, std::abs(surface.distance(mesh_.points[v])));
         centre += mesh_.points[v] / 3;
       }
-      if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
+      if (tolerances <= 1 && !thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
       if (worst > least) continue;
       least = worst;
       best = patch;
@@ -155,6 +159,42 @@ class Tidier {
       }
     }
     dropEmptyPatches();
+  }
+
+  // A few small triangles left between patches: a contoured crease or corner that came out blunt.
+  // Each goes to a patch beside it, which then ends where the surfaces meet. Their corners all lie
+  // on patches already.
+  void giveSpecksAway() {
+    std::vector<char> seen(mesh_.triangles.size(), 0);
+    for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
+      if (seen[first] || partition_.patchOf[first] >= 0) continue;
+      std::vector<std::int32_t> speck{static_cast<std::int32_t>(first)};
+      seen[first] = 1;
+      for (std::size_t i = 0; i < speck.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t t = mesh_.opposite[3 * speck[i] + k] / 3;
+          if (partition_.patchOf[t] >= 0 || seen[t]) continue;
+          speck.push_back(t);
+          seen[t] = 1;
+        }
+      }
+      if (speck.size() > kSpeck || areaOf(mesh_, speck) > kSpeckArea * tolerance_ * tolerance_)
+        continue;
+      for (std::size_t left = speck.size(), before = 0; left != before;) {
+        before = left;
+        for (const std::int32_t t : speck) {
+          const std::int32_t host = partition_.patchOf[t] < 0 ? hostOf(t, kSpeckReach) : -1;
+          if (host < 0) continue;
+          join(t, host);
+          --left;
+        }
+      }
+    }
+  }
+
+  void join(std::int32_t t, std::int32_t patch) {
+    partition_.patchOf[t] = patch;
+    partition_.patches[patch].triangles.push_back(t);
   }
 
   bool liesOn(const std::vector<std::int32_t>& triangles, const Surface& surface) const {
@@ -211,7 +251,7 @@ class Tidier {
     std::vector<double> saved;
     for (Patch& patch : partition_.patches) {
       saved.push_back(facetsSaved(mesh_, patch, tolerance_));
-      if (areaOf(mesh_, patch) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
+      if (areaOf(mesh_, patch.triangles) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
         release(patch);
     }
     std::vector<std::int32_t> smooth(partition_.patches.size());
@@ -342,7 +382,7 @@ double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double toleranc
   if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) {
     const double radius =
         s.kind == SurfaceKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));
-    return areaOf(mesh, patch) / (kAreaPerFacet * tolerance * radius);
+    return areaOf(mesh, patch.triangles) / (kAreaPerFacet * tolerance * radius);
   }
   // Strips along the axis, two facets each.
   return angleOf(mesh, patch) / std::sqrt(4 * tolerance / s.radius);

@@ -1,7 +1,8 @@
 // Patches as they were grown, made ready to become faces.
 // In, out: Partition of a mesh; every vertex of a patch stays within the tolerance (mm) of its
-// surface. Leftovers beside a patch join it, pieces of one surface become one patch, islands inside
-// a patch are filled. Cost: O(triangles x rounds).
+// surface, but for a speck of triangles where patches meet. Leftovers beside a patch join it,
+// pieces of one surface become one patch, islands inside a patch are filled. Cost: O(triangles x
+// rounds).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -32,21 +32,27 @@ class ColumnEnds {
     if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
     if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
   }
-  /// Appends the crossed edges in rising order and forgets them.
-  void moveTo(std::vector<MarkedEdge>& edges) {
+  /// use(k, low, high) for the crossed edges in rising order, which are forgotten.
+  template <class Use>
+  void take(const Use& use) {
     for (std::size_t w = 0; w < crossed_.size(); ++w) {
       for (; crossed_[w] != 0; crossed_[w] &= crossed_[w] - 1) {
         const std::size_t k = w << 6 | static_cast<std::size_t>(std::countr_zero(crossed_[w]));
-        const Ends& ends = ends_[k];
-        MarkedEdge edge;
-        edge.k = static_cast<std::uint16_t>(k);
-        edge.lowElement = ends.low.element;
-        edge.lowFraction = ends.low.fraction();
-        edge.highElement = ends.high.element;
-        edge.highFraction = ends.high.fraction();
-        edges.push_back(edge);
+        use(k, ends_[k].low, ends_[k].high);
       }
     }
+  }
+  /// Appends the crossed edges.
+  void moveTo(std::vector<MarkedEdge>& edges) {
+    take([&](std::size_t k, const CrossingRecord& low, const CrossingRecord& high) {
+      MarkedEdge edge;
+      edge.k = static_cast<std::uint16_t>(k);
+      edge.lowElement = low.element;
+      edge.lowFraction = low.fraction();
+      edge.highElement = high.element;
+      edge.highFraction = high.fraction();
+      edges.push_back(edge);
+    });
   }
 
  private:
@@ -87,6 +93,31 @@ void reduceLayer(std::vector<CrossingRecord>& records, std::vector<CrossingRecor
 }
 
 }  // namespace
+
+void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
+  const auto columns = static_cast<std::size_t>(grid.points[1]);
+  const auto bucketOf = [&](const CrossingRecord& r) {
+    return (r.layer() * std::size_t{3} + r.axis()) * columns + r.column();
+  };
+  std::vector<std::uint32_t> start(static_cast<std::size_t>(grid.points[0]) * 3 * columns + 1, 0);
+  for (const auto& r : records) ++start[bucketOf(r)];
+  exclusiveScan(start);
+  std::vector<CrossingRecord> sorted(records.size());
+  {
+    std::vector<std::uint32_t> next(start);
+    for (const auto& r : records) sorted[next[bucketOf(r)]++] = r;
+  }
+  records.clear();
+  ColumnEnds ends(static_cast<std::size_t>(grid.points[2]));
+  for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
+    if (start[bucket] == start[bucket + 1]) continue;
+    for (std::uint32_t r = start[bucket]; r < start[bucket + 1]; ++r) ends.add(sorted[r]);
+    ends.take([&](std::size_t, const CrossingRecord& low, const CrossingRecord& high) {
+      records.push_back(low);
+      if (high.key != low.key) records.push_back(high);
+    });
+  }
+}
 
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run) {
   const auto layers = static_cast<std::size_t>(grid.points[0]);

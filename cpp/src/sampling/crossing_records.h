@@ -42,6 +42,10 @@ struct RecordChunk {
   std::vector<SweptElement> elements;
 };
 
+/// Leaves of every lattice edge only the crossings that sortRecords() would take of these; the
+/// order of what is left is another.
+void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid);
+
 /// Consumes the chunks. The result depends on their contents only, not on who made them.
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run);
 

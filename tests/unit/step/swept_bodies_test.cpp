@@ -163,12 +163,22 @@ TEST_P(SweptBodies, BoxAlongALine) {
 }
 
 TEST_P(SweptBodies, BoxAboutAnEdge) {
-  if (GetParam() > 128) GTEST_SKIP() << "sweeping faces within their own planes takes minutes here";
   solid(boxMesh(1, 1, 1, 10), about(Eigen::Vector3d::UnitZ(), M_PI / 2, 16));
   EXPECT_EQ(kinds_["cylinder"], 1);
   EXPECT_EQ(kinds_["plane"], 5);
   expectRadius(SurfaceKind::Cylinder, std::sqrt(200));
   expectOn(SurfaceKind::Plane, {{5, 0, 5}, {-10, 5, 5}, {3, 3, 0}, {3, 3, 10}});
+}
+
+TEST_P(SweptBodies, BoxAboutAnEdgeInAGeneralDirection) {
+  const Eigen::Quaterniond turn = oddTurn();
+  solid(transformed(boxMesh(1, 1, 1, 10), turn, {0, 0, 0}),
+        about(turn * Eigen::Vector3d::UnitZ(), M_PI / 2, 16));
+  EXPECT_EQ(kinds_["cylinder"], 1);
+  EXPECT_EQ(kinds_["plane"], 5);
+  expectRadius(SurfaceKind::Cylinder, std::sqrt(200));
+  const std::array<Eigen::Vector3d, 4> on{{{5, 0, 5}, {-10, 5, 5}, {3, 3, 0}, {3, 3, 10}}};
+  expectOn(SurfaceKind::Plane, {turn * on[0], turn * on[1], turn * on[2], turn * on[3]});
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, SweptBodies, testing::Values(128, 256));

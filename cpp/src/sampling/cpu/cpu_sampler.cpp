@@ -12,6 +12,9 @@
 namespace swept {
 namespace {
 
+// From so many placements and crossings of one work item on, it may be worth to look which matter.
+constexpr std::size_t kManyPlacements = 16, kManyRecords = std::size_t{1} << 20;
+
 /// Work item: the placements [begin, end) with faces [faceBegin, faceEnd).
 struct WorkItem {
   std::size_t begin, end, faceBegin, faceEnd;
@@ -81,6 +84,15 @@ class ItemSampler {
     triangle(points[t[0]], points[t[1]], points[t[2]]);
     finish();
   }
+  /// Faces that slide within themselves cross the same lattice edges at every placement: of many
+  /// crossings those go that can no longer matter.
+  void thin(bool last) {
+    if (out_.records.size() < limit_ && !(last && thinned_)) return;
+    keepEnds(out_.records, input_.grid);
+    limit_ = std::max(limit_, 2 * out_.records.size());
+    thinned_ = true;
+    if (last) out_.records.shrink_to_fit();
+  }
   void patch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
              const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
     add(static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit,
@@ -98,6 +110,9 @@ class ItemSampler {
   const SamplerInput& input_;
   RecordChunk& out_;
   std::uint32_t element_ = 0;
+  bool thinned_ = false;
+  std::size_t limit_ = std::max(kManyRecords, 3 * static_cast<std::size_t>(input_.grid.points[0]) *
+                                                  static_cast<std::size_t>(input_.grid.points[1]));
 };
 
 void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
@@ -128,6 +143,7 @@ class SweepSampler {
       kept_.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
         sampler_.patch(e, ends, k, now_, next_);
       });
+      if (item.end - item.begin >= kManyPlacements) sampler_.thin(k + 1 == item.end);
       if (k + 1 < item.end) kept_.advance();
       std::swap(now_, next_);
     }
