@@ -374,5 +374,5 @@ class ClearancePanel:
 
 def show(document, **given):
     panel = ClearancePanel(document, **given)
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     return panel

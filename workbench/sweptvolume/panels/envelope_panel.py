@@ -323,7 +323,7 @@ def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     """Opens the panel; `start`: begins at once (Recompute)."""
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
     opened[:] = [panel]
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     if start:
         panel.start()
     return panel

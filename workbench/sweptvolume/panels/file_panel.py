@@ -106,5 +106,5 @@ def ask_file():
 
 def show(document, path):
     panel = FilePanel(document, path)
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     return panel

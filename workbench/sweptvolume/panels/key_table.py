@@ -19,6 +19,9 @@ KEYS = {
     (QtCore.Qt.Key_D, True): "Duplicate",
     (QtCore.Qt.Key_Return, True): "Capture",
 }
+_ENTER = QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter
+#: What a number begins with.
+_NUMBERS = set("0123456789+-.,")
 
 
 def actions():
@@ -125,15 +128,19 @@ class KeyTable(QtCore.QObject):
 
     def eventFilter(self, watched, event):  # noqa: N802
         """Keys that act on the table come before FreeCAD's own shortcuts."""
-        kinds = QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress
-        if event.type() in kinds and self.table.state() != QtWidgets.QTableWidget.EditingState:
-            control = bool(event.modifiers() & QtCore.Qt.ControlModifier)
-            name = KEYS.get((event.key(), control))
-            if name:
-                event.accept()
-                if event.type() == QtCore.QEvent.KeyPress:
-                    self.wanted.emit(name)
-                return True
+        if event.type() not in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress):
+            return super().eventFilter(watched, event)
+        pressed = event.type() == QtCore.QEvent.KeyPress
+        if self.table.state() == QtWidgets.QTableWidget.EditingState:
+            # Enter ends the typing, and would press the panel's OK as well.
+            return pressed and event.key() in _ENTER
+        control = bool(event.modifiers() & QtCore.Qt.ControlModifier)
+        name = KEYS.get((event.key(), control))
+        if name and pressed:
+            self.wanted.emit(name)
+        if name or not pressed and event.text() in _NUMBERS:
+            event.accept()  # a number begins the typing; FreeCAD would turn the view
+            return True
         return super().eventFilter(watched, event)
 
 

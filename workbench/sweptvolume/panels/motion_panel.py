@@ -396,5 +396,5 @@ def _part_of(document, obj):
 def show(document, obj=None, pair=None):
     panel = MotionPanel(document, obj, pair)
     opened[:] = [panel]
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     return panel

@@ -78,5 +78,5 @@ class RunPanel:
 
 def show(task, icon_name):
     panel = RunPanel(task, icon_name)
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     return panel

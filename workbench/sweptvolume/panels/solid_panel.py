@@ -193,5 +193,5 @@ def show(source, obj=None, path=""):
         export.check_target(path)
     panel = SolidPanel(source, obj, path)
     opened[:] = [panel]
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     return panel

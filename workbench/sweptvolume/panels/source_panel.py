@@ -163,5 +163,5 @@ class SourcePanel:
 
 def show(document, kind, objects):
     panel = SourcePanel(document, kind, objects)
-    Gui.Control.showDialog(panel)
+    widgets.show_panel(panel)
     return panel

@@ -139,6 +139,25 @@ def alive(thing):
         return False
 
 
+def show_panel(panel):
+    """Opens a task panel with the keyboard in its first field: the 3D view keeps Tab for itself."""
+    Gui.Control.showDialog(panel)
+    QtCore.QTimer.singleShot(0, lambda: _to_first_field(panel.form))
+
+
+def _to_first_field(form):
+    try:
+        field = form.nextInFocusChain()
+        while form.isAncestorOf(field):
+            wanted = number_of(field.focusPolicy()) & number_of(QtCore.Qt.TabFocus)
+            if wanted and field.isVisible() and field.isEnabled():
+                field.setFocus(QtCore.Qt.TabFocusReason)
+                return
+            field = field.nextInFocusChain()
+    except RuntimeError:
+        pass  # the panel was closed at once
+
+
 class DocumentWatch:
     """Calls gone() soon after a document was closed, unless stop() came first."""
 
