@@ -2,8 +2,10 @@
 #include "thin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "simplify/nearest_triangle.h"
 
 namespace swept::step {
@@ -19,6 +21,8 @@ constexpr double kLeastCosine = 0.5;  // a triangle may turn by less than 60 deg
 constexpr double kLeastShape = 0.15;  // area vector / longest side squared
 constexpr double kLongest = 8;        // of the mean edge before: no edge becomes longer
 constexpr int kMostNeighbours = 40;
+// Worked on at the same time; fixed, so that the result does not depend on the number of threads.
+constexpr std::size_t kParts = 16;
 
 // Squared distances to planes, summed; about an origin of its own to keep the digits.
 struct Quadric {
@@ -63,7 +67,6 @@ class Thinner {
     vertex_.resize(mesh.opposite.size());
     quadric_.resize(mesh.points.size());
     fan_.assign(mesh.points.size(), -1);
-    stamp_.assign(mesh.points.size(), 0);
     off_.assign(mesh.points.size(), 0);
     double sum = 0;
     for (std::size_t h = 0; h < opposite_.size(); ++h) {
@@ -86,14 +89,17 @@ class Thinner {
   }
 
   HalfEdgeMesh work() {
+    partOf_.resize(points_.size());
+    for (std::size_t part = 0; part < kParts; ++part)
+      std::fill(partOf_.begin() + firstOf(part), partOf_.begin() + firstOf(part + 1),
+                static_cast<char>(part));
     for (int round = 0; round < kRounds; ++round) {
       const double share = kFirstShare * std::pow(1 / kFirstShare, round / (kRounds - 1.0));
       const double limit = share * tolerance_;
-      const auto count = static_cast<std::int32_t>(points_.size());
-      for (std::int32_t v = 0; v < count; ++v) {
-        if ((v & 8191) == 0) run_.checkpoint(Phase::Export);
-        if (fan_[v] >= 0) removeIfClose(v, limit);
-      }
+      findInner();
+      parallelFor(kParts,
+                  [&](std::size_t part) { pass(firstOf(part), firstOf(part + 1), limit, true); });
+      pass(0, static_cast<std::int32_t>(points_.size()), limit, false);
     }
     TriMesh small;
     std::vector<std::int32_t> id(points_.size(), -1);
@@ -114,6 +120,28 @@ class Thinner {
   }
 
  private:
+  // Parts of the mesh by the numbers of its vertices, which lie in layers.
+  std::int32_t firstOf(std::size_t part) const {
+    return static_cast<std::int32_t>(part * points_.size() / kParts);
+  }
+  void findInner() {
+    inner_.assign(points_.size(), 1);
+    for (std::size_t h = 0; h < vertex_.size(); ++h) {
+      const std::int32_t v = vertex_[h];
+      if (v < 0) continue;
+      const std::int32_t w = target(static_cast<std::int32_t>(h));
+      if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
+    }
+  }
+  // Vertices whose neighbours all lie in their own part stay so while only such are worked on: what
+  // happens at those of another part does not touch the triangles about them.
+  void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
+    for (std::int32_t v = begin; v < end; ++v) {
+      if ((v & 8191) == 0) run_.checkpoint(Phase::Export);
+      if (fan_[v] >= 0 && (inner_[v] != 0) == inner) removeIfClose(v, limit);
+    }
+  }
+
   static std::int32_t next(std::int32_t h) { return HalfEdgeMesh::next(h); }
   static std::int32_t previous(std::int32_t h) { return HalfEdgeMesh::previous(h); }
   // The next half-edge out of the same vertex.
@@ -152,18 +180,18 @@ class Thinner {
   bool mayCollapse(std::int32_t edge, double limit) {
     const std::int32_t v = target(edge);
     // Just the two corners beside the edge are neighbours of both ends, and keep three neighbours.
-    ++mark_;
+    std::array<std::int32_t, kMostNeighbours> ring;
     std::int32_t h = fan_[v];
-    int ring = 0;
+    auto end = ring.begin();
     do {
-      stamp_[target(h)] = mark_;
-      if (++ring > kMostNeighbours) return false;
+      if (end == ring.end()) return false;
+      *end++ = target(h);
       h = turn(h);
     } while (h != fan_[v]);
-    int common = 0;
+    std::ptrdiff_t common = 0;
     h = edge;
     do {
-      common += stamp_[target(h)] == mark_;
+      common += std::count(ring.begin(), end, target(h));
       h = turn(h);
     } while (h != edge);
     if (common != 2) return false;
@@ -211,10 +239,10 @@ class Thinner {
       // Half-edges that survive stand in for those of the two triangles that go.
       fan_[vertex_[a]] = a;
       fan_[vertex_[b]] = b;
-      for (int k = 0; k < 3; ++k) gone_.push_back(side / 3 * 3 + k);
     }
-    for (const std::int32_t g : gone_) vertex_[g] = -1;
-    gone_.clear();
+    for (const std::int32_t side : {edge, back}) {
+      for (int k = 0; k < 3; ++k) vertex_[side / 3 * 3 + k] = -1;
+    }
     fan_[u] = -1;
   }
 
@@ -226,11 +254,10 @@ class Thinner {
   std::vector<std::int32_t> opposite_;
   std::vector<std::int32_t> fan_;  // per vertex: a half-edge that starts there; -1: gone
   std::vector<Quadric> quadric_;
-  std::vector<std::uint32_t> stamp_;
   std::vector<double> off_;  // per vertex: how far what it took in may lie from the triangles
   double longest_ = 0;       // mm^2
-  std::vector<std::int32_t> gone_;
-  std::uint32_t mark_ = 0;
+  std::vector<char> partOf_;
+  std::vector<char> inner_;  // per vertex: all its neighbours are in its own part
 };
 
 }  // namespace
