@@ -102,7 +102,7 @@ bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int
 
 // Edges of open ground that a patch may cost for each facet that it saves: of a free form it has a
 // long jagged border, and facets without it would be fewer.
-constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 5;
+constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
 constexpr double kSmooth = 0.85;  // cosine
 
 // Patches whose border with open ground, as simplified, costs more facets than they save.
