@@ -9,7 +9,7 @@ import Part
 from case import Case, V, shift, turn
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import motion
-from sweptvolume.trajectory import assembly
+from sweptvolume.trajectory import assembly, driven
 from sweptvolume.trajectory.edit import Keys, as_numbers, from_numbers, number_from
 
 
@@ -217,6 +217,13 @@ class Sources(Case):
         )
         self.assertEqual([round(p.Base.y, 6) for p in path.Placements], [10, 20, 30])
         self.assertAlmostEqual(box.Placement.Base.y, 0)
+        for driver, name, unit in (
+            (sketch, "Constraints.Arm", "mm"),
+            (box, "Placement.Base.y", "mm"),
+            (box, "Placement.Rotation.Angle", "deg"),
+            (box, "Length", "mm"),
+        ):
+            self.assertEqual(driven.Handle(driver, name).unit(), unit)
 
     def test_simulation_asks_the_assembly(self):
         """The calls alone, on a stand-in; test_assembly.py has FreeCAD's own simulation."""

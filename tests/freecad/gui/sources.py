@@ -97,6 +97,7 @@ def scenario():
     Gui.runCommand("SweptVolume_MotionDriven")
     yield 0.4
     choose("SweptVolumeValue", "lift")
+    assert find(QtWidgets.QDoubleSpinBox, "SweptVolumeStart").value() == 5
     find(QtWidgets.QDoubleSpinBox, "SweptVolumeStart").setValue(0)
     find(QtWidgets.QDoubleSpinBox, "SweptVolumeEnd").setValue(30)
     shot("22_driven")

@@ -25,7 +25,7 @@ class SourcePanel:
             icon_name = "SweptVolume_MotionDriven"
         self.form, layout = widgets.window(self.title, icon_name)
         rows = widgets.group(", ".join(o.Label for o in objects), layout)
-        self.values = {}
+        self.values, self.message = {}, widgets.message_label()
         build = getattr(self, "_build_" + kind.lower(), None)
         if build is not None:
             build(rows)
@@ -34,7 +34,6 @@ class SourcePanel:
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
-        self.message = widgets.message_label()
         layout.addWidget(self.message)
         layout.addStretch(1)
 
@@ -99,20 +98,36 @@ class SourcePanel:
         names = driven.names_of(self.objects[0])
         name = widgets.choice(names, names[0] if names else "")
         name.setObjectName("SweptVolumeValue")
-        now = driven.Handle(self.objects[0], names[0]).value() if names else 0.0
         rows.addRow(translate("Panels", "Value"), name)
         self.values["property"] = name.currentData
-        for key, text, value in (
-            ("start", translate("Panels", "From"), now),
-            ("end", translate("Panels", "To"), now + 90.0),
+        fields = []
+        for key, text in (
+            ("start", translate("Panels", "From")),
+            ("end", translate("Panels", "To")),
         ):
             field = QtWidgets.QDoubleSpinBox()
             field.setObjectName("SweptVolume" + key.capitalize())
             field.setRange(-1e9, 1e9)
             field.setDecimals(4)
-            field.setValue(value)
             rows.addRow(text, field)
             self.values[key] = field.value
+            fields.append(field)
+
+        def show_range(*ignored):
+            """From the chosen value as it is now, in its unit."""
+            widgets.show_message(self.message, "")
+            try:
+                handle = driven.Handle(self.objects[0], name.currentData())
+            except InputProblem as problem:  # it follows an expression
+                widgets.show_message(self.message, str(problem))
+                return
+            for field, more in zip(fields, (0.0, 90.0)):
+                field.setSuffix(" " + handle.unit() if handle.unit() else "")
+                field.setValue(handle.value() + more)
+
+        name.currentIndexChanged.connect(show_range)
+        if names:
+            show_range()
         self._count(rows, 16)
         self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
 

@@ -60,6 +60,17 @@ class Handle:
             value = getattr(self.driver, self.name)
         return float(getattr(value, "Value", value))
 
+    def unit(self):
+        """Unit of the number: "mm", "deg" or ""."""
+        if self.name.startswith(CONSTRAINT):
+            value = self.driver.getDatum(self.name[len(CONSTRAINT) :])
+        elif "." in self.name:
+            return "deg" if self.name.endswith("Angle") else "mm"
+        else:
+            value = getattr(self.driver, self.name)
+        known = {str(App.Units.Length): "mm", str(App.Units.Angle): "deg"}
+        return known.get(str(getattr(value, "Unit", "")), "")
+
     def set(self, value):
         if self._cell():
             self.driver.set(self._cell(), value if isinstance(value, str) else repr(float(value)))
