@@ -105,9 +105,10 @@ it replaces an old one. Returns solids, faces, faces_by_kind, edges, valid, tole
 note, volume, mesh_volume, file_bytes and seconds. Raises ExportFailed, Cancelled.
 
 Options: tolerance (mm, 0: exact, unless a limit asks for more), recognise=True, max_faces=20000,
-max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214' or
-'ap242', product_name='Swept envelope', author, organization, colour=(r, g, b), exact=False. Without
-a tolerance the solid gets the smallest one that meets the limits; with exact it is refused instead.)";
+max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214',
+'ap242' or 'ap242-tessellated' (the triangles as they are, no tolerance), product_name='Swept
+envelope', author, organization, colour=(r, g, b), exact=False. Without a tolerance the solid gets
+the smallest one that meets the limits; with exact it is refused instead.)";
 
 constexpr const char* kEstimateSolidDoc =
     R"(estimate_solid(vertices, triangles, run=None, **options) -> dict

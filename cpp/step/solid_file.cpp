@@ -91,7 +91,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run) {
-  kernel.set("write.step.schema", options.schema == StepSchema::Ap242 ? "AP242DIS" : "AP214IS");
+  kernel.set("write.step.schema", options.schema == StepSchema::Ap214 ? "AP214IS" : "AP242DIS");
   kernel.set("write.step.unit", "MM");
   kernel.set("xstep.cascade.unit", "MM");
   kernel.set("write.step.assembly", "0");

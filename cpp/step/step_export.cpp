@@ -24,6 +24,7 @@
 #include "shape_maker.h"
 #include "solid_file.h"
 #include "step_text.h"
+#include "tessellated.h"
 #include "thin.h"
 
 namespace swept {
@@ -66,7 +67,7 @@ std::string number(const char* format, double value) {
 
 // Rough figures of one core, measured on triangulated bodies.
 constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
-constexpr double kSecondsPerFace = 3e-4, kSecondsPerTriangle = 8e-6;
+constexpr double kSecondsPerFace = 3e-4, kSecondsPerTriangle = 8e-6, kSecondsAsItIs = 2e-6;
 
 // What decides how many bytes a face takes.
 struct Writing {
@@ -272,13 +273,21 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
 StepSchema parseStepSchema(const std::string& text) {
   if (text == "ap214") return StepSchema::Ap214;
   if (text == "ap242") return StepSchema::Ap242;
-  throw Error(Status::InvalidInput, "BadOption", "schema is '" + text + "'; allowed: ap214, ap242");
+  if (text == "ap242-tessellated") return StepSchema::Ap242Tessellated;
+  throw Error(Status::InvalidInput, "BadOption",
+              "schema is '" + text + "'; allowed: ap214, ap242, ap242-tessellated");
 }
 
 SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, RunContext& run) {
   const HalfEdgeMesh whole = buildHalfEdges(mesh, run);
   SolidEstimate estimate;
   estimate.triangles = static_cast<std::int64_t>(whole.triangles.size());
+  if (options.schema == StepSchema::Ap242Tessellated) {
+    estimate.faces = estimate.triangles;
+    estimate.megabytes = tessellatedMegabytes(estimate.faces);
+    estimate.seconds = kSecondsAsItIs * static_cast<double>(estimate.triangles);
+    return estimate;
+  }
   if (options.tolerance > 0) {
     estimate.faces =
         static_cast<std::int64_t>(thinOut(whole, options.tolerance, run).triangles.size());
@@ -298,6 +307,8 @@ SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, Run
 
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run) {
+  if (options.schema == StepSchema::Ap242Tessellated && formatOf(path) == Format::Step)
+    return writeTessellated(mesh, path, options, run);
   StepOptions used = options;
   try {
     return writeChecked(mesh, path, used, run);

@@ -34,7 +34,4 @@ bool isFaceted(const Model& model);
 /// mm: how far vertices and edges lie from the surfaces that meet there, as the file states it.
 double statedAccuracy(const Model& model);
 
-/// A text as STEP writes it, with its quotes: other letters than ASCII become \X2\....\X0\.
-std::string stepString(const std::string& utf8);
-
 }  // namespace swept::step

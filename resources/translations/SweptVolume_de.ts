@@ -1306,6 +1306,14 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
    <translation>beliebig</translation>
   </message>
   <message>
+   <source>Triangles as they are (AP242)</source>
+   <translation>Dreiecke, wie sie sind (AP242)</translation>
+  </message>
+  <message>
+   <source>A tessellated solid instead of faces: exact, quick, of any size, for programs that read tessellated STEP; FreeCAD 0.20 reads nothing from it</source>
+   <translation>Ein tessellierter Körper statt Flächen: genau, schnell, beliebig groß, für Programme, die tessellierte STEP-Dateien lesen; FreeCAD 0.20 liest nichts daraus</translation>
+  </message>
+  <message>
    <source>Faces at most</source>
    <translation>Flächen höchstens</translation>
   </message>

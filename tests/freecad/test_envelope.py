@@ -2,6 +2,7 @@
 """Envelope, solid, export: the main job in a document without a window."""
 import json
 import os
+import unittest
 import zipfile
 from unittest import mock
 
@@ -317,6 +318,19 @@ class SolidAndFiles(Computed):
         self.assertEqual(len(shape.Solids), 1)
         self.assertAlmostEqual(shape.BoundBox.ZMin, 7, delta=obj.UsedCellSize.Value)
         self.assertAlmostEqual(shape.Volume, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
+
+    def test_tessellated_step(self):
+        if not core.has_solids():
+            self.skipTest("the core was built without OpenCASCADE")
+        obj = self.computed()
+        path = os.path.join(self.folder, "as it is.stp")
+        req = export.request(obj, {"tessellated": True})
+        self.assertEqual(req.estimate(core.Control())["faces"], obj.Mesh.CountFacets)
+        report = export.write(req, path)
+        self.assertEqual(report["faces"], obj.Mesh.CountFacets)
+        self.assertAlmostEqual(report["volume"], obj.Mesh.Volume, delta=1e-5 * obj.Mesh.Volume)
+        with open(path, encoding="ascii") as file:
+            self.assertIn("=TESSELLATED_SOLID(", file.read())
 
     def test_mesh_files(self):
         import Mesh

@@ -12,9 +12,11 @@
 
 namespace swept {
 
-/// Application protocols of STEP: automotive design, and its successor.
-enum class StepSchema { Ap214, Ap242 };
-/// ap214 | ap242; throws Error(InvalidInput, "BadOption") listing the allowed names.
+/// Application protocols of STEP: automotive design, and its successor; the latter also with the
+/// triangles of the mesh as they are instead of a B-rep (no tolerance then, no limit of faces).
+enum class StepSchema { Ap214, Ap242, Ap242Tessellated };
+/// ap214 | ap242 | ap242-tessellated; throws Error(InvalidInput, "BadOption") listing the allowed
+/// names.
 StepSchema parseStepSchema(const std::string& text);
 
 struct StepOptions {

@@ -13,7 +13,8 @@ const char* const kSolidOptionsHelp =
   --max-faces N           at most this many faces (default 20000)
   --max-megabytes N       at most this much in the file
                           without --solid-tolerance the solid is simplified as far as the limits ask
-  --schema S              ap214 or ap242 (default ap214)
+  --schema S              ap214, ap242 or ap242-tessellated: the mesh as it is, for STEP readers
+                          that know tessellated geometry (default ap214)
   --exact                 never leave the mesh: above a limit refuse instead of simplifying
   --facets                plane faces only, no other surfaces
   --author, --organization, --product TEXT

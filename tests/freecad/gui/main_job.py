@@ -188,6 +188,15 @@ def scenario():
     yield 0.5
     shot("07_export_panel")
     yield 0.6
+    tessellated = find(QtWidgets.QCheckBox, "SweptVolumeTessellated")
+    click(tessellated)
+    yield 0.6
+    assert (
+        tessellated.isChecked() and not find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").isEnabled()
+    )
+    shot("07_export_tessellated")
+    click(tessellated)
+    yield 0.6
     click(panel_button(Ok))
     yield no_panel
     import Part

@@ -25,8 +25,15 @@ SINGLE_PRECISION = 2.0**-22
 
 #: Budget of faces of a new solid.
 MAX_FACES = 20000
-#: What request_for() takes for a new one; max_megabytes: of a file, 0: any size.
-DEFAULTS = {"merge": True, "max_faces": MAX_FACES, "tolerance": 0.0, "max_megabytes": 0.0}
+#: What request_for() takes for a new one; max_megabytes: of a file, 0: any size; tessellated: the
+#: triangles as they are, in a STEP file.
+DEFAULTS = {
+    "merge": True,
+    "max_faces": MAX_FACES,
+    "tolerance": 0.0,
+    "max_megabytes": 0.0,
+    "tessellated": False,
+}
 
 
 class Solid(Feature):
@@ -176,7 +183,7 @@ class Request:
     def but(self, given):
         """The same mesh with other settings. Raises InputProblem."""
         wanted = dict(self.settings, **given)
-        if self.exact and wanted["tolerance"] > 0:
+        if self.exact and wanted["tolerance"] > 0 and not wanted["tessellated"]:
             raise InputProblem(
                 translate(
                     "Messages",
@@ -189,6 +196,11 @@ class Request:
     def options(self):
         """As the core takes them."""
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
+        if self.settings["tessellated"]:
+            return {
+                "schema": "ap242-tessellated",
+                "max_megabytes": self.settings["max_megabytes"],
+            }
         return {
             "merge_coplanar": self.settings["merge"],
             "planar_tolerance": max(1e-6, reach * SINGLE_PRECISION),
@@ -286,7 +298,8 @@ def apply(obj, value, hash_at_start):
     shape.Placement = obj.Source.Placement
     obj.Shape = shape
     obj.Faces = len(shape.Faces)
-    obj.Volume = shape.Volume
+    # The kernel's own figure is less exact where profiles were pushed along a direction.
+    obj.Volume = report.get("volume") or shape.Volume
     obj.Deviation = report["deviation"]
     obj.Message = ""
     obj.InputHash = hash_at_start

@@ -87,6 +87,19 @@ class SolidPanel(StartPanel):
         self.megabytes.setRange(0, 100000)
         self.megabytes.setSuffix(" MB")
         self.megabytes.setSpecialValueText(translate("Panels", "no limit"))
+        self.tessellated = QtWidgets.QCheckBox(translate("Panels", "Triangles as they are (AP242)"))
+        self.tessellated.setObjectName("SweptVolumeTessellated")
+        widgets.hint(
+            self.tessellated,
+            translate(
+                "Panels",
+                "A tessellated solid instead of faces: exact, quick, of any size, for programs that read "
+                "tessellated STEP; FreeCAD 0.20 reads nothing from it",
+            ),
+        )
+        step = self.path.lower().endswith((".step", ".stp"))
+        if step and core.available() and core.has_solids():
+            rows.addRow(self.tessellated)
         rows.addRow(self.merge)
         rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
         rows.addRow(translate("Panels", "Faces at most"), self.faces)
@@ -100,6 +113,7 @@ class SolidPanel(StartPanel):
         self.expected.setWordWrap(True)
         rows.addRow(self.expected)
         self.merge.toggled.connect(self._changed)
+        self.tessellated.toggled.connect(self._kind_changed)
         for field in (self.tolerance, self.faces, self.megabytes):
             field.valueChanged.connect(self._changed)
 
@@ -110,9 +124,15 @@ class SolidPanel(StartPanel):
             "tolerance": float(self.tolerance.property("rawValue")),
             "max_faces": self.faces.value(),
             "max_megabytes": self.megabytes.value(),
+            "tessellated": self.tessellated.isChecked(),
         }
 
     # --- estimate
+
+    def _kind_changed(self, tessellated):
+        for field in (self.merge, self.tolerance, self.faces):
+            field.setEnabled(not tessellated)
+        self._changed()
 
     def _changed(self, *ignored):
         self.timer.start(ESTIMATE_DELAY)

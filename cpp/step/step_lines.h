@@ -1,0 +1,159 @@
+// Text of the data section of a STEP file (ISO 10303-21), and what every file of ours has around
+// its geometry: header, units, product, colour. Units: mm; points to 1e-9 mm, directions to 13
+// digits. Throws Error(Cancelled); a full disk shows in the stream.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <initializer_list>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "swept/run_context.h"
+#include "swept/step_export.h"
+
+namespace swept::step {
+
+constexpr int kPointDecimals = 9;
+constexpr int kDirectionDigits = 13;
+constexpr std::size_t kFlushAt = 1U << 20U;  // characters
+
+using Id = std::int64_t;
+
+// One line of the data section after another, numbered as they come.
+class Lines {
+ public:
+  Lines(std::ostream& out, RunContext& run) : out_(out), run_(run) { text_.reserve(2 * kFlushAt); }
+
+  /// Starts `#n=`; what follows is appended, end() closes the line.
+  Id begin(const char* keyword) {
+    text_ += '#';
+    integer(++last_);
+    text_ += '=';
+    text_ += keyword;
+    text_ += '(';
+    return last_;
+  }
+  void end() {
+    text_ += ");\n";
+    flushIfLong();
+  }
+  Lines& raw(const char* words) {
+    text_ += words;
+    return *this;
+  }
+  Lines& raw(const std::string& words) {
+    text_ += words;
+    return *this;
+  }
+  Lines& id(Id value) {
+    text_ += '#';
+    integer(value);
+    return *this;
+  }
+  Lines& ids(const std::vector<Id>& values) {
+    text_ += '(';
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) text_ += ',';
+      id(values[i]);
+    }
+    text_ += ')';
+    return *this;
+  }
+  void integer(Id value) {
+    std::array<char, 24> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    text_.append(buffer.data(), end);
+  }
+  Lines& length(double value) { return real(value, std::chars_format::fixed, kPointDecimals); }
+  Lines& ratio(double value) { return real(value, std::chars_format::general, kDirectionDigits); }
+  Lines& triple(const Eigen::Vector3d& v, bool isPoint) {
+    text_ += '(';
+    for (int k = 0; k < 3; ++k) {
+      if (k > 0) text_ += ',';
+      isPoint ? length(v[k]) : ratio(v[k]);
+    }
+    text_ += ')';
+    return *this;
+  }
+  /// Within a long line.
+  void flushIfLong() {
+    if (text_.size() > kFlushAt) flush();
+  }
+  void flush() {
+    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+    text_.clear();
+    run_.checkpoint(Phase::Export);
+  }
+  Id last() const { return last_; }
+
+ private:
+  // A real of STEP has a point, and a capital E.
+  Lines& real(double value, std::chars_format format, int precision) {
+    std::array<char, 400> buffer;
+    char* end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0, format, precision)
+            .ptr;
+    char* point = nullptr;
+    char* exponent = nullptr;
+    for (char* c = buffer.data(); c != end; ++c) {
+      if (*c == '.') point = c;
+      if (*c == 'e') {
+        *c = 'E';
+        exponent = c;
+      }
+    }
+    if (point != nullptr && exponent == nullptr) {
+      while (end[-1] == '0') --end;
+    }
+    const std::size_t start = text_.size();
+    text_.append(buffer.data(), end);
+    if (point == nullptr) {
+      const std::size_t at =
+          exponent == nullptr ? text_.size() : start + (exponent - buffer.data());
+      text_.insert(at, 1, '.');
+    }
+    return *this;
+  }
+  std::ostream& out_;
+  RunContext& run_;
+  std::string text_;
+  Id last_ = 0;
+};
+
+/// What stands around the geometry.
+class Frame {
+ public:
+  Frame(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}
+
+  void header(const std::string& fileName);
+  Id point(const Eigen::Vector3d& p);
+  Id direction(const Eigen::Vector3d& d);
+  Id placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
+               const Eigen::Vector3d& x);
+  /// Units, and how exact points are (mm).
+  Id context(double exact);
+  /// The product whose shape is a representation of this keyword with these items; `coloured` get
+  /// the options' colour.
+  void product(const char* representation, const std::vector<Id>& items,
+               const std::vector<Id>& coloured, Id where);
+  void end();
+
+ private:
+  using Words = std::initializer_list<std::string>;
+  bool is242() const { return options_.schema != StepSchema::Ap214; }
+  Id plain(const char* keyword, Words arguments);
+  void colour(const std::vector<Id>& items, Id where);
+
+  Lines& lines_;
+  const StepOptions& options_;
+};
+
+/// A text as STEP writes it, with its quotes: other letters than ASCII become \X2\....\X0\.
+std::string stepString(const std::string& utf8);
+
+}  // namespace swept::step
