@@ -1057,15 +1057,15 @@ Versucht:
   </message>
   <message>
    <source>yaw</source>
-   <translation>Gieren</translation>
+   <translation>Gier</translation>
   </message>
   <message>
    <source>pitch</source>
-   <translation>Nicken</translation>
+   <translation>Nick</translation>
   </message>
   <message>
    <source>roll</source>
-   <translation>Rollen</translation>
+   <translation>Roll</translation>
   </message>
   <message>
    <source>Key placements</source>

@@ -2,7 +2,6 @@
 """Envelope, solid, export: the main job in a document without a window."""
 import json
 import os
-import unittest
 import zipfile
 from unittest import mock
 
