@@ -58,7 +58,7 @@ def test_scenario(scenario):
             errors="replace",
             timeout=300,
         )
-    print(done.stdout[-1500:])
+    print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     assert "passed" in done.stdout
     # An error in a button's own code is only printed.
