@@ -35,7 +35,7 @@ void EnvelopeRun::compute(WarmBody& warm, const Trajectory& trajectory, bool ske
   begin();
   sketch_ = sketch;
   prepared_.body = warm.body;
-  prepared_.keepRoom = true;
+  prepared_.keepRoom = prepared_.keepBody = true;
   if (warm.grid) prepared_.lastGrid = &*warm.grid;
   topologyOfBody_ = &warm.topology;
   clusters_ = &warm.clusters;

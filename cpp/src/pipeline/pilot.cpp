@@ -58,6 +58,7 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
   const auto countAt = [&](double coarser) -> std::optional<Counts> {
     Prepared coarse;
     coarse.body = prepared.body;
+    coarse.keepBody = true;
     coarse.trajectory = prepared.trajectory;
     Options plain = options;
     plain.cellSize = prepared.grid.cell * coarser;

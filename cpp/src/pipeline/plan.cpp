@@ -9,6 +9,7 @@
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/grid_plan.h"
 #include "sampling/refine_motion.h"
+#include "sampling/split_edges.h"
 
 namespace swept {
 namespace {
@@ -39,10 +40,12 @@ Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
   return box;
 }
 
-Motion refined(const Prepared& p, const Options& options, double cell, RunContext& run) {
+/// `triangles`: of the body as it was given.
+Motion refined(const Prepared& p, const Options& options, double cell, std::size_t triangles,
+               RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   if (!(options.offset > 0 || options.conservative)) {
-    return refineMotion(p.body.mesh, trajectory, options.chordTolerance * cell, run);
+    return refineMotion(p.body.mesh, trajectory, options.chordTolerance * cell, triangles, run);
   }
   // The cover (sampling/offset) flattens side patches by itself: only points need to be followed.
   // Offsets are measured from the chords, envelopes from the true motion beside them.
@@ -54,7 +57,7 @@ Motion refined(const Prepared& p, const Options& options, double cell, RunContex
 /// False if the sweep leaves the last grid or fills too little of it.
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
-  Motion motion = refined(p, options, last.cell, run);
+  Motion motion = refined(p, options, last.cell, p.body.mesh.triangles.size(), run);
   const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, motion), last.cell, options);
   constexpr double kLeastFilled = 0.75;
   double longest = 0;
@@ -100,7 +103,15 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  p.motion = refined(p, options, cell, run);
+  const std::size_t triangles = p.body.mesh.triangles.size();
+  // Offsets flatten side patches by themselves.
+  if (!p.keepBody && !(options.offset > 0 || options.conservative)) {
+    const Trajectory& trajectory = p.trajectory.trajectory;
+    const double longest =
+        findBestEdge(p.body.mesh, trajectory, options.chordTolerance * cell, cell, run);
+    if (std::isfinite(longest)) p.body.mesh = splitEdges(p.body.mesh, longest, run);
+  }
+  p.motion = refined(p, options, cell, triangles, run);
   const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, p.motion), cell, options);
   Options fixed = options;
   if (p.keepRoom) fixed.cellSize = cell;

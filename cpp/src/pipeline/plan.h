@@ -30,6 +30,7 @@ struct Prepared {
   /// room for sweeps to come.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
+  bool keepBody = false;  ///< its topology is known: long edges stay as they are
   Motion motion;
   GridPlan grid;
 };

@@ -1,0 +1,24 @@
+// Splits the long edges of a body that turns, so that fewer placements follow its motion.
+// The side patch of an edge of length L over a turn by a is warped: its two triangles leave the
+// ruled surface by up to L a / 4 (refine_motion.h), which calls for L a / (4 chord) placements,
+// each with a copy of every face. Shorter edges need fewer, and cost copies of more faces; lattice
+// lines are crossed as often as the copies' area asks.
+// In:    body, trajectory. Out: the same surface with shorter edges, conforming: an edge is split
+//        for all its triangles alike. Units: mm. Cost: O(triangles) a halving.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+/// The longest edge that the body should have for the least work; infinite where splitting gains
+/// little. `chord` as for refineMotion().
+double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
+                    RunContext& run);
+
+/// Halves the edges that are longer than `longest` until none is. Old vertices keep their numbers.
+TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run);
+
+}  // namespace swept
