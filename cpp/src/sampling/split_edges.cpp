@@ -15,6 +15,8 @@ namespace {
 // What sampling takes, in ns: for a copy of a face with its share of side patches, and for a
 // crossing of that copy. Only their ratio matters.
 constexpr double kFaceCost = 400, kCrossingCost = 8;
+/// Nor is a body to take more memory than the envelope does.
+constexpr double kMostTriangles = 2e6;
 /// A finer body has to be worth more than doubts about these figures.
 constexpr double kGain = 2;
 
@@ -61,6 +63,9 @@ class SamplingCost {
     for (const Extent& e : extents_) {
       // Halving leaves triangles of a quarter of the square of their longest edge.
       triangles += e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
+    }
+    if (triangles > std::max(kMostTriangles, static_cast<double>(extents_.size()))) {
+      return std::numeric_limits<double>::infinity();
     }
     double placements = 1;
     for (const Step& s : steps_) {
