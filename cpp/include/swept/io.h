@@ -11,6 +11,7 @@ namespace swept {
 
 /// PLY, STL, OBJ, OFF through OpenMesh. `millimetresPerUnit` scales the numbers in the file.
 TriMesh readMesh(const std::string& path, double millimetresPerUnit = 1.0);
+/// The same formats, and 3MF.
 void writeMesh(const TriMesh& mesh, const std::string& path);
 
 /// CSV `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers a row (optionally preceded by t), `.gz`/`.xz`

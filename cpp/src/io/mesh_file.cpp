@@ -17,6 +17,7 @@
 #include "io/openmesh_bridge.h"
 #include "io/ply_header.h"
 #include "io/polygon_split.h"
+#include "io/three_mf.h"
 #include "swept/io.h"
 
 namespace swept {
@@ -242,10 +243,10 @@ TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
 
 void writeMesh(const TriMesh& mesh, const std::string& path) {
   const std::string suffix = suffixOf(path);
-  if (!isMeshSuffix(suffix)) {
+  if (!isMeshSuffix(suffix) && suffix != "3mf") {
     throw Error(
         Status::ExportFailed, "BadFormat",
-        "'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
+        "'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off, 3mf");
   }
   if (mesh.vertices.size() > kMaxElements || mesh.triangles.size() > kMaxElements) {
     throw Error(Status::ExportFailed, "TooManyFaces",
@@ -263,6 +264,8 @@ void writeMesh(const TriMesh& mesh, const std::string& path) {
   SafeFile file(path);
   if (suffix == "ply") {
     writeExactPly(mesh, file.stream());
+  } else if (suffix == "3mf") {
+    writeThreeMf(mesh, file.stream());
   } else {
     writeThroughOpenMesh(mesh, suffix, path, file.stream());
   }

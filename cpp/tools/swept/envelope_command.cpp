@@ -23,7 +23,7 @@ const char* const kEnvelopeHelp =
     R"(swept envelope GENERATOR --motion CSV --output FILE [options]
   Computes the envelope of GENERATOR (ply, stl, obj, off) moved along the poses of CSV
   (t,tx,ty,tz,qx,qy,qz,qw or 16 matrix numbers a row; may be packed with gzip or xz).
-  --output FILE           ply, stl, obj, off, step, stp, brep or brp
+  --output FILE           ply, stl, obj, off, 3mf, step, stp, brep or brp
   --generator-unit U      mm, cm, m or in: unit of the generator's numbers (default mm)
   --motion-unit U         unit of the translations (default mm)
   --interpolation I       none, linear or screw: motion between two poses (default linear)
@@ -130,17 +130,18 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
 void checkTargets(const EnvelopeJob& job) {
   checkReportTarget(job.reportPath);
   const std::string suffix = suffixOf(job.outputPath);
-  const bool mesh = suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off";
+  const bool mesh =
+      suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off" || suffix == "3mf";
   if (!mesh && !isSolidSuffix(suffix)) {
     throw Error(Status::ExportFailed, "BadFormat",
                 "'" + job.outputPath + "': unknown format '" + suffix +
-                    "'; known are ply, stl, obj, off, step, stp, brep, brp");
+                    "'; known are ply, stl, obj, off, 3mf, step, stp, brep, brp");
   }
 #ifndef HAVE_SWEPT_STEP
   if (!mesh) {
     throw Error(Status::ExportFailed, "BadFormat",
                 "this program was built without OpenCASCADE and cannot write solids; choose ply, "
-                "stl, obj or off");
+                "stl, obj, off or 3mf");
   }
 #endif
   checkTarget(job.outputPath);
