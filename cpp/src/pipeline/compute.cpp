@@ -78,9 +78,7 @@ PreviewSession::PreviewSession(const TriMesh& body, const Options& options, RunC
   warm->options.chordTolerance = std::max(options.chordTolerance, kPreviewChord);
   warm->options.tolerance = 0;
   checkOptions(warm->options);
-  warm->body = checkBody(body, warm->options, run);
-  warm->topology = buildTopology(warm->body.mesh);
-  warm->clusters = buildClusters(warm->body.mesh, warm->topology);
+  warm->setBody(checkBody(body, warm->options, run));
   warm_ = std::move(warm);
 }
 PreviewSession::~PreviewSession() {

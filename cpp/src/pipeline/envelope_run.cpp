@@ -25,6 +25,13 @@ void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
 
 }  // namespace
 
+void WarmBody::setBody(CheckedBody checked) {
+  body = std::move(checked);
+  topology = buildTopology(body.mesh);
+  clusters = buildClusters(body.mesh, topology);
+  cache.clear();
+}
+
 void EnvelopeRun::compute(const TriMesh& body, const Trajectory& trajectory) {
   begin();
   prepared_.body = checkBody(body, options_, run_);
@@ -35,11 +42,9 @@ void EnvelopeRun::compute(WarmBody& warm, const Trajectory& trajectory, bool ske
   begin();
   sketch_ = sketch;
   prepared_.body = warm.body;
-  prepared_.keepRoom = prepared_.keepBody = true;
+  prepared_.keepRoom = true;
   if (warm.grid) prepared_.lastGrid = &*warm.grid;
-  topologyOfBody_ = &warm.topology;
-  clusters_ = &warm.clusters;
-  cache_ = &warm.cache;
+  warm_ = &warm;
   sweep(trajectory);
   warm.grid = prepared_.grid;
 }
@@ -58,9 +63,12 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
 
   planRun(prepared_, options_, run_);
   describePlan();
+  if (warm_ != nullptr && prepared_.body.mesh.triangles != warm_->body.mesh.triangles) {
+    warm_->setBody(prepared_.body);  // long edges have been split
+  }
   BodyTopology own;
-  if (topologyOfBody_ == nullptr) own = buildTopology(prepared_.body.mesh);
-  const BodyTopology& topology = topologyOfBody_ != nullptr ? *topologyOfBody_ : own;
+  if (warm_ == nullptr) own = buildTopology(prepared_.body.mesh);
+  const BodyTopology& topology = warm_ != nullptr ? warm_->topology : own;
   Estimate e = estimateOf(prepared_, options_);
   if (!fitsMemory(e, run_, 2)) e = estimateByPilot(e, prepared_, topology, options_, run_);
   report_.estimatedMemoryBytes = e.memoryBytes;
@@ -101,9 +109,14 @@ void EnvelopeRun::describePlan() {
 }
 
 SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) const {
-  return {prepared_.body.mesh, topology, prepared_.motion,
-          prepared_.grid,      cull,     prepared_.body.orientable,
-          clusters_,           cache_};
+  return {prepared_.body.mesh,
+          topology,
+          prepared_.motion,
+          prepared_.grid,
+          cull,
+          prepared_.body.orientable,
+          warm_ != nullptr ? &warm_->clusters : nullptr,
+          warm_ != nullptr ? &warm_->cache : nullptr};
 }
 
 void EnvelopeRun::envelope(const BodyTopology& topology) {
@@ -111,7 +124,7 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
   HermiteGrid hermite = sample(topology, options_.cull);
   // In a preview the ends of thin walls are not worth the time that looking for them takes.
   std::optional<ElementProbe> probe;
-  if (cache_ == nullptr) probe.emplace(input, elements_, hermite.winner);
+  if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
   std::vector<SweptElement>().swap(elements_);
   std::vector<std::uint32_t>().swap(hermite.winner);

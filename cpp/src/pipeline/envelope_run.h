@@ -27,6 +27,8 @@ struct WarmBody {
   FaceClusters clusters;
   std::optional<GridPlan> grid;
   SampleCache cache;
+
+  void setBody(CheckedBody checked);
 };
 
 class EnvelopeRun {
@@ -62,9 +64,7 @@ class EnvelopeRun {
   Result& result_;
   Report& report_;
   Prepared prepared_;
-  const BodyTopology* topologyOfBody_ = nullptr;  ///< null: not known yet
-  const FaceClusters* clusters_ = nullptr;
-  SampleCache* cache_ = nullptr;
+  WarmBody* warm_ = nullptr;  ///< of a session
   bool sketch_ = false;
   MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
   std::vector<SweptElement> elements_;  // while the contouring may ask for them

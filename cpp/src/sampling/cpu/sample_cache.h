@@ -27,6 +27,8 @@ class SampleCache {
   /// Forgets everything but these: chunks[k] is what key k gives.
   void replace(const std::vector<Key>& keys, const std::vector<RecordChunk>& chunks);
 
+  void clear() { chunks_.clear(); }
+
   std::int64_t hits() const { return hits_; }  ///< steps of all runs that were known
   void countHit() { ++hits_; }
 
