@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import _swept
+import bodies
 
 STILL = np.eye(4)[None]
 
@@ -288,6 +289,15 @@ def test_bad_input_24_and_25_cancel(box):
 def test_bad_input_26_memory_budget(both, box):
     report = both(*box, slide(), resolution=4000, memory_limit_mb=1)
     refused(report, "ResourceLimit", "MB", "smallest cell", status="ResourceLimit")
+
+
+def test_bad_input_26_plate_that_turns_often():
+    """The estimate fits; patches that lie over each other by the thousand do not."""
+    plate = bodies.box((-20, -20, -1), (20, 20, 1))
+    motion = np.array([bodies.frame((1, 2, 3), a, (a / 40, 0, 0)) for a in range(0, 1440, 10)])
+    run = _swept.RunContext(memory_limit_mb=150)
+    with pytest.raises(_swept.ResourceLimit, match="cross the grid .* limit of 157 MB; a cell"):
+        _swept.compute(*plate, motion, run=run, resolution=256)
 
 
 def test_bad_input_27_out_of_memory(program, box, tmp_path):

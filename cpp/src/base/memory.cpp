@@ -35,5 +35,8 @@ void returnFreeMemory() {
 #endif
 }
 std::uint64_t availableMemoryBytes() { return lineOf("/proc/meminfo", "MemAvailable:"); }
+std::uint64_t memoryLimit(const RunContext& run) {
+  return run.memoryLimitBytes != 0 ? run.memoryLimitBytes : availableMemoryBytes() / 4 * 3;
+}
 
 }  // namespace swept

@@ -144,15 +144,6 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   return e;
 }
 
-namespace {
-
-/// 0: not known.
-std::uint64_t memoryLimit(const RunContext& run) {
-  return run.memoryLimitBytes != 0 ? run.memoryLimitBytes : availableMemoryBytes() / 4 * 3;
-}
-
-}  // namespace
-
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {
   const std::uint64_t limit = memoryLimit(run);
   return limit == 0 || e.memoryBytes <= limit / times;

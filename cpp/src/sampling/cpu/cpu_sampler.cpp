@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <atomic>
+#include <sstream>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "sampling/cpu/sample_cache.h"
 #include "sampling/crossing_records.h"
@@ -43,6 +46,32 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   }
   return items;
 }
+
+/// Crossings of all items together. Where large faces turn, thousands of patches lie over each
+/// other: how many no estimate says before, so a run that takes more memory than it may is ended
+/// here.
+class CrossingBudget {
+ public:
+  CrossingBudget(const RunContext& run, double cell) : limit_(memoryLimit(run)), cell_(cell) {}
+
+  void add(std::size_t crossings) {
+    const std::uint64_t bytes = kBytes * (taken_ += crossings);
+    if (limit_ == 0 || bytes <= limit_) return;
+    std::ostringstream text;
+    text.precision(4);
+    text << "the faces that move cross the grid more than " << limit_ / kBytes
+         << " times, which takes more than the limit of " << limit_ / 1'000'000
+         << " MB; a cell larger than " << cell_
+         << " mm, a larger chord tolerance or a shorter motion takes less";
+    throw Error(Status::ResourceLimit, "ResourceLimit", text.str());
+  }
+
+ private:
+  static constexpr std::uint64_t kBytes = 2 * sizeof(CrossingRecord);  // twice while they are moved
+  std::uint64_t limit_;
+  double cell_;
+  std::atomic<std::uint64_t> taken_{0};
+};
 
 /// Rasterises the elements of one work item along all three axes.
 class ItemSampler {
@@ -116,27 +145,38 @@ class ItemSampler {
 };
 
 void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
-                 RunContext& run) {
+                 CrossingBudget& budget, RunContext& run) {
   ItemSampler sampler(input, out);
   std::vector<SnappedPoint> points;
+  std::size_t before = 0;
   for (std::size_t k = item.begin; k < item.end; ++k) {
     run.checkpoint(Phase::Sampling);
     sampler.pose(k, points);
     sampler.faces(item, k, points);
+    budget.add(out.records.size() - before);
+    before = out.records.size();
   }
 }
 
 /// One work item of a continuous motion.
 class SweepSampler {
  public:
-  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out)
-      : steps_(input.motion.steps()), kept_(input, clusters), sampler_(input, out) {}
+  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out,
+               CrossingBudget& budget)
+      : steps_(input.motion.steps()),
+        kept_(input, clusters),
+        sampler_(input, out),
+        out_(out),
+        budget_(budget) {}
 
   void sample(const WorkItem& item, RunContext& run) {
     sampler_.pose(item.begin, now_);
     kept_.start(item.begin);
+    std::size_t before = 0;
     for (std::size_t k = item.begin; k < item.end; ++k) {
       run.checkpoint(Phase::Sampling, k, steps_);
+      budget_.add(out_.records.size() - before);
+      before = out_.records.size();
       kept_.forFaces([&](std::uint32_t f) { sampler_.face(f, k, now_); });
       if (k == steps_) break;
       sampler_.pose(k + 1, next_);
@@ -153,6 +193,8 @@ class SweepSampler {
   std::size_t steps_;
   KeptElements kept_;
   ItemSampler sampler_;
+  const RecordChunk& out_;
+  CrossingBudget& budget_;
   std::vector<SnappedPoint> now_, next_;
 };
 
@@ -176,12 +218,13 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
       if (known[i] != 0) input.cache->countHit();
     }
   }
+  CrossingBudget budget(run, input.grid.cell);
   parallelFor(items.size(), [&](std::size_t i) {
     if (known[i] != 0) return;
     if (input.motion.continuous) {
-      SweepSampler(input, clusters, chunks[i]).sample(items[i], run);
+      SweepSampler(input, clusters, chunks[i], budget).sample(items[i], run);
     } else {
-      sampleUnion(input, items[i], chunks[i], run);
+      sampleUnion(input, items[i], chunks[i], budget, run);
     }
   });
   if (!keys.empty()) input.cache->replace(keys, chunks);
