@@ -143,8 +143,8 @@
    <translation>Hülle exportieren …</translation>
   </message>
   <message>
-   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way; a selected solid's tolerance and limits are taken</source>
-   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ oder OFF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
+   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF, checked on the way; a selected solid's tolerance and limits are taken</source>
+   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
   </message>
   <message>
    <source>Make solid</source>

@@ -16,6 +16,7 @@ import json
 import os
 import pathlib
 import random
+import resource
 import select
 import subprocess
 import sys
@@ -30,6 +31,7 @@ import corpus_bodies  # noqa: E402
 from shared_data import FOLDER, MOTIONS, matrices, scaled_motion  # noqa: E402
 
 HANG = 900  # s of processor time
+MOST_BYTES = 8 << 30  # address space of the child; a run is told to take 2.5 GB
 
 
 def load(build):
@@ -84,7 +86,8 @@ def one_run(swept, body, motion, resolution):
 
 
 def serve(build):
-    """Child: one line of JSON in, one out."""
+    """Child: one line of JSON in, one out. What takes far more than its limit ends, not the machine."""
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     swept = load(build)
     makers = {name: make for name, _, _, make in corpus_bodies.all_bodies(swept)}
     name, body = None, None

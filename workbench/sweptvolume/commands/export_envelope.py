@@ -10,8 +10,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Export envelope...")
     TIP = mark(
         "Commands",
-        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ or OFF, checked on the way; a selected "
-        "solid's tolerance and limits are taken",
+        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF, checked on the way; a "
+        "selected solid's tolerance and limits are taken",
     )
 
     def run(self, document):
