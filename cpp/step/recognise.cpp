@@ -17,7 +17,7 @@ namespace swept::step {
 namespace {
 
 // Seeds that are asked at the same time, whatever the number of threads.
-constexpr std::size_t kBatch = 8;
+constexpr std::size_t kBatch = 16;
 
 class Recogniser {
  public:

@@ -51,7 +51,7 @@ Found SurfaceSeeker::seek(std::int32_t seed, char tried) {
   asks_ = tried;
   found_.best = bestSurface(seed, seedRegion(seed, kSeedTriangles));
   if (!found_.best) {
-    const auto size = std::clamp<std::size_t>(mesh_.triangles.size() / 1500, kSeedTriangles, 400);
+    const auto size = std::clamp<std::size_t>(mesh_.triangles.size() / 150, kSeedTriangles, 1600);
     found_.fruitless = seedRegion(seed, size);
   }
   return std::move(found_);

@@ -187,24 +187,25 @@ class ShapeMaker {
     return left;
   }
 
-  // A model whose faces the kernel accepts and reads back; none if a patch has to lose its surface.
-  std::optional<Model> tryFaces(Decimated& small, double tolerance, Brep& brep) {
+  // Patches with faces that the kernel does not accept, or does not read back, fall apart into
+  // facets. False if a patch has to lose its surface from the beginning.
+  bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
     for (int trial = 0; trial < 3; ++trial) {
-      Model model = buildModel(small.mesh, small.partition, tolerance, run_);
+      if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
       brep = buildBrep(model, run_);
       std::vector<std::int32_t> bad = brep.failed;
       if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
       if (bad.empty()) bad = reader_.findUnreadable(model);
-      if (bad.empty()) return model;
+      if (bad.empty()) return true;
       if (!takeBack(bad, model, known_, small, refused_) || !refused_.empty()) break;
     }
-    return std::nullopt;
+    return false;
   }
 
-  // Where the kernel takes offence, by falling apart into facets, and where the mesh is left by too
-  // much, by more corners.
+  // Where the mesh is left by too much it gets more corners; then the kernel is asked.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
+    const bool exact = options_.tolerance <= 0;
     std::vector<Eigen::Vector3d> about;  // what the last mending may have changed
     for (int mended = 0;; ++mended) {
       Decimated small = base;
@@ -213,21 +214,24 @@ class ShapeMaker {
       addFacets(small.mesh, small.partition);
       faces = countFaces(small.partition);
       if (!fits_(faces)) return std::nullopt;
+      Model model = buildModel(small.mesh, small.partition, tolerance, run_);
+      Deviation off;
+      const auto mend = [&](const std::vector<Eigen::Vector3d>& points) {
+        off = measureDeviation(points, small, model.places, tolerance);
+        if (exact || off.beyond.empty() || mended == kMendings) return false;
+        about = pointsAbout(off.beyond, small, tolerance, whole_.points);
+        return putCorners(off.beyond, base, run_);
+      };
+      if (mended > 0 && mend(about)) continue;
+      if (mend(whole_.points)) continue;
       Brep brep;
-      std::optional<Model> model = tryFaces(small, tolerance, brep);
-      if (!model) return std::nullopt;
-      Deviation off =
-          measureDeviation(about.empty() ? whole_.points : about, small, model->places, tolerance);
-      if (off.beyond.empty() && mended > 0)
-        off = measureDeviation(whole_.points, small, model->places, tolerance);
-      const bool exact = options_.tolerance <= 0;
-      about = pointsAbout(off.beyond, small, tolerance, whole_.points);
-      if (exact || off.beyond.empty() || mended == kMendings || !putCorners(off.beyond, base, run_))
-        return describe(std::move(*model), std::move(brep), off.largest);
+      if (!acceptFaces(small, tolerance, model, brep)) return std::nullopt;
+      if (countFaces(small.partition) != faces && mend(whole_.points)) continue;
+      return describe(std::move(model), std::move(brep), off.largest);
     }
   }
 
-  static constexpr int kMendings = 4;
+  static constexpr int kMendings = 16;
   static constexpr std::size_t kWorthTrial = 20000;  // triangles
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;
