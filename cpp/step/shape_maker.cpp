@@ -208,7 +208,7 @@ class ShapeMaker {
     const bool exact = options_.tolerance <= 0;
     std::vector<Eigen::Vector3d> about;  // what the last mending may have changed
     for (int mended = 0;; ++mended) {
-      Decimated small = base;
+      Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
       if (options_.mergeCoplanar)
         growPlanes(small.mesh, options_.planarTolerance, small.partition, run_);
       addFacets(small.mesh, small.partition);
