@@ -126,23 +126,15 @@ class Tidier {
       if (seen[first]) continue;
       const std::int32_t own = partition_.patchOf[first];
       if (own >= 0 && partition_.patches[own].triangles.size() > kLeastTriangles) continue;
-      std::vector<std::int32_t> island{static_cast<std::int32_t>(first)};
-      seen[first] = 1;
       std::int32_t around = -1;
       bool mixed = false;
-      for (std::size_t i = 0; i < island.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-          const std::int32_t t = mesh_.opposite[3 * island[i] + k] / 3;
-          if (partition_.patchOf[t] == own) {
-            if (!seen[t]) island.push_back(t);
-            seen[t] = 1;
-          } else {
-            mixed = mixed || partition_.patchOf[t] < 0 ||
-                    (around >= 0 && around != partition_.patchOf[t]);
-            around = partition_.patchOf[t];
-          }
-        }
-      }
+      const auto island = flood(static_cast<std::int32_t>(first), seen, [&](std::int32_t t) {
+        const std::int32_t patch = partition_.patchOf[t];
+        if (patch == own) return true;
+        mixed = mixed || patch < 0 || (around >= 0 && around != patch);
+        around = patch;
+        return false;
+      });
       if (mixed || around < 0 || island.size() > kLeastTriangles) continue;
       const Surface& surface = partition_.patches[around].surface;
       const bool near = std::all_of(island.begin(), island.end(), [&](std::int32_t t) {
@@ -153,10 +145,7 @@ class Tidier {
       });
       if (!near) continue;
       if (own >= 0) partition_.patches[own].triangles.clear();
-      for (const std::int32_t t : island) {
-        partition_.patchOf[t] = around;
-        partition_.patches[around].triangles.push_back(t);
-      }
+      for (const std::int32_t t : island) join(t, around);
     }
     dropEmptyPatches();
   }
@@ -168,16 +157,8 @@ class Tidier {
     std::vector<char> seen(mesh_.triangles.size(), 0);
     for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
       if (seen[first] || partition_.patchOf[first] >= 0) continue;
-      std::vector<std::int32_t> speck{static_cast<std::int32_t>(first)};
-      seen[first] = 1;
-      for (std::size_t i = 0; i < speck.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-          const std::int32_t t = mesh_.opposite[3 * speck[i] + k] / 3;
-          if (partition_.patchOf[t] >= 0 || seen[t]) continue;
-          speck.push_back(t);
-          seen[t] = 1;
-        }
-      }
+      const auto speck = flood(static_cast<std::int32_t>(first), seen,
+                               [&](std::int32_t t) { return partition_.patchOf[t] < 0; });
       if (speck.size() > kSpeck || areaOf(mesh_, speck) > kSpeckArea * tolerance_ * tolerance_)
         continue;
       for (std::size_t left = speck.size(), before = 0; left != before;) {
@@ -190,6 +171,23 @@ class Tidier {
         }
       }
     }
+  }
+
+  // Triangles from `first` on that are asked for beside each other, all seen afterwards.
+  template <class Accepts>
+  std::vector<std::int32_t> flood(std::int32_t first, std::vector<char>& seen,
+                                  const Accepts& accepts) const {
+    std::vector<std::int32_t> region{first};
+    seen[first] = 1;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t t = mesh_.opposite[3 * region[i] + k] / 3;
+        if (!accepts(t) || seen[t]) continue;
+        seen[t] = 1;
+        region.push_back(t);
+      }
+    }
+    return region;
   }
 
   void join(std::int32_t t, std::int32_t patch) {

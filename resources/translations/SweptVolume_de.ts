@@ -527,10 +527,6 @@ Versucht:
    <translation>„{0}“ ist schreibgeschützt.</translation>
   </message>
   <message>
-   <source>writing "{0}" failed; is there room on the disk?</source>
-   <translation>„{0}“ konnte nicht geschrieben werden; ist auf dem Datenträger Platz?</translation>
-  </message>
-  <message>
    <source>Not computed</source>
    <translation>Nicht berechnet</translation>
   </message>

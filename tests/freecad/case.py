@@ -59,6 +59,16 @@ class Case(unittest.TestCase):
         self.doc.recompute()
         return obj
 
+    def grouped_envelope(self):
+        """A group with a box, and the computed envelope of the box, whose motion goes with it."""
+        group, box = self.doc.addObject("App::Part", "G"), self.box()
+        group.addObject(box)
+        path = self.line()
+        path.Frame = "Relative"
+        obj = self.envelope([box], path)
+        envelope.compute(obj)
+        return group, obj
+
     def file(self, name, text):
         path = os.path.join(self.folder, name)
         with open(path, "w", encoding="utf-8") as out:

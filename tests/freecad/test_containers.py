@@ -122,12 +122,7 @@ class Computed(Case):
     NEEDS_CORE = True
 
     def test_moved_with_its_part_it_is_stale_and_computed_again(self):
-        group, box = self.doc.addObject("App::Part", "G"), self.box()
-        group.addObject(box)
-        path = self.line()
-        path.Frame = "Relative"
-        obj = self.envelope([box], path)
-        envelope.compute(obj)
+        group, obj = self.grouped_envelope()
         group.addObject(obj)
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)

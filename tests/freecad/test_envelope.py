@@ -66,12 +66,7 @@ class Envelope(Computed):
         self.assertEqual(obj.Status, envelope.STALE)
 
     def test_moving_a_group_marks_stale(self):
-        group, box = self.doc.addObject("App::Part", "G"), self.box()
-        group.addObject(box)
-        path = self.line()
-        path.Frame = "Relative"
-        obj = self.envelope([box], path)
-        envelope.compute(obj)
+        group, obj = self.grouped_envelope()
         group.Placement = shift(0, 50)
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.STALE)

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files from envelopes: STEP and BREP through the core, meshes through the core's writer, 3MF through
-FreeCAD's.
+"""Files from envelopes: STEP and BREP through the core, meshes through the core's writer.
 
 Every writer writes beside the target, checks, then renames: an old file survives a failure.
 """
 import os
-import zipfile
 
 from . import core
-from .convert import InputProblem, mesh_from_arrays
+from .convert import InputProblem
 from .features import solid
-from .safe_file import written_beside
 from .texts import translate
 
 SOLID_SUFFIXES = (".step", ".stp", ".brep", ".brp")
@@ -44,30 +41,10 @@ def request(source, settings=None):
     return solid.request_for(source, world=True, **(settings or {}))
 
 
-def _write_3mf(vertices, triangles, path):
-    """By FreeCAD's own writer; what it leaves when the disk is full is found out here."""
-    with written_beside(path) as beside:
-        mesh_from_arrays(vertices, triangles).write(beside)
-        found = -1
-        if zipfile.is_zipfile(beside):
-            with zipfile.ZipFile(beside) as file:
-                model = file.read("3D/3dmodel.model")  # also compares its checksum
-            found = model.count(b"<triangle ") if b"</model>" in model[-100:] else -1
-        if found != len(triangles):
-            raise InputProblem(
-                translate("Messages", 'writing "{0}" failed; is there room on the disk?').format(
-                    path
-                )
-            )
-
-
 def write(req, path, control=None):
     """Any thread. Returns a dict: bytes, and for solids the core's report."""
     check_target(path)
     if is_solid_file(path):
         return req.write(path, control or core.Control())
-    if path.lower().endswith(".3mf"):
-        _write_3mf(req.vertices, req.triangles, path)
-    else:
-        core.write_mesh(req.vertices, req.triangles, path)
+    core.write_mesh(req.vertices, req.triangles, path)
     return {"file_bytes": os.path.getsize(path), "faces": len(req.triangles)}

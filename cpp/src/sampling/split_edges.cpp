@@ -104,8 +104,9 @@ double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double ch
                     RunContext& run) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return kNone;
-  const SamplingCost cost(body, trajectory, chord, cell, run);
   const double longest = longestEdge(body);
+  if (longest / 2 <= cell) return kNone;
+  const SamplingCost cost(body, trajectory, chord, cell, run);
   double best = kNone, least = cost.of(longest) / kGain;
   for (double edge = longest / 2; edge > cell; edge /= 2) {
     const double now = cost.of(edge);

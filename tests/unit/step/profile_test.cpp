@@ -106,14 +106,6 @@ class Profiles : public testing::Test {
   std::map<std::string, std::int64_t> kinds_;
 };
 
-Trajectory along(const Eigen::Vector3d& travel) {
-  Trajectory trajectory;
-  trajectory.poses.resize(2);
-  trajectory.poses[1].timeSeconds = 1;
-  trajectory.poses[1].translation = travel;
-  return trajectory;
-}
-
 double tolerances(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);

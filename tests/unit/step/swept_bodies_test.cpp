@@ -38,14 +38,6 @@ TriMesh rod(double radius, double length) {
   return revolved(profile, false, 320);
 }
 
-Trajectory along(const Eigen::Vector3d& travel) {
-  Trajectory trajectory;
-  trajectory.poses.resize(2);
-  trajectory.poses[1].timeSeconds = 1;
-  trajectory.poses[1].translation = travel;
-  return trajectory;
-}
-
 // About an axis through the origin, in `steps` poses.
 Trajectory about(const Eigen::Vector3d& axis, double angle, int steps) {
   Trajectory trajectory;

@@ -1,4 +1,4 @@
-// Closed meshes made by code for the tests of the solid export.
+// Closed meshes made by code for the tests of the solid export, and a motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -124,6 +124,15 @@ inline double meshVolume(const TriMesh& mesh) {
     volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
   }
   return volume;
+}
+
+/// Straight, from where the body stands.
+inline Trajectory along(const Eigen::Vector3d& travel) {
+  Trajectory trajectory;
+  trajectory.poses.resize(2);
+  trajectory.poses[1].timeSeconds = 1;
+  trajectory.poses[1].translation = travel;
+  return trajectory;
 }
 
 }  // namespace swept::test

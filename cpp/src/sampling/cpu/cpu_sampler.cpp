@@ -54,6 +54,7 @@ class CrossingBudget {
  public:
   CrossingBudget(const RunContext& run, double cell) : limit_(memoryLimit(run)), cell_(cell) {}
 
+  /// Unsigned: a step that thins its crossings adds less than nothing, and wraps round.
   void add(std::size_t crossings) {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
     if (limit_ == 0 || bytes <= limit_) return;
