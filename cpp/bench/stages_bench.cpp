@@ -42,11 +42,11 @@ struct Scene {
     topology = buildTopology(body.mesh);
     const Trajectory path = turningPath();
     options.cellSize =
-        plannedCell(sweptBox(body.mesh, refineMotion(body.mesh, path, 0.3, run)), options);
+        plannedCell(sweptBox(body.mesh, refineMotion(body.mesh, path, 0.3, run), run), options);
     motion = refineMotion(body.mesh, path, 0.02 * options.cellSize, run);
     Eigen::AlignedBox3d box;
     for (const auto& v : body.mesh.vertices) box.extend(v);
-    grid = planGrid(sweptBox(body.mesh, motion), box, options);
+    grid = planGrid(sweptBox(body.mesh, motion, run), box, options);
     marked = sampleCpu(input(), run);
     signs = findOutside(marked, grid, run);
     hermite = buildHermiteGrid(input(), marked, signs, run);

@@ -58,7 +58,7 @@ Motion refined(const Prepared& p, const Options& options, double cell, std::size
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
   Motion motion = refined(p, options, last.cell, p.body.mesh.triangles.size(), run);
-  const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, motion), last.cell, options);
+  const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, motion, run), last.cell, options);
   constexpr double kLeastFilled = 0.75;
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -96,23 +96,28 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   if (p.lastGrid != nullptr && planOnLastGrid(p, options, run)) return;
   const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
   const double size = bodyBox.diagonal().norm();
+  const Trajectory& trajectory = p.trajectory.trajectory;
   double cell = options.cellSize;
   if (!(cell > 0)) {
-    const Motion coarse = refineMotion(p.body.mesh, p.trajectory.trajectory, size / 50, run);
-    Eigen::AlignedBox3d box = sweptBox(p.body.mesh, coarse);
+    const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
+    Eigen::AlignedBox3d box = sweptBox(p.body.mesh, coarse, run);
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  const std::size_t triangles = p.body.mesh.triangles.size();
+  const TriMesh given = p.body.mesh;  // its corners stay the outermost where edges are split
   // Offsets flatten side patches by themselves.
   if (!p.keepBody && !(options.offset > 0 || options.conservative)) {
-    const Trajectory& trajectory = p.trajectory.trajectory;
+    // A cell that no grid has room for is refused before long edges are split for it.
+    if (options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
+      const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
+      planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
+    }
     const double longest =
         findBestEdge(p.body.mesh, trajectory, options.chordTolerance * cell, cell, run);
-    if (std::isfinite(longest)) p.body.mesh = splitEdges(p.body.mesh, longest, run);
+    if (std::isfinite(longest)) p.body.mesh = splitEdges(given, longest, run);
   }
-  p.motion = refined(p, options, cell, triangles, run);
-  const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, p.motion), cell, options);
+  p.motion = refined(p, options, cell, given.triangles.size(), run);
+  const Eigen::AlignedBox3d box = grownBox(sweptBox(given, p.motion, run), cell, options);
   Options fixed = options;
   if (p.keepRoom) fixed.cellSize = cell;
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);

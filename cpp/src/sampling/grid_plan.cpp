@@ -69,7 +69,7 @@ Eigen::AlignedBox3d boxOfLikePlacements(const TriMesh& body, const Eigen::Vector
 
 }  // namespace
 
-Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion) {
+Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run) {
   Eigen::AlignedBox3d bodyBox;
   for (const auto& v : body.vertices) bodyBox.extend(v);
   const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
@@ -88,6 +88,7 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion) {
         ((c + reach).array() <= box.max().array()).all()) {
       return;
     }
+    run.checkpoint(Phase::Motion);
     constexpr std::size_t kBlock = 4096;
     std::vector<Eigen::AlignedBox3d> parts(body.vertices.size() / kBlock + 1);
     parallelBlocks(body.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {

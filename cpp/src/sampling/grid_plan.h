@@ -8,6 +8,7 @@
 
 #include "data/grid_plan.h"
 #include "data/motion.h"
+#include "swept/run_context.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -16,7 +17,7 @@ constexpr double kGridMarginCells =
     1.37;  ///< empty cells to each side; odd, so that planes of the body miss it
 
 /// Exact box of all posed vertices, mm.
-Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion);
+Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run);
 
 /// Cell from options (cellSize, else resolution = cells along the longest side of the grid).
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options);

@@ -96,7 +96,7 @@ Comparison compareWithBruteForce(const TriMesh& body, const Trajectory& trajecto
   const Motion motion = refineMotion(body, trajectory, 1, run);
   Eigen::AlignedBox3d box;
   for (const auto& v : body.vertices) box.extend(v);
-  const GridPlan grid = planGrid(sweptBox(body, motion), box, options);
+  const GridPlan grid = planGrid(sweptBox(body, motion, run), box, options);
   const BodyTopology topology = buildTopology(body);
   const SamplerInput input{body, topology, motion, grid, true, true};
   dense::DenseSettings settings;
@@ -186,7 +186,7 @@ TEST(DenseSampler, LargeMotionsAndFewCopiesAreLeftToBruteForce) {
   for (const auto& v : body.vertices) box.extend(v);
   const auto applies = [&](double travel, double turn, double leastPairs) {
     const Motion motion = refineMotion(body, vibration(random, 200, travel, turn), 1, run);
-    const GridPlan grid = planGrid(sweptBox(body, motion), box, options);
+    const GridPlan grid = planGrid(sweptBox(body, motion, run), box, options);
     dense::DenseSettings settings;
     settings.leastPairs = leastPairs;
     return dense::sampleDense({body, topology, motion, grid, true, true}, settings, run)

@@ -18,9 +18,9 @@ Scene::Scene(TriMesh mesh, const Trajectory& trajectory, int resolution) : body(
   options.resolution = resolution;
   RunContext run;
   const Motion coarse = refineMotion(body, trajectory, box.diagonal().norm() / 50, run);
-  const double cell = plannedCell(sweptBox(body, coarse), options);
+  const double cell = plannedCell(sweptBox(body, coarse, run), options);
   motion = refineMotion(body, trajectory, options.chordTolerance * cell, run);
-  grid = planGrid(sweptBox(body, motion), box, options);
+  grid = planGrid(sweptBox(body, motion, run), box, options);
 }
 
 Trajectory turningPath(int poses, Interpolation interpolation) {

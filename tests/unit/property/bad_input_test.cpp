@@ -199,6 +199,12 @@ TEST(BadInput, bad_input_15_cell_against_body) {
   expectRefused(run(unitBox(), still(), options), "CellTooLarge");
   options.cellSize = 1e-6;
   expectFailure(run(unitBox(), still(), options), Status::ResourceLimit, "ResourceLimit");
+  // Said before a body that turns is split for such a cell.
+  Trajectory turn = still();
+  turn.poses.push_back(poseOf(1, placement({1, 2, 3}, 100, {2, 0, 1})));
+  RunContext context;
+  context.cancelAtCheckpoint = 50;
+  expectFailure(compute(unitBox(), turn, options, context), Status::ResourceLimit, "ResourceLimit");
 }
 
 TEST(BadInput, bad_input_16_bad_option) {

@@ -33,11 +33,11 @@ struct Case {
     topology = buildTopology(body.mesh);
     const Trajectory path = checkTrajectory(randomMotion(random)).trajectory;
     options.cellSize =
-        plannedCell(sweptBox(body.mesh, refineMotion(body.mesh, path, 0.1, run)), options);
+        plannedCell(sweptBox(body.mesh, refineMotion(body.mesh, path, 0.1, run), run), options);
     motion = refineMotion(body.mesh, path, 0.02 * options.cellSize, run);
     Eigen::AlignedBox3d box;
     for (const auto& v : body.mesh.vertices) box.extend(v);
-    grid = planGrid(sweptBox(body.mesh, motion), box, options);
+    grid = planGrid(sweptBox(body.mesh, motion, run), box, options);
   }
 
   /// 1 for every lattice point that the outside reaches.
