@@ -54,7 +54,7 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
     const int pieces = std::max(1, static_cast<int>(std::ceil(wanted)));
     motion.chordError =
         std::max(motion.chordError, radius * (1 - std::cos(path.angle() / (2 * pieces))) +
-                                        longest * path.angle() / (4 * pieces));
+                                        warpOf(path.angle() / pieces, longest));
     for (int piece = 0; piece < pieces; ++piece) {
       motion.midpoints.push_back(path.at((piece + 0.5) / pieces));
       motion.placements.push_back(piece + 1 == pieces ? asPlacement(poses[i + 1])

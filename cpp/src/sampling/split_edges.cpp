@@ -19,6 +19,10 @@ constexpr double kFaceCost = 400, kCrossingCost = 8;
 constexpr double kMostTriangles = 2e6;
 /// A finer body has to be worth more than doubts about these figures.
 constexpr double kGain = 2;
+/// Where the placements are limited by what they cost, patches stay warped. Beyond so many cells
+/// the surface shows it: crossings of one patch leave the true surface by different lengths, and
+/// the sides of thin walls pass through one another. Flatter ones may cost so much more.
+constexpr double kShows = 0.1, kFlatterWorth = 1.5;
 
 struct Step {
   double radius, angle;
@@ -68,13 +72,24 @@ class SamplingCost {
       return std::numeric_limits<double>::infinity();
     }
     double placements = 1;
-    for (const Step& s : steps_) {
-      placements += std::max(1.0, piecesOf(s.radius, s.angle, longest, chord_, most_));
-    }
+    for (const Step& s : steps_) placements += pieces(s, longest);
     return placements * (triangles * kFaceCost + crossings_ * kCrossingCost);
   }
 
+  /// By how much the triangles of side patches may leave the ruled surface, mm.
+  double warp(double longest) const {
+    double most = 0;
+    for (const Step& s : steps_) {
+      most = std::max(most, warpOf(s.angle / pieces(s, longest), longest));
+    }
+    return most;
+  }
+
  private:
+  double pieces(const Step& s, double longest) const {
+    return std::max(1.0, piecesOf(s.radius, s.angle, longest, chord_, most_));
+  }
+
   double chord_, most_, crossings_;
   std::vector<Step> steps_;
   std::vector<Extent> extents_;
@@ -107,14 +122,18 @@ double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double ch
   const double longest = longestEdge(body);
   if (longest / 2 <= cell) return kNone;
   const SamplingCost cost(body, trajectory, chord, cell, run);
-  double best = kNone, least = cost.of(longest) / kGain;
+  double best = longest, least = cost.of(longest) / kGain;
   for (double edge = longest / 2; edge > cell; edge /= 2) {
     const double now = cost.of(edge);
     if (now >= least) continue;
     least = now;
     best = edge;
   }
-  return best;
+  const double most = kFlatterWorth * cost.of(best);
+  while (cost.warp(best) > kShows * cell && best / 2 > cell && cost.of(best / 2) <= most) {
+    best /= 2;
+  }
+  return best < longest ? best : kNone;
 }
 
 TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {

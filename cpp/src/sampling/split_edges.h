@@ -13,8 +13,9 @@
 
 namespace swept {
 
-/// The longest edge that the body should have for the least work; infinite where splitting gains
-/// little. `chord` as for refineMotion().
+/// The longest edge that the body should have for the least work, or shorter where side patches
+/// would stay warped enough to be seen; infinite where splitting gains little. `chord` as for
+/// refineMotion().
 double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
                     RunContext& run);
 

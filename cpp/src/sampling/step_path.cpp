@@ -78,7 +78,7 @@ double longestEdge(const TriMesh& body) {
 double piecesOf(double radius, double angle, double longest, double chord, double mostPieces) {
   // radius * angle^2 / (8 n^2) <= chord; the exact sagitta is a little smaller
   return std::max(std::sqrt(radius * angle * angle / (8 * chord)),
-                  std::min(longest * angle / (4 * chord), mostPieces));
+                  std::min(warpOf(angle, longest) / chord, mostPieces));
 }
 
 double mostPiecesOf(double triangles, std::size_t steps) {

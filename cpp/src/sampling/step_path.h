@@ -37,10 +37,12 @@ class StepPath {
 
 double longestEdge(const TriMesh& body);
 
+/// The patch of an edge over a turn (rad) is warped: its two triangles leave the ruled surface by up
+/// to this, which bounds on the chords of points do not see.
+inline double warpOf(double turn, double edge) { return edge * turn / 4; }
+
 /// Pieces that a step is cut into; not rounded. The chords of points leave their arcs by at most
-/// `chord`. So do side patches, as far as `mostPieces` allows: the patch of an edge of length L
-/// over a turn by a is warped, its two triangles leave the ruled surface by up to L a / 4, which
-/// bounds on the chords of points do not see.
+/// `chord`. So do side patches, as far as `mostPieces` allows.
 double piecesOf(double radius, double angle, double longest, double chord, double mostPieces);
 /// Many small triangles are flat enough by themselves and too many to be copied often, so the
 /// pieces of a step that flatten side patches are limited by what they cost.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "check/mesh_check.h"
+#include "sampling/refine_motion.h"
 #include "sampling/step_path.h"
 #include "support/checked_compute.h"
 #include "support/shapes.h"
@@ -58,6 +59,27 @@ TEST(SplitEdges, OnlyWhereItSavesWork) {
   copies.interpolation = Interpolation::None;
   EXPECT_TRUE(std::isinf(best(box, copies)));
   EXPECT_TRUE(std::isinf(best(makeBall({0, 0, 0}, 5, 6), quarterTurn(M_PI / 2))));
+}
+
+/// A fine body may not be copied as often as its few long edges ask: these are split.
+TEST(SplitEdges, FewLongEdgesOfAFineBodyStayFlat) {
+  RunContext run;
+  const double cell = 0.05, chord = 0.02 * cell;
+  TriMesh body = makeBall({0, 0, 0}, 1, 6);
+  append(body, makeBox({2, 0, 0}, {2.1, 0.1, 20}));
+  Trajectory turn;
+  for (int n = 0; n <= 40; ++n) {
+    turn.poses.push_back(poseOf(n, Eigen::Isometry3d(Eigen::AngleAxisd(0.04 * n, V3::UnitX()))));
+  }
+  turn.interpolation = Interpolation::Linear;
+  const std::size_t triangles = body.triangles.size();
+  const auto chordError = [&](const TriMesh& mesh) {
+    return refineMotion(mesh, turn, chord, triangles, run).chordError;
+  };
+  EXPECT_GT(chordError(body), 0.3 * cell);
+  const TriMesh split = splitEdges(body, findBestEdge(body, turn, chord, cell, run), run);
+  EXPECT_LT(chordError(split), 0.1 * cell + chord);
+  EXPECT_LT(split.triangles.size(), triangles * 5 / 4);
 }
 
 /// A box that turns about an edge: a sector of a cylinder beside the box as it stands first and
