@@ -89,6 +89,19 @@ struct Placing {
     return out > kOutside && missed2 > kLittle * kLittle && qef.sharpness() > kSharp;
   }
 
+  /// Planes that are one but for a few degrees have nothing to meet in. If they do not lie on one
+  /// another, the places of the crossings are wrong by about as much, and where they seem to meet
+  /// says nothing: the vertex would fly along the surface, through the other side of a thin wall.
+  /// The farther from the mass point, the less it is believed.
+  void keepNear() {
+    constexpr double kFewDegrees = 0.002;  // sharpness of two planes that differ by 5 degrees
+    constexpr double kFar = 0.3;           // cells
+    const double damping = missed2 / (kFar * kFar);
+    if (damping < 2 * Qef::kDamping || qef.sharpness() > kFewDegrees) return;
+    Eigen::Vector3d other;
+    best = qef.solve(kCellMargin, damping, other);
+  }
+
   const Qef& qef;
   Eigen::Vector3d free, best;  // minimisers without and with the cell's walls
   double out;                  // cells: how far the free one lies outside
@@ -154,7 +167,8 @@ class LayerBuilder {
       vertex.j = static_cast<std::int16_t>(j);
       vertex.k = static_cast<std::int16_t>(cell.k);
       vertex.timeSeconds = times[c];
-      const Placing placing(qefs[c]);
+      Placing placing(qefs[c]);
+      if (components_.count > 1) placing.keepNear();
       VertexSplit split;
       const Eigen::Vector3i at(i, j, cell.k);
       if (probe_ != nullptr && (findWallEnd(cell, at, components_, c, crossings, *probe_, split) ||

@@ -2,14 +2,10 @@
 #include "contour/qef.h"
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <limits>
 
 namespace swept {
-namespace {
-constexpr double kDamping =
-    1e-5;  ///< of the number of planes: a crease of 0.4 degrees weighs as much
-}
-
 Eigen::Matrix3d Qef::matrix() const {
   Eigen::Matrix3d a;
   a << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
@@ -20,12 +16,12 @@ double Qef::error(const Eigen::Vector3d& x) const {
   return x.dot(matrix() * x) - 2 * x.dot(b_) + c_;
 }
 
-Eigen::Vector3d Qef::solve(double margin, Eigen::Vector3d& free) const {
+Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free) const {
   const double low = margin, high = 1 - margin;
   const Eigen::Vector3d m = massPoint();
   Eigen::Matrix3d a = matrix();
   const Eigen::Vector3d g = b_ - a * m;
-  a.diagonal().array() += kDamping * count_;
+  a.diagonal().array() += damping * count_;
   // Inverse of a symmetric 3x3 by cofactors: well conditioned enough (1e5) in double.
   const double c00 = a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
   const double c01 = a(0, 2) * a(1, 2) - a(0, 1) * a(2, 2);
@@ -39,18 +35,16 @@ Eigen::Vector3d Qef::solve(double margin, Eigen::Vector3d& free) const {
                              c02 * g[0] + c12 * g[1] + c22 * g[2]) /
                  det;
   if ((free.array() >= low).all() && (free.array() <= high).all()) return free;
-  return solveInBox(a, g, low, high);
+  return solveInBox(a, g, low, high, free);
 }
 
 Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
-                                double high) const {
+                                double high, const Eigen::Vector3d& unbounded) const {
   // y = x - m minimises y^T a y / 2 - g y; each coordinate free (0), at low (1) or at high (2).
   const Eigen::Vector3d m = massPoint();
-  Eigen::Vector3d best = m.cwiseMax(low).cwiseMin(high);
-  double bestError = std::numeric_limits<double>::max();
-  for (int pattern = 1; pattern < 27; ++pattern) {
-    const int state[3] = {pattern % 3, pattern / 3 % 3, pattern / 9};
-    Eigen::Vector3d y = Eigen::Vector3d::Zero();
+  // False if the free coordinates leave the box.
+  const auto solveFor = [&](const std::array<int, 3>& state, Eigen::Vector3d& y) {
+    y.setZero();
     int free[3], n = 0;
     for (int axis = 0; axis < 3; ++axis) {
       if (state[axis] == 0) {
@@ -68,15 +62,35 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
     if (n == 1) {
       const int p = free[0], f = (p + 1) % 3, h = (p + 2) % 3;
       y[p] = (g[p] - (a(p, f) * y[f] + a(p, h) * y[h])) / a(p, p);
-      if (isOut(p)) continue;
+      if (isOut(p)) return false;
     } else if (n == 2) {
       const int p = free[0], q = free[1], f = 3 - p - q;
       const double rp = g[p] - a(p, f) * y[f], rq = g[q] - a(q, f) * y[f];
       const double det = a(p, p) * a(q, q) - a(p, q) * a(p, q);
       y[p] = (rp * a(q, q) - rq * a(p, q)) / det;
       y[q] = (rq * a(p, p) - rp * a(p, q)) / det;
-      if (isOut(p) || isOut(q)) continue;
+      if (isOut(p) || isOut(q)) return false;
     }
+    return true;
+  };
+  // Mostly the coordinates that are out without the box are those that stop at it: no other place
+  // is better if from each of them the error grows into the box.
+  Eigen::Vector3d y;
+  std::array<int, 3> out;
+  for (int axis = 0; axis < 3; ++axis)
+    out[axis] = unbounded[axis] < low ? 1 : unbounded[axis] > high ? 2 : 0;
+  if (solveFor(out, y)) {
+    const Eigen::Vector3d slope = a * y - g;
+    bool least = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (out[axis] != 0) least &= out[axis] == 1 ? slope[axis] > 0 : slope[axis] < 0;
+    }
+    if (least) return m + y;
+  }
+  Eigen::Vector3d best = m.cwiseMax(low).cwiseMin(high);
+  double bestError = std::numeric_limits<double>::max();
+  for (int pattern = 1; pattern < 27; ++pattern) {
+    if (!solveFor({pattern % 3, pattern / 3 % 3, pattern / 9}, y)) continue;
     const double error = y.dot(a * y) / 2 - g.dot(y);
     if (error < bestError) {
       bestError = error;

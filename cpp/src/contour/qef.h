@@ -45,11 +45,17 @@ class Qef {
   double error(const Eigen::Vector3d& x) const;
 
   /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the one without the box.
-  Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const;
+  Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const {
+    return solve(margin, kDamping, free);
+  }
+  /// `damping`: of the number of planes.
+  Eigen::Vector3d solve(double margin, double damping, Eigen::Vector3d& free) const;
+
+  static constexpr double kDamping = 1e-5;  ///< a crease of 0.4 degrees weighs as much
 
  private:
   Eigen::Vector3d solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
-                             double high) const;
+                             double high, const Eigen::Vector3d& unbounded) const;
 
   double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0, c_ = 0;
   Eigen::Vector3d b_ = Eigen::Vector3d::Zero(), mass_ = Eigen::Vector3d::Zero();

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 namespace swept {
 namespace {
@@ -57,6 +58,19 @@ bool meetsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
         return false;
       }
     }
+  }
+  return true;
+}
+
+/// The same of a segment.
+bool meetsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& half) {
+  const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
+  const Eigen::Vector3d reach = way.cwiseAbs();
+  if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double across = middle[u] * way[v] - middle[v] * way[u];
+    if (std::abs(across) > half[u] * reach[v] + half[v] * reach[u]) return false;
   }
   return true;
 }
@@ -140,8 +154,10 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-template <class Use>
-void ElementProbe::forNeighbours(const SweptElement& element, const Use& use) const {
+// Only what two pieces share leads from the one to the other: it has to pass through the box.
+template <class Inside, class Use>
+void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
+                                 const Inside& inside, const Use& use) const {
   const std::uint32_t k = element.placement;
   const std::size_t steps = input_.motion.steps();
   const auto patch = [&](std::int32_t edge, std::uint32_t step) {
@@ -151,12 +167,18 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Use& use) co
     if (f >= 0) use(SweptElement{static_cast<std::uint32_t>(f), placement});
   };
   if (!element.isPatch()) {
+    const auto& t = input_.body.triangles[element.index()];
+    const auto cornerOf = [&](std::int32_t v) -> const Eigen::Vector3d& {
+      return piece.corner[v == t[0] ? 0 : v == t[1] ? 1 : 2];
+    };
     for (const std::int32_t e : faceEdges_[element.index()]) {
       if (e < 0) continue;
+      const BodyEdge& edge = input_.topology.edges[e];
+      if (!inside(cornerOf(edge.a), cornerOf(edge.b))) continue;
       if (k < steps) patch(e, k);
       if (k > 0 && k - 1 < steps) patch(e, k - 1);
-      face(input_.topology.edges[e].left, k);
-      face(input_.topology.edges[e].right, k);
+      face(edge.left, k);
+      face(edge.right, k);
     }
     const auto f = static_cast<std::int32_t>(element.index());
     if (k < steps) face(f, k + 1);
@@ -164,14 +186,22 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Use& use) co
     return;
   }
   const auto e = static_cast<std::int32_t>(element.index());
-  if (k > 0) patch(e, k - 1);
-  if (k + 1 < steps) patch(e, k + 1);
-  for (const std::int32_t f : {input_.topology.edges[e].left, input_.topology.edges[e].right}) {
-    face(f, k);
-    face(f, k + 1);
+  const BodyEdge& edge = input_.topology.edges[e];
+  const auto& [a, b, c, d] = piece.corner;
+  const bool atStart = inside(a, b), atEnd = inside(c, d), pathA = inside(a, d),
+             pathB = inside(b, c);
+  if (atStart && k > 0) patch(e, k - 1);
+  if (atEnd && k + 1 < steps) patch(e, k + 1);
+  for (const std::int32_t f : {edge.left, edge.right}) {
     if (f < 0) continue;
+    if (atStart) face(f, k);
+    if (atEnd) face(f, k + 1);
+    if (!pathA && !pathB) continue;
     for (const std::int32_t other : faceEdges_[f]) {
-      if (other >= 0) patch(other, k);
+      if (other < 0 || other == e) continue;
+      const BodyEdge& beside = input_.topology.edges[other];
+      const bool sharesA = beside.a == edge.a || beside.b == edge.a;
+      if (sharesA ? pathA : pathB) patch(other, k);
     }
   }
 }
@@ -181,7 +211,8 @@ void ElementProbe::gather(const Eigen::AlignedBox3d& region,
                           std::vector<Piece>& pieces) const {
   const Eigen::Vector3d centre = region.center();
   const Eigen::Vector3d half = region.sizes().array() / 2 + kAround;
-  thread_local std::vector<SweptElement> waiting;  // kept: asked for every end of a wall
+  // Kept: asked for every end of a wall. With the number of the element's piece.
+  thread_local std::vector<std::pair<SweptElement, std::size_t>> waiting;
   thread_local SeenElements seen;
   pieces.clear();
   waiting.clear();
@@ -194,14 +225,18 @@ void ElementProbe::gather(const Eigen::AlignedBox3d& region,
         (!piece.isPatch || !meetsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
+    waiting.emplace_back(element, pieces.size());
     pieces.push_back(piece);
-    waiting.push_back(element);
   };
   for (const std::uint32_t crossing : crossings) visit(elements_[winner_[crossing]]);
+  const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    return meetsBox(p - centre, q - centre, half);
+  };
   while (!waiting.empty() && pieces.size() <= kMostPieces) {
-    const SweptElement element = waiting.back();
+    const auto [element, at] = waiting.back();
     waiting.pop_back();
-    forNeighbours(element, visit);
+    const Piece piece = pieces[at];
+    forNeighbours(element, piece, inside, visit);
   }
   if (pieces.size() > kMostPieces) pieces.clear();
 }

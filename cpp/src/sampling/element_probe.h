@@ -33,8 +33,11 @@ class ElementProbe : public SurfaceProbe {
   Piece pieceOf(const SweptElement& element) const;
   void gather(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
               std::vector<Piece>& pieces) const;
-  template <class Use>
-  void forNeighbours(const SweptElement& element, const Use& use) const;
+  /// use(other) for those that share an edge or a vertex's path with the element, if inside(p, q)
+  /// holds for that segment, and for copies of a face in the placements before and after.
+  template <class Inside, class Use>
+  void forNeighbours(const SweptElement& element, const Piece& piece, const Inside& inside,
+                     const Use& use) const;
   static void castOne(const Piece& piece, ProbeLine& line, double& first);
 
   const SamplerInput& input_;

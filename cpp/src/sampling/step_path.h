@@ -37,8 +37,8 @@ class StepPath {
 
 double longestEdge(const TriMesh& body);
 
-/// The patch of an edge over a turn (rad) is warped: its two triangles leave the ruled surface by up
-/// to this, which bounds on the chords of points do not see.
+/// The patch of an edge over a turn (rad) is warped: its two triangles leave the ruled surface by
+/// up to this, which bounds on the chords of points do not see.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
 
 /// Pieces that a step is cut into; not rounded. The chords of points leave their arcs by at most
