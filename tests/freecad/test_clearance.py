@@ -51,6 +51,26 @@ class Clearance(Case):
             obj.Summary.startswith("2 checked, 1 below required, smallest 3.4 mm at t = 1 s")
         )
 
+    def test_parts_that_others_use_are_neighbours_too(self):
+        # By an expression, a second envelope, a link to it: still there, and in the way.
+        self.far.setExpression("Placement.Base.z", "Wall.Height - 10 mm")
+        envelope.make_envelope(self.doc, [self.far], self.path)
+        link = self.doc.addObject("App::Link", "Copy")
+        link.LinkedObject = self.wall
+        link.Placement = shift(x=80)
+        array = self.doc.addObject("App::Link", "Row")
+        array.LinkedObject, array.ElementCount = self.far, 2
+        for k, element in enumerate(array.ElementList):
+            element.Placement = shift(y=60 + 20 * k)
+        group = self.doc.addObject("App::Part", "Group")
+        group.addObject(self.box("Inner"))
+        group.Placement = shift(z=-60)
+        obj = self.made()
+        clearance.compute(obj)
+        names = [row["name"] for row in clearance.report_of(obj)["neighbours"]]
+        self.assertTrue({"Copy", "Far", "Inner", "Wall"}.issubset(names), names)
+        self.assertEqual(len(names), 6, names)  # and the two of the row, each once
+
     def test_hidden_parts_are_left_out_and_chosen_ones_taken(self):
         self.far.Visibility = False
         obj = self.made()

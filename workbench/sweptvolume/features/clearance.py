@@ -185,6 +185,12 @@ class Request:
         self.notes = notes
 
 
+def _held(obj):
+    """Whether a group or a link array holds an object and shows it."""
+    lists = [getattr(user, "Group", []) + getattr(user, "ElementList", []) for user in obj.InList]
+    return any(obj in held for held in lists)
+
+
 class Plan:
     """What is to be checked. Reads documents only in the thread of the GUI."""
 
@@ -246,7 +252,8 @@ class Plan:
         """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts."""
         roots = self.neighbours
         if self.all_visible:
-            roots = [(o, "") for o in self.document.RootObjects if getattr(o, "Visibility", True)]
+            # Not the document's RootObjects: those are what no other object uses in any way.
+            roots = [(o, "") for o in self.document.Objects if o.Visibility and not _held(o)]
         found = []
         for root, sub in roots:
             target = root.getSubObject(sub, retType=1)
