@@ -8,6 +8,7 @@ from driver import (
     Gui,
     Ok,
     QtWidgets,
+    answered,
     click,
     find,
     new_document,
@@ -149,9 +150,9 @@ def work(look, folder):
     yield no_panel
     Gui.Selection.clearSelection()
     yield from look("bay_solid")
-    file_dialogs.ask_export = lambda name: os.path.join(folder, name + ".step")
     select(doc.getObject("EnvelopeSolid"))
-    Gui.runCommand("SweptVolume_Export")
+    with answered(file_dialogs, "ask_export", lambda name: os.path.join(folder, name + ".step")):
+        Gui.runCommand("SweptVolume_Export")
     yield 0.5
     click(panel_button(Ok))
     yield no_panel

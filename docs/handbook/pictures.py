@@ -18,6 +18,7 @@ from driver import (  # noqa: E402
     Ok,
     QtCore,
     QtWidgets,
+    answered,
     choose,
     click,
     find,
@@ -70,8 +71,8 @@ def demo():
     path = os.path.join(folder, "lift.csv")
     with open(path, "w") as out:
         out.write(CSV)
-    file_panel.ask_file = lambda: path
-    Gui.runCommand("SweptVolume_MotionFromFile")
+    with answered(file_panel, "ask_file", lambda: path):
+        Gui.runCommand("SweptVolume_MotionFromFile")
     yield 0.6
     yield from picture("motion_from_file")
     click(panel_button(Cancel))
@@ -88,6 +89,9 @@ def demo():
     panel.player.slider.setValue(430)
     yield 1.0
     yield from picture("path_editor")
+    Gui.runCommand("SweptVolume_ToTree")
+    select(doc.getObject("Exhaust"))
+    yield from picture("keyboard")
     click(panel_button(Cancel))
     yield no_panel
 
@@ -151,9 +155,9 @@ def demo():
     yield from picture("solid")
     select(made)
     yield from in_dialog("export", lambda: Gui.runCommand("SweptVolume_Export"))
-    file_dialogs.ask_export = lambda name: os.path.join(folder, name + ".step")
     select(made)
-    Gui.runCommand("SweptVolume_Export")
+    with answered(file_dialogs, "ask_export", lambda name: os.path.join(folder, name + ".step")):
+        Gui.runCommand("SweptVolume_Export")
     yield 0.8
     Gui.Selection.clearSelection()
     yield from picture("export_panel")
@@ -165,15 +169,19 @@ def demo():
 def in_dialog(name, action):
     """Does what opens a modal dialog, takes its picture and cancels it."""
 
+    seen = []
+
     def close():
         window = QtWidgets.QApplication.activeModalWidget()
         if window is not None:
+            seen.append(window)
             shot(name)
             QtCore.QTimer.singleShot(900, window.reject)
 
     QtCore.QTimer.singleShot(1500, close)
     action()
     yield 1.0
+    assert seen, "no dialog for " + name
 
 
 def clearance(made):

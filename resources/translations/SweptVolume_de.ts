@@ -211,6 +211,14 @@
    <translation>Liest Datei oder Quelle der ausgewählten Bewegung neu</translation>
   </message>
   <message>
+   <source>Keyboard to the tree or panel</source>
+   <translation>Tastatur zum Baum oder Panel</translation>
+  </message>
+  <message>
+   <source>Puts the keyboard into the tree: arrows choose, Ctrl with arrows and Space chooses more; from the tree it goes to the open panel</source>
+   <translation>Setzt die Tastatur in den Baum: Pfeile wählen, Strg mit Pfeilen und Leertaste wählt weitere; vom Baum geht sie zum offenen Panel</translation>
+  </message>
+  <message>
    <source>Edit envelope</source>
    <translation>Hülle bearbeiten</translation>
   </message>
@@ -848,8 +856,8 @@ Versucht:
    <translation>Alle anderen sichtbaren Teile</translation>
   </message>
   <message>
-   <source>Take selected as neighbours</source>
-   <translation>Ausgewählte als Nachbarn nehmen</translation>
+   <source>&amp;Take selected as neighbours</source>
+   <translation>Ausgewählte als &amp;Nachbarn</translation>
   </message>
   <message>
    <source>Required distance</source>

@@ -4,6 +4,7 @@
 A scenario is a generator: `yield` gives the loop a moment, `yield seconds` a longer one, `yield test`
 (a callable) waits until test() is true. Ends the process: 0 passed, 7 failed.
 """
+import contextlib
 import os
 import subprocess
 import time
@@ -89,6 +90,17 @@ def select(*items):
             Gui.Selection.addSelection(item[0].Document.Name, item[0].Name, item[1])
         else:
             Gui.Selection.addSelection(item)
+
+
+@contextlib.contextmanager
+def answered(module, name, answer):
+    """Puts a function of ours in the place of one that would open a dialog, for a while."""
+    asks = getattr(module, name)
+    setattr(module, name, answer)
+    try:
+        yield
+    finally:
+        setattr(module, name, asks)
 
 
 def press(widget, key, modifiers=QtCore.Qt.NoModifier, text=""):
@@ -239,6 +251,7 @@ __all__ = [
     "QtCore",
     "QtGui",
     "QtWidgets",
+    "answered",
     "choose",
     "click",
     "drag",

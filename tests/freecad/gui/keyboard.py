@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A motion and its envelope with the keyboard alone: keys that the X server itself sends."""
-import ctypes
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 from driver import (  # noqa: E402
     App,
     Gui,
@@ -14,46 +14,9 @@ from driver import (  # noqa: E402
     no_panel,
     open_workbench,
     run,
-    say,
     shot,
 )
-
-
-class Keyboard:
-    """Presses keys by their X names; "Alt_L+s" holds the first one. Raises OSError without the
-    libraries for it."""
-
-    def __init__(self):
-        self.x, self.test = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
-        self.x.XOpenDisplay.restype = ctypes.c_void_p
-        self.x.XStringToKeysym.restype = ctypes.c_ulong
-        self.display = ctypes.c_void_p(self.x.XOpenDisplay(None))
-        # No window manager here: nobody else gives the window the keys.
-        window = ctypes.c_ulong(int(Gui.getMainWindow().winId()))
-        self.x.XSetInputFocus(self.display, window, 1, 0)
-        self.x.XFlush(self.display)
-
-    def _send(self, name, down):
-        symbol = ctypes.c_ulong(self.x.XStringToKeysym(name.encode()))
-        code = self.x.XKeysymToKeycode(self.display, symbol)
-        assert code, name
-        self.test.XTestFakeKeyEvent(self.display, code, down, ctypes.c_ulong(0))
-        self.x.XFlush(self.display)
-
-    def press(self, *keys):
-        """One after the other; a generator."""
-        for key in keys:
-            held = key.split("+")
-            for name in held:
-                self._send(name, 1)
-            for name in reversed(held):
-                self._send(name, 0)
-            yield 0.25
-
-
-def focused():
-    widget = QtWidgets.QApplication.focusWidget()
-    return (widget.objectName() or widget.metaObject().className()) if widget else None
+from x_keyboard import focused, keyboard_or_leave  # noqa: E402
 
 
 def scenario():
@@ -62,11 +25,7 @@ def scenario():
 
     open_workbench()
     yield
-    try:
-        keyboard = Keyboard()
-    except OSError as problem:
-        say("keyboard skipped: {}\npassed".format(problem))
-        os._exit(0)
+    keyboard = keyboard_or_leave()
     press = keyboard.press
     doc = new_document("Keyboard")
     box = doc.addObject("Part::Box", "Box")
@@ -83,16 +42,13 @@ def scenario():
     yield 0.5
 
     # Two keys; Tab goes to the table, the second key is typed into it.
-    yield from press("Alt_L+c", "Alt_L+c")
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
-    assert table.rowCount() == 2, table.rowCount()
-    passed = []
-    while focused() != "SweptVolumeKeys":
-        passed.append(focused())
-        assert len(passed) < 40, passed
-        yield from press("Tab")
+    for count in (1, 2):
+        yield from press("Alt_L+c")
+        yield lambda: table.rowCount() == count
+    yield from keyboard.tab_to("SweptVolumeKeys")
     yield from press("3", "0", "Return")
-    assert table.item(1, 1).text() == "30", (table.item(1, 1).text(), passed)
+    assert table.item(1, 1).text() == "30", table.item(1, 1).text()
     yield from press("Insert")
     assert table.rowCount() == 3
     yield from press("Tab")

@@ -22,10 +22,11 @@ _MODULES = [
     "make_solid",
     "export_envelope",
     "",
+    "to_tree",
     "demo_command",
 ]
 #: Commands that belong in the menu only.
-_MENU_ONLY = {"SweptVolume_EditEnvelope", "SweptVolume_Demo"}
+_MENU_ONLY = {"SweptVolume_EditEnvelope", "SweptVolume_ToTree", "SweptVolume_Demo"}
 _names = []
 
 

@@ -9,13 +9,14 @@ from ..texts import translate
 
 
 class BaseCommand:
-    """Subclasses give NAME, TEXT, TIP (marked for translation), ICON and run()."""
+    """Subclasses give NAME, TEXT, TIP (marked for translation), ICON, ACCEL, KIND (CmdType) and run()."""
 
     NAME = ""
     TEXT = ""
     TIP = ""
     ICON = ""
     ACCEL = ""
+    KIND = ""
     NEEDS_DOCUMENT = True
 
     def GetResources(self):
@@ -26,6 +27,8 @@ class BaseCommand:
         }
         if self.ACCEL:
             resources["Accel"] = self.ACCEL
+        if self.KIND:
+            resources["CmdType"] = self.KIND
         return resources
 
     def IsActive(self):

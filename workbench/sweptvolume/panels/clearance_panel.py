@@ -11,7 +11,7 @@ from ..features.base import objects_of_kind
 from ..features.envelope import Envelope
 from ..texts import translate
 from ..views.clearance_view import BANDS
-from . import file_dialogs, selection, widgets
+from . import file_dialogs, focus, selection, widgets
 from .clearance_graph import DistanceGraph
 from .tasks import ClearanceTask
 from .widgets import QtWidgets
@@ -82,7 +82,8 @@ class ClearancePanel:
         self.all.setChecked(bool(all_visible))
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
-        self.take = QtWidgets.QPushButton(translate("Panels", "Take selected as neighbours"))
+        self.take = QtWidgets.QPushButton(translate("Panels", "&Take selected as neighbours"))
+        self.take.setObjectName("SweptVolumeTakeNeighbours")
         rows.addRow(self.all)
         rows.addRow(self.chosen)
         rows.addRow(self.take)
@@ -94,6 +95,7 @@ class ClearancePanel:
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheck")
+        self.check.setDefault(True)  # Enter
         rows.addRow(self.check)
         self.check.clicked.connect(lambda *ignored: self.start())
         self.take.clicked.connect(lambda *ignored: self._take())
@@ -138,6 +140,8 @@ class ClearancePanel:
             )
         self.table.setSortingEnabled(True)
         self.table.setMinimumHeight(140)
+        self.table.setTabKeyNavigation(False)  # Tab leaves the table
+        self.keys = focus.SortKeys(self.table)
         self.graph = DistanceGraph()
         for widget in (self.summary, self.table, self.graph):
             rows.addWidget(widget)
@@ -243,14 +247,15 @@ class ClearancePanel:
         self.run = None
         if not widgets.alive(self.document):
             return
-        self.box.hide()
         self.check.setEnabled(True)
         if run.state == "ok":
             self.obj = run.task.obj
             Gui.Selection.clearSelection()  # its green would hide the colours
             self.required_band.setProperty("rawValue", self.obj.Required.Value)
             self.show_result()
+            self.box.leave(self.table)
             return
+        self.box.leave(self.form)
         widgets.show_failure(self.message, run)
 
     # --- result
@@ -374,5 +379,5 @@ class ClearancePanel:
 
 def show(document, **given):
     panel = ClearancePanel(document, **given)
-    widgets.show_panel(panel)
+    focus.show(panel)
     return panel

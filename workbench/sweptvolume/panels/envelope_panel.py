@@ -10,7 +10,7 @@ from ..convert import InputProblem
 from ..features.envelope import BACKENDS, COMPONENTS, Plan
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
-from . import widgets
+from . import focus, widgets
 from .parts_box import PartsBox
 from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
@@ -298,8 +298,8 @@ class EnvelopePanel(StartPanel):
             self.read_outs.show_result(self.obj)
         else:
             widgets.show_failure(self.message, run)
-        self.box.hide()
         self._enable(True)
+        self.box.leave(self.form)
 
     # --- task panel
 
@@ -323,7 +323,7 @@ def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     """Opens the panel; `start`: begins at once (Recompute)."""
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
     opened[:] = [panel]
-    widgets.show_panel(panel)
+    focus.show(panel)
     if start:
         panel.start()
     return panel

@@ -11,7 +11,7 @@ from ..features.motion import UNITS
 from ..texts import translate
 from ..trajectory import csv_file
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
-from . import widgets
+from . import focus, widgets
 from .widgets import QtWidgets
 
 
@@ -106,5 +106,5 @@ def ask_file():
 
 def show(document, path):
     panel = FilePanel(document, path)
-    widgets.show_panel(panel)
+    focus.show(panel)
     return panel

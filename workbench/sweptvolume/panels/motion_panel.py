@@ -15,7 +15,7 @@ from ..trajectory.spline import Spline
 from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
 from ..views.surface import LightParts
-from . import key_table, selection, widgets
+from . import focus, key_table, selection, widgets
 from .player import Player
 from .preview import MOST_CELLS, Preview, request_for
 from .tangent_box import TangentBox
@@ -396,5 +396,5 @@ def _part_of(document, obj):
 def show(document, obj=None, pair=None):
     panel = MotionPanel(document, obj, pair)
     opened[:] = [panel]
-    widgets.show_panel(panel)
+    focus.show(panel)
     return panel

@@ -111,6 +111,7 @@ class PartsBox(QtCore.QObject):
             self._show_reference()
 
     def _show_parts(self):
+        before = self.table
         self.table.setRowCount(len(self.pairs))
         for row, (root, sub) in enumerate(self.pairs):
             text = convert.label_of(root, sub)
@@ -121,8 +122,12 @@ class PartsBox(QtCore.QObject):
             self.table.setItem(row, 0, item)
             box = self._motion_box(self.own[row], translate("Panels", "as below"))
             box.setFrame(False)
+            box.setObjectName("SweptVolumeOwnMotion{}".format(row + 1))
             box.currentIndexChanged.connect(lambda i, row=row, box=box: self._chose(row, box))
             self.table.setCellWidget(row, 1, box)
+            QtWidgets.QWidget.setTabOrder(before, box)  # else they come last of the whole window
+            before = box
+        QtWidgets.QWidget.setTabOrder(before, self.add)
         self.table.resizeRowsToContents()
         self.changed.emit()
 
@@ -145,6 +150,7 @@ class PartsBox(QtCore.QObject):
         self.pairs = [self.pairs[k] for k in kept]
         self.own = [self.own[k] for k in kept]
         self._show_parts()
+        self.table.setFocus()  # the box that may have had the keyboard is gone
 
     # --- what is chosen
 

@@ -4,7 +4,7 @@ wrong."""
 import FreeCADGui as Gui
 
 from .. import runner
-from . import widgets
+from . import focus, widgets
 from .widgets import QtWidgets
 
 
@@ -78,5 +78,5 @@ class RunPanel:
 
 def show(task, icon_name):
     panel = RunPanel(task, icon_name)
-    widgets.show_panel(panel)
+    focus.show(panel)
     return panel

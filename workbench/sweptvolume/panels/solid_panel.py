@@ -10,7 +10,7 @@ from .. import core, export, runner
 from ..convert import InputProblem
 from ..features import solid
 from ..texts import translate
-from . import tasks, widgets
+from . import focus, tasks, widgets
 from .run_panel import StartPanel
 from .widgets import QtWidgets
 
@@ -179,8 +179,8 @@ class SolidPanel(StartPanel):
         except (InputProblem, core.CoreMissing) as problem:
             widgets.show_message(self.message, str(problem))
             return
-        self._enable(False)
         self.box.follow(self.run)
+        self._enable(False)
         self.run.ended.connect(self.ended)
 
     def _enable(self, on):
@@ -192,8 +192,8 @@ class SolidPanel(StartPanel):
         if run.state == "ok" or not widgets.alive(self.document):
             self._close()
             return
-        self.box.hide()
         self._enable(True)
+        self.box.leave(self.form)
         widgets.show_failure(self.message, run)
 
     def _close(self):
@@ -213,5 +213,5 @@ def show(source, obj=None, path=""):
         export.check_target(path)
     panel = SolidPanel(source, obj, path)
     opened[:] = [panel]
-    widgets.show_panel(panel)
+    focus.show(panel)
     return panel

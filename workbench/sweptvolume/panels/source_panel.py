@@ -9,7 +9,7 @@ from ..trajectory import driven
 from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
-from . import widgets
+from . import focus, widgets
 from .widgets import QtWidgets
 
 
@@ -178,5 +178,5 @@ class SourcePanel:
 
 def show(document, kind, objects):
     panel = SourcePanel(document, kind, objects)
-    widgets.show_panel(panel)
+    focus.show(panel)
     return panel

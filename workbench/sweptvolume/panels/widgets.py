@@ -139,13 +139,8 @@ def alive(thing):
         return False
 
 
-def show_panel(panel):
-    """Opens a task panel with the keyboard in its first field: the 3D view keeps Tab for itself."""
-    Gui.Control.showDialog(panel)
-    QtCore.QTimer.singleShot(0, lambda: _to_first_field(panel.form))
-
-
-def _to_first_field(form):
+def to_first_field(form):
+    """The keyboard goes to the first field of a form that takes it."""
     try:
         field = form.nextInFocusChain()
         while form.isAncestorOf(field):
@@ -224,6 +219,16 @@ class RunBox(QtWidgets.QGroupBox):
         run.progress.connect(self._progress)
         self.stop.clicked.connect(run.cancel)
         self.show()
+        self.stop.setFocus()  # fields that are switched off now would lose the keyboard to the 3D view
+
+    def leave(self, field):
+        """Nothing runs any more: the keyboard, if it was here, goes to a field or to the first of a form."""
+        here = self.stop.hasFocus()
+        self.hide()
+        if here and number_of(field.focusPolicy()) & number_of(QtCore.Qt.TabFocus):
+            field.setFocus()
+        elif here:
+            to_first_field(field)
 
     def _progress(self, part, phase):
         self.bar.setValue(int(part * 1000))

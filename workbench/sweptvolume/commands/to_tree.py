@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Keyboard to the tree or panel: parts can be chosen without a mouse."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_ToTree"
+    TEXT = mark("Commands", "Keyboard to the tree or panel")
+    TIP = mark(
+        "Commands",
+        "Puts the keyboard into the tree: arrows choose, Ctrl with arrows and Space chooses more; from "
+        "the tree it goes to the open panel",
+    )
+    ACCEL = "Ctrl+T"
+    #: FreeCAD leaves it on while a panel is open.
+    KIND = "ForEdit"
+
+    def IsActive(self):
+        return True
+
+    def run(self, document):
+        from ..panels import focus
+
+        focus.to_tree_or_panel()

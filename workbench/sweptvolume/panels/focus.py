@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the keyboard is: FreeCAD's 3D view keeps Tab for itself, so a panel takes the keyboard when it
+opens, and a command brings it to the tree and back."""
+import FreeCADGui as Gui
+from PySide import QtCore
+
+from .widgets import QtWidgets, to_first_field
+
+#: What show() opened last: the form of a task panel, and its filter.
+_shown = []
+
+
+class _Keys(QtCore.QObject):
+    """Space presses the button or ticks the box that has the keyboard. FreeCAD's own shortcut, which hides
+    what is selected, would come first."""
+
+    def eventFilter(self, watched, event):  # noqa: N802
+        # Fields that do not want a key hand it on to the form.
+        if event.type() == QtCore.QEvent.ShortcutOverride and event.key() == QtCore.Qt.Key_Space:
+            event.accept()
+            return True
+        return False
+
+
+class SortKeys(QtCore.QObject):
+    """Space sorts a table by the column of its current cell, as a click on the head does."""
+
+    def __init__(self, table):
+        super().__init__()
+        self.table = table
+        table.installEventFilter(self)
+
+    def eventFilter(self, watched, event):  # noqa: N802
+        if event.type() != QtCore.QEvent.KeyPress or event.key() != QtCore.Qt.Key_Space:
+            return False
+        head, column = self.table.horizontalHeader(), max(self.table.currentColumn(), 0)
+        falling = head.sortIndicatorOrder() == QtCore.Qt.DescendingOrder
+        again = head.sortIndicatorSection() == column and not falling
+        self.table.sortItems(
+            column, QtCore.Qt.DescendingOrder if again else QtCore.Qt.AscendingOrder
+        )
+        return True
+
+
+def show(panel):
+    """Opens a task panel with the keyboard in its first field."""
+    Gui.Control.showDialog(panel)
+    keys = _Keys()
+    panel.form.installEventFilter(keys)
+    _shown[:] = [panel.form, keys]
+    QtCore.QTimer.singleShot(0, lambda: to_first_field(panel.form))
+
+
+def to_tree_or_panel():
+    """From the tree to the open panel, from anywhere else to the tree."""
+    trees = [
+        tree
+        for tree in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
+        if tree.metaObject().className() == "Gui::TreeWidget"
+    ]
+    if not trees:
+        return
+    tree = next((t for t in trees if t.isVisible()), trees[0])
+    if tree.hasFocus() and Gui.Control.activeDialog() and _shown:
+        Gui.Control.showTaskView()
+        _bring_up(_shown[0])
+        to_first_field(_shown[0])
+        return
+    _bring_up(tree)
+    tree.setFocus(QtCore.Qt.ShortcutFocusReason)
+
+
+def _bring_up(widget):
+    """Makes a widget visible that lies behind another tab or in a closed dock."""
+    try:
+        inner, outer = widget, widget.parentWidget()
+        while outer is not None:
+            if isinstance(outer, QtWidgets.QStackedWidget):
+                outer.setCurrentWidget(inner)
+                tabs = outer.parentWidget()
+                if isinstance(tabs, QtWidgets.QTabWidget):
+                    tabs.setCurrentWidget(inner)
+            elif isinstance(outer, QtWidgets.QDockWidget):
+                outer.show()
+                outer.raise_()
+            inner, outer = outer, outer.parentWidget()
+    except RuntimeError:
+        pass  # the panel was closed
