@@ -92,6 +92,8 @@ def demo():
     Gui.runCommand("SweptVolume_ToTree")
     select(doc.getObject("Exhaust"))
     yield from picture("keyboard")
+    Gui.runCommand("SweptVolume_ToTree")
+    yield 0.3
     click(panel_button(Cancel))
     yield no_panel
 

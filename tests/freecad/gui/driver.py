@@ -213,6 +213,8 @@ def run(scenario):
 
     def fail():
         traceback.print_exc()
+        if SHOTS:
+            subprocess.call(["import", "-window", "root", os.path.join(SHOTS, "failed.png")])
         os._exit(7)
 
     def tick():
@@ -220,7 +222,8 @@ def run(scenario):
             if state["wait"] is not None:
                 if not state["wait"]():
                     if time.time() - state["since"] > LIMIT:
-                        raise AssertionError("waited {} s in vain".format(LIMIT))
+                        line = steps.gi_frame.f_lineno if steps.gi_frame else 0
+                        raise AssertionError("line {}: waited {} s".format(line, LIMIT))
                     return QtCore.QTimer.singleShot(20, tick)
                 state["wait"] = None
             wanted = next(steps)
