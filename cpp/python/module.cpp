@@ -71,12 +71,18 @@ RunPointer runFromObject(const py::object& run) {
   return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
 }
 
-// One option of compute() and estimate(); what is no number, name or flag is a TypeError.
+// One option of compute() and estimate(); what is no number, name or flag is a TypeError, a whole number that
+// no option could hold a BadOption.
 template <class T>
 T castOption(const std::string& name, const py::handle& value) {
   try {
     return value.cast<T>();
   } catch (const py::cast_error&) {
+    if (PyLong_Check(value.ptr()) != 0) {
+      throw Error(Status::InvalidInput, "BadOption",
+                  "option " + name + " = " + py::repr(value).cast<std::string>() +
+                      " is beyond what any option takes");
+    }
     throw py::type_error("option " + name + " cannot be " + py::repr(value).cast<std::string>());
   }
 }

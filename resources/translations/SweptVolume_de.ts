@@ -587,6 +587,10 @@ Versucht:
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
   <message>
+   <source>"{0}" is no envelope: choose another one.</source>
+   <translation>„{0}“ ist keine Hüllfläche: anderes Objekt wählen.</translation>
+  </message>
+  <message>
    <source>the parts of "{0}" have motions of their own: check each part with its motion.</source>
    <translation>die Teile von „{0}“ haben eigene Bewegungen: jedes Teil mit seiner Bewegung prüfen.</translation>
   </message>
@@ -637,6 +641,10 @@ Versucht:
   <message>
    <source>a motion of the reference is given, but no reference part: choose it as well.</source>
    <translation>eine Bewegung des Bezugs ist angegeben, aber kein Bezugsteil: auch dieses wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" is no motion: choose another one.</source>
+   <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -797,6 +805,10 @@ Versucht:
    <translation>Die Bewegung hat {0} Zeiten und {1} Platzierungen.</translation>
   </message>
   <message>
+   <source>pose {0}: its time ({1:g}) is no moment.</source>
+   <translation>Lage {0}: ihre Zeit ({1:g}) ist kein Zeitpunkt.</translation>
+  </message>
+  <message>
    <source>pose {0}: its time {1:g} s is not after the {2:g} s of the pose before; times must grow.</source>
    <translation>Lage {0}: Ihre Zeit {1:g} s liegt nicht nach den {2:g} s der Lage davor; Zeiten müssen wachsen.</translation>
   </message>
@@ -809,8 +821,20 @@ Versucht:
    <translation>„{0}“ hat {1} Wegpunkte; eine Bewegung braucht mindestens zwei.</translation>
   </message>
   <message>
+   <source>the settings of the motion's source are damaged: choose the source again, or keep the poses as they are.</source>
+   <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: die Quelle neu wählen oder die Lagen behalten, wie sie sind.</translation>
+  </message>
+  <message>
    <source>this motion keeps its own poses and has no source to read again.</source>
    <translation>Diese Bewegung hat eigene Lagen und keine Quelle, die neu gelesen werden könnte.</translation>
+  </message>
+  <message>
+   <source>{0} poses: allowed are {1} to {2}.</source>
+   <translation>{0} Lagen: erlaubt sind {1} bis {2}.</translation>
+  </message>
+  <message>
+   <source>no smooth way leads from pose {0} to pose {1}: their times, placements or given velocities are beyond all measure.</source>
+   <translation>Von Lage {0} zu Lage {1} führt kein glatter Weg: Zeiten, Platzierungen oder gegebene Geschwindigkeiten sind jenseits allen Maßes.</translation>
   </message>
  </context>
  <context>

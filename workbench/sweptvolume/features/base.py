@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What all our document objects share: properties added once, nothing stored in the proxy."""
+import json
+
 import FreeCAD as App
 
 from ..texts import mark, translate
@@ -36,11 +38,11 @@ class Feature:
                 if default is not None:
                     setattr(obj, name, default)
             elif kind == "App::PropertyEnumeration" and isinstance(default, list):
-                now = getattr(obj, name)
+                now = getattr(obj, name)  # None in a damaged document
                 if obj.getEnumerationsOfProperty(name) != default:
                     setattr(obj, name, default)
-                    if now in default:
-                        setattr(obj, name, now)
+                if getattr(obj, name) != now or now is None:
+                    setattr(obj, name, now if now in default else default[0])
             if mode:
                 obj.setEditorMode(name, mode)
 
@@ -57,6 +59,32 @@ class Feature:
 
     def __setstate__(self, state):
         return None
+
+
+def fits(value, shape):
+    """Whether a value read from JSON is built as a shape says: float (any number) or another type, a set of
+    values, a dict of the keys that are needed, [shape of all items], (shape of each item, ...)."""
+    if isinstance(shape, dict):
+        return isinstance(value, dict) and all(
+            k in value and fits(value[k], shape[k]) for k in shape
+        )
+    if isinstance(shape, (list, tuple)):
+        if not isinstance(value, list):
+            return False
+        shapes = shape * len(value) if isinstance(shape, list) else shape
+        return len(value) == len(shapes) and all(map(fits, value, shapes))
+    if isinstance(shape, set):
+        return isinstance(value, str) and value in shape
+    return isinstance(value, (int, float) if shape is float else shape)
+
+
+def stored(text, shape):
+    """JSON from a document; None where it is damaged (no JSON, or not built as the shape says)."""
+    try:
+        value = json.loads(text)
+    except ValueError:
+        return None
+    return value if fits(value, shape) else None
 
 
 def kind_of(obj):

@@ -30,6 +30,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     mark_failure,
     mark_result,
     set_changed,
+    stored,
 )
 from .moving import Moving
 
@@ -41,6 +42,26 @@ VERDICTS = {
     "below": mark("Messages", "Too near"),
     "contact": mark("Messages", "Contact"),
     "clash": mark("Messages", "Clash"),
+}
+_POINT = (float, float, float)
+#: What is read of a stored report.
+REPORT = {
+    "summary": str,
+    "required": float,
+    "neighbours": [
+        {
+            "name": str,
+            "verdict": set(VERDICTS),
+            "distance": float,
+            "guaranteed": float,
+            "time_seconds": float,
+            "pose": {"translation": _POINT, "quaternion_xyzw": (float,) * 4},
+            "point_on_body": _POINT,
+            "point_on_neighbour": _POINT,
+            "below": [(float, float)],
+            "curve": [(float, float)],
+        }
+    ],
 }
 #: Columns of the exported table.
 COLUMNS = [
@@ -238,6 +259,12 @@ class Plan:
         """The moving parts. Raises InputProblem where each has a motion of its own."""
         if self.envelope is None:
             return Moving(self.pairs, self.motion)
+        if not envelope_feature.is_envelope(self.envelope):
+            raise InputProblem(
+                translate("Messages", '"{0}" is no envelope: choose another one.').format(
+                    self.envelope.Label
+                )
+            )
         groups = envelope_feature.Plan.of(self.envelope).groups()
         if len(groups) > 1:
             raise InputProblem(
@@ -401,8 +428,8 @@ def compute(obj, control=None):
 
 
 def report_of(obj):
-    """The stored report (dict), or None."""
-    return json.loads(obj.Report) if obj.Report else None
+    """The stored report (dict); None if there is none, or a damaged one."""
+    return stored(obj.Report, REPORT)
 
 
 def table(report):

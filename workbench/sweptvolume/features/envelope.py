@@ -31,6 +31,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     kind_of,
     mark_failure,
     mark_result,
+    stored,
 )
 from .moving import Moving
 
@@ -57,6 +58,15 @@ NOTES = {
     "Conservative",
     "CpuSampler",
 }
+#: What is read of a stored report.
+REPORT = {
+    "cell": float,
+    "backend": str,
+    "simplification_deviation": float,
+    "warnings": [{"code": str, "text": str}],
+}
+#: About as many cells as a grid can have along a side; the core says exactly.
+MOST_CELLS = 8000
 #: Straight pieces of a smooth motion leave it by at most this part of a cell.
 STRAIGHT = 0.02
 
@@ -359,6 +369,8 @@ class Plan:
         """One run for each group of parts that move together, no document behind them."""
         groups, options = self.groups(), self.options()
         cell = self.cell(groups)
+        if any(np.ptp(g.corners(), axis=0).max() > MOST_CELLS * cell for g in groups):
+            self.estimate()  # refused by the core, before solids get triangles for such a cell
         if len(groups) > 1:
             options.update(cell=cell, tolerance=0.0)
             if options["keep_cavities"]:
@@ -459,10 +471,15 @@ def update_status(obj):
     mark_result(obj, plan.hash(), any(motion_feature.is_stale(o) for o in plan.objects()))
 
 
+def report_of(obj):
+    """The stored report (dict); None if there is none, or a damaged one."""
+    return stored(obj.Report, REPORT)
+
+
 def warnings_of(report):
     """The findings of a report that ask for attention, in the user's language; all are kept in the
     property Report."""
-    found = [w for w in report.get("warnings", []) if w["code"] not in NOTES]
+    found = [w for w in report["warnings"] if w["code"] not in NOTES]
     return [dict(w, text=said(w["code"], w["text"])) for w in found]
 
 

@@ -159,13 +159,13 @@ class Motion(Feature):
             if sources.is_live(obj.SourceType):
                 store(obj, sources.read(settings_of(obj)), touch=False)
             poses = poses_of(obj)
+            look(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
             raise
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
         set_changed(obj, "Duration", span)
-        look(obj)
 
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)

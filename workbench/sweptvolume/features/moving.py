@@ -29,7 +29,12 @@ class Moving:
             )
         if not self.pairs:
             raise InputProblem(convert.no_part_text())
-        if self.reference_motion is not None and self.reference is None:
+        given = self.reference_motion
+        if given is not None and not motion_feature.is_motion(given):
+            raise InputProblem(
+                translate("Messages", '"{0}" is no motion: choose another one.').format(given.Label)
+            )
+        if given is not None and self.reference is None:
             raise InputProblem(
                 translate(
                     "Messages",

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is known of an envelope that was computed: numbers and warnings, to be read and copied."""
-import json
-
 import FreeCAD as App
 from PySide import QtCore
 
-from ..features.envelope import CANCELLED, FAILED, warnings_of
+from ..features.envelope import CANCELLED, FAILED, report_of, warnings_of
 from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
@@ -27,22 +25,23 @@ class ReadOuts(QtWidgets.QGroupBox):
 
     def show_result(self, obj):
         """Shows the stored result of an envelope object (or None)."""
-        if obj is None or not obj.Mesh.CountFacets or not obj.Report:
+        report = report_of(obj) if obj is not None and obj.Mesh.CountFacets else None
+        if report is None:
             self.hide()
             return
-        self.text.setText("\n".join(lines_of(obj)))
+        self.text.setText("\n".join(lines_of(obj, report)))
         self.show()
 
 
-def lines_of(obj):
+def lines_of(obj, report):
     """The read-outs of an envelope, a line each."""
-    report, box = json.loads(obj.Report), obj.Mesh.BoundBox
+    box = obj.Mesh.BoundBox
 
     def length(value):
         return App.Units.Quantity(value, App.Units.Length).UserString
 
     sides = " x ".join(length(v) for v in (box.XLength, box.YLength, box.ZLength))
-    deviation = report.get("simplification_deviation", 0.0)
+    deviation = report["simplification_deviation"]
     lines = [
         translate("Panels", "Volume: {0}").format(obj.Volume.UserString),
         translate("Panels", "Box: {0}").format(sides),

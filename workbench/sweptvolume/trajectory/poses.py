@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A motion as a plain value: times (s) and placements (mm), with the rules for using it."""
+import math
+
 import FreeCAD as App
 import numpy as np
 
@@ -39,6 +41,13 @@ class Poses:
                     len(self.times), len(self.placements)
                 )
             )
+        for i, time in enumerate(self.times):
+            if not math.isfinite(time):
+                raise InputProblem(
+                    translate("Messages", "pose {0}: its time ({1:g}) is no moment.").format(
+                        i + 1, time
+                    )
+                )
         for i in range(1, len(self.times)):
             if not self.times[i] > self.times[i - 1]:
                 raise InputProblem(

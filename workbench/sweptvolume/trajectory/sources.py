@@ -9,6 +9,9 @@ from ..texts import translate
 from . import array, assembly, cam, csv_file, curve, driven, objects, robot
 from .poses import Poses
 
+#: Each takes a step of Python or a recompute of the document.
+MOST_POSES = 100_000
+
 
 class Settings:
     """A source as a plain value: kind, file, unit, objects and kind-specific values (as JSON)."""
@@ -18,15 +21,49 @@ class Settings:
         self.file = file
         self.unit = unit
         self.objects = list(objects)
-        self.values = json.loads(extra) if extra else {}
-        self.values.update(values)
+        self.values = dict(_read(extra), **values) if extra else values
 
     @property
     def extra(self):
         return json.dumps(self.values, sort_keys=True) if self.values else ""
 
     def get(self, name, default):
-        return self.values.get(name, default)
+        """A value of the default's kind, text or number. Raises InputProblem."""
+        value = self.values.get(name, default)
+        if not isinstance(value, str if isinstance(default, str) else (int, float)):
+            raise _damaged()
+        return value
+
+    def count(self, default, least=2):
+        """How many poses to read. Raises InputProblem."""
+        value = int(self.get("count", default))
+        if not least <= value <= MOST_POSES:
+            raise InputProblem(
+                translate("Messages", "{0} poses: allowed are {1} to {2}.").format(
+                    value, least, MOST_POSES
+                )
+            )
+        return value
+
+
+def _damaged():
+    return InputProblem(
+        translate(
+            "Messages",
+            "the settings of the motion's source are damaged: choose the source again, or keep the "
+            "poses as they are.",
+        )
+    )
+
+
+def _read(extra):
+    try:
+        values = json.loads(extra)
+    except ValueError:
+        raise _damaged() from None
+    if not isinstance(values, dict):
+        raise _damaged()
+    return values
 
 
 def _stored(settings):
@@ -46,14 +83,14 @@ def _placements(settings):
 def _curve(settings):
     return curve.poses(
         settings.objects,
-        int(settings.get("count", 32)),
+        settings.count(32),
         settings.get("orientation", "Fixed"),
         float(settings.get("duration", 10.0)),
     )
 
 
 def _robot(settings):
-    return robot.poses(settings.objects, int(settings.get("count", 32)))
+    return robot.poses(settings.objects, settings.count(32))
 
 
 def _array(settings):
@@ -74,7 +111,7 @@ def _driven(settings):
         settings.get("property", ""),
         float(settings.get("start", 0.0)),
         float(settings.get("end", 1.0)),
-        int(settings.get("count", 16)),
+        settings.count(16, least=1),
         float(settings.get("duration", 10.0)),
     )
 

@@ -9,6 +9,9 @@ import math
 
 import FreeCAD as App
 
+from ..convert import InputProblem
+from ..texts import translate
+
 #: What a key's velocity is. Auto: from its neighbours; Stop: none; Corner: each side its own
 #: straight way; Given: the velocity stored with the key, the turn as for Auto.
 TANGENTS = ["Auto", "Stop", "Corner", "Given"]
@@ -75,6 +78,14 @@ class Spline:
         v0, w0 = self.velocity(k, after=True)
         v1, w1 = self.velocity(k + 1, after=False)
         third = (self.times[k + 1] - self.times[k]) / 3.0
+        if not all(math.isfinite(v.Length) for v in (v0, v1, w0 * third, w1 * third)):
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "no smooth way leads from pose {0} to pose {1}: their times, placements or given "
+                    "velocities are beyond all measure.",
+                ).format(k + 1, k + 2)
+            )
         first, last = rotation_of(w0 * third), rotation_of(w1 * third)
         whole = self.placements[k].Rotation.inverted().multiply(self.placements[k + 1].Rotation)
         middle = first.inverted().multiply(whole).multiply(last.inverted())
