@@ -588,7 +588,7 @@ Versucht:
   </message>
   <message>
    <source>"{0}" is no envelope: choose another one.</source>
-   <translation>„{0}“ ist keine Hüllfläche: anderes Objekt wählen.</translation>
+   <translation>„{0}“ ist keine Hülle: anderes Objekt wählen.</translation>
   </message>
   <message>
    <source>the parts of "{0}" have motions of their own: check each part with its motion.</source>
