@@ -65,16 +65,28 @@ class ColumnEnds {
 
 /// Parts the records of one layer by axis and column and keeps of every lattice edge the crossing
 /// next to either end.
-void reduceLayer(std::vector<CrossingRecord>& records, std::vector<CrossingRecord>& scratch,
-                 ColumnEnds& ends, std::uint32_t columns, LayerEdges& layer) {
+void reduceLayer(const std::vector<RecordChunk>& chunks,
+                 const std::vector<std::uint32_t>& elementBase, std::size_t i,
+                 std::vector<CrossingRecord>& scratch, ColumnEnds& ends, std::uint32_t columns,
+                 LayerEdges& layer) {
   const auto bucketOf = [&](const CrossingRecord& r) { return r.axis() * columns + r.column(); };
+  const auto forRecords = [&](const auto& use) {
+    for (std::size_t c = 0; c < chunks.size(); ++c) {
+      const RecordChunk& chunk = chunks[c];
+      for (std::uint32_t n = chunk.layerStart[i]; n < chunk.layerStart[i + 1]; ++n) {
+        use(chunk.records[n], elementBase[c]);
+      }
+    }
+  };
   std::vector<std::uint32_t> start(3 * columns + 1, 0);
-  for (const auto& r : records) ++start[bucketOf(r)];
-  exclusiveScan(start);
-  scratch.resize(records.size());
+  forRecords([&](const CrossingRecord& r, std::uint32_t) { ++start[bucketOf(r)]; });
+  const std::uint32_t count = exclusiveScan(start);
+  if (scratch.size() < count) scratch.resize(count);
   {
     std::vector<std::uint32_t> next(start);
-    for (const auto& r : records) scratch[next[bucketOf(r)]++] = r;
+    forRecords([&](const CrossingRecord& r, std::uint32_t base) {
+      scratch[next[bucketOf(r)]++] = {r.key, r.element + base};
+    });
   }
   for (int axis = 0; axis < 3; ++axis) {
     auto& edges = layer.edges[axis];
@@ -119,18 +131,24 @@ void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
   }
 }
 
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room) {
+  const auto layers = static_cast<std::size_t>(grid.points[0]);
+  chunk.layerStart.assign(layers + 1, 0);
+  for (const CrossingRecord& r : chunk.records) ++chunk.layerStart[r.layer()];
+  exclusiveScan(chunk.layerStart);
+  room.swap(chunk.records);
+  chunk.records = std::vector<CrossingRecord>(room.size());
+  std::vector<std::uint32_t> next(chunk.layerStart);
+  for (const CrossingRecord& r : room) chunk.records[next[r.layer()]++] = r;
+  room.clear();
+}
+
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run) {
   const auto layers = static_cast<std::size_t>(grid.points[0]);
   MarkedEdges out;
   out.layers.resize(layers);
 
-  // How many records each chunk sends to each layer, and where they go.
-  std::vector<std::vector<std::uint32_t>> place(chunks.size());
   std::vector<std::uint32_t> elementBase(chunks.size());
-  parallelFor(chunks.size(), [&](std::size_t c) {
-    place[c].assign(layers, 0);
-    for (const auto& r : chunks[c].records) ++place[c][r.layer()];
-  });
   std::size_t elementCount = 0;
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     elementBase[c] = static_cast<std::uint32_t>(elementCount);
@@ -141,26 +159,13 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
                 "the sweep has " + std::to_string(elementCount) +
                     " surface elements, the limit is 4294967295; use fewer placements");
   }
-  std::vector<std::vector<CrossingRecord>> byLayer(layers);
-  parallelFor(layers, [&](std::size_t layer) {
-    std::uint32_t sum = 0;
-    for (auto& counts : place) {
-      const std::uint32_t count = counts[layer];
-      counts[layer] = sum;
-      sum += count;
-    }
-    byLayer[layer].resize(sum);
-  });
   out.elements.resize(elementCount);
   parallelFor(chunks.size(), [&](std::size_t c) {
     RecordChunk& chunk = chunks[c];
-    for (CrossingRecord r : chunk.records) {
-      r.element += elementBase[c];
-      byLayer[r.layer()][place[c][r.layer()]++] = r;
-    }
+    std::vector<CrossingRecord> room;
+    if (chunk.layerStart.empty()) orderByLayer(chunk, grid, room);
     std::copy(chunk.elements.begin(), chunk.elements.end(), out.elements.begin() + elementBase[c]);
-    chunk = RecordChunk{};
-    std::vector<std::uint32_t>().swap(place[c]);
+    std::vector<SweptElement>().swap(chunk.elements);
   });
   run.checkpoint(Phase::Sampling, 9, 10);
   const auto columns = static_cast<std::uint32_t>(grid.points[1]);
@@ -168,8 +173,7 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
     std::vector<CrossingRecord> scratch;
     ColumnEnds ends(static_cast<std::size_t>(grid.points[2]));
     for (std::size_t layer = begin; layer < end; ++layer) {
-      reduceLayer(byLayer[layer], scratch, ends, columns, out.layers[layer]);
-      std::vector<CrossingRecord>().swap(byLayer[layer]);
+      reduceLayer(chunks, elementBase, layer, scratch, ends, columns, out.layers[layer]);
     }
   });
   return out;

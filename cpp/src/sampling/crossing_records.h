@@ -1,5 +1,5 @@
 // Raw crossings of any sampler -> marked edges, sorted layer by layer.
-// Cost: O(crossings); 12 bytes a crossing, twice while they are moved.
+// Cost: O(crossings); 12 bytes a crossing, and once more what one work item holds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -40,7 +40,12 @@ static_assert(sizeof(CrossingRecord) == 12);
 struct RecordChunk {
   std::vector<CrossingRecord> records;
   std::vector<SweptElement> elements;
+  std::vector<std::uint32_t> layerStart;  ///< once ordered: per layer its first record, and the end
 };
+
+/// Orders the records by layer, in an array of just their number; `room` receives the array that
+/// they were in, emptied, for the next chunk.
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
 
 /// Leaves of every lattice edge only the crossings that sortRecords() would take of these; the
 /// order of what is left is another.

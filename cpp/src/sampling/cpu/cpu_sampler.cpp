@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <atomic>
 #include <sstream>
@@ -68,7 +70,8 @@ class CrossingBudget {
   }
 
  private:
-  static constexpr std::uint64_t kBytes = 2 * sizeof(CrossingRecord);  // twice while they are moved
+  // As often again for what is made of them.
+  static constexpr std::uint64_t kBytes = 2 * sizeof(CrossingRecord);
   std::uint64_t limit_;
   double cell_;
   std::atomic<std::uint64_t> taken_{0};
@@ -121,7 +124,6 @@ class ItemSampler {
     keepEnds(out_.records, input_.grid);
     limit_ = std::max(limit_, 2 * out_.records.size());
     thinned_ = true;
-    if (last) out_.records.shrink_to_fit();
   }
   void patch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
              const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
@@ -220,14 +222,19 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     }
   }
   CrossingBudget budget(run, input.grid.cell);
+  tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;  // grown once a thread
   parallelFor(items.size(), [&](std::size_t i) {
     if (known[i] != 0) return;
+    std::vector<CrossingRecord>& room = rooms.local();
+    chunks[i].records.swap(room);
     if (input.motion.continuous) {
       SweepSampler(input, clusters, chunks[i], budget).sample(items[i], run);
     } else {
       sampleUnion(input, items[i], chunks[i], budget, run);
     }
+    orderByLayer(chunks[i], input.grid, room);
   });
+  rooms.clear();
   if (!keys.empty()) input.cache->replace(keys, chunks);
   run.checkpoint(Phase::Sampling, 8, 10);
   return sortRecords(chunks, input.grid, run);
