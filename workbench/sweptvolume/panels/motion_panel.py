@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel: the path editor. Table of keys, capture, drag, play; the document changes only with OK,
 in one step, and Cancel puts the part back."""
+import time
+
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import convert, core, settings
 from ..convert import InputProblem
 from ..features import motion
-from ..features.envelope import is_envelope
 from ..texts import translate
 from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from, snapped
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, base_of
@@ -25,6 +26,10 @@ from .widgets import QtWidgets
 #: triangles of a mesh as it is drawn meanwhile.
 GHOST_DEFLECTION, MOST_GHOSTS, PART_TRIANGLES = 0.003, 60, 15000
 
+#: s between two pictures while a key is dragged: they wait for the envelope that belongs to them, but not
+#: longer than LATEST. A picture of its own for each would leave the envelopes no time.
+SOONEST, LATEST = 0.07, 0.16
+
 #: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
 opened = []
 
@@ -34,11 +39,11 @@ class MotionPanel:
 
     def __init__(self, document, obj=None, pair=None):
         self.document, self.obj = document, obj
-        self.pair = pair or _part_of(document, obj)
+        self.pair = pair or selection.moved_part(obj)
         self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
         self.before = _content(self.keys)
         self.body, self.ghosts, self.coarse, self.dragger = None, None, None, None
-        self.light = None
+        self.light, self.undrawn, self.drawn = None, None, 0.0
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
         self.home = App.Placement(self.target.Placement) if self.target is not None else None
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
@@ -276,11 +281,25 @@ class MotionPanel:
         world = placement.multiply(self.handle.inverse())
         place = world.multiply(self.body.placement.inverse()).multiply(base)
         self.keys.update(row, place)
-        self.keyboard.show_row(self.keys, row)
-        self.show_ghosts()
+        self.undrawn = row
+        if self.preview_box.isChecked():
+            self.ask_preview(take=False)
+            since = time.perf_counter() - self.drawn
+            if since < SOONEST or since < LATEST and not self.preview.has_made():
+                return
+            self.preview.take()
+        self.draw_dragged()
+
+    def draw_dragged(self):
+        """Draws what was dragged since the last picture."""
+        row, self.undrawn, self.drawn = self.undrawn, None, time.perf_counter()
+        if row is not None and row < len(self.keys):
+            self.keyboard.show_row(self.keys, row)
+            self.draw_ghosts()
 
     def dropped(self, placement):
         self.dragged(placement)
+        self.draw_dragged()
         self.show_dragger()
 
     def _applied(self, placements):
@@ -294,13 +313,16 @@ class MotionPanel:
         self.show_ghosts()
 
     def show_ghosts(self):
+        self.draw_ghosts()
+        self.ask_preview()
+
+    def draw_ghosts(self):
         if self.ghosts is not None:
             step = max(1, len(self.keys) // MOST_GHOSTS)
             placements = self.keys.placements[::step]
             self.ghosts.show_keys(self._applied(placements) if placements else [])
             self.ghosts.show_path(self.keys.poses(), self.interpolation.currentData())
         self.show_moving()
-        self.ask_preview()
 
     def show_moving(self):
         if len(self.keys) and self.ghosts is not None:
@@ -308,8 +330,8 @@ class MotionPanel:
             here = at_time(self.keys.poses(), self.interpolation.currentData(), now)
             self.ghosts.show_moving(self._applied([here])[0])
 
-    def ask_preview(self):
-        """Wishes for a coarse envelope of the keys as they are now."""
+    def ask_preview(self, take=True):
+        """Wishes for a coarse envelope of the keys as they are now; take: as Preview.want()."""
         if self.ghosts is None:
             return
         if not self.preview_box.isChecked() or not len(self.keys):
@@ -320,13 +342,14 @@ class MotionPanel:
         keys = Keys(self.keys.times, self.keys.placements, self.keys.tangents)
         try:
             poses = keys.poses()
-            self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)])
+            self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)], take)
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))
 
     def show_preview(self, surface):
         if self.coarse is not None and self.coarse.root is not None:
             self.coarse.show(surface)
+            self.draw_dragged()
 
     def report_preview(self, text):
         self.preview_text.setText(text)
@@ -380,17 +403,6 @@ def _content(keys):
     numbers = [tuple(p.toMatrix().A) for p in keys.placements]
     tangents = [(kind, tuple(v) if v is not None else ()) for kind, v in keys.tangents]
     return list(keys.times), numbers, tangents
-
-
-def _part_of(document, obj):
-    """The part that a motion moves: the selected one, else the first of an envelope that uses it."""
-    chosen = selection.parts()
-    if chosen:
-        return chosen[0]
-    for user in obj.InList if obj else []:
-        if is_envelope(user) and user.Generators:
-            return convert.pairs_of(user.Generators)[0]
-    return None
 
 
 def show(document, obj=None, pair=None):

@@ -70,6 +70,10 @@ class _PreviewTask(Task):
                 self._next = requests
             return not self._over
 
+    def has_made(self):
+        """Whether take() has something; without waiting."""
+        return self._made is not None
+
     def take(self):
         """The newest of what was made since the last call: (drawn, seconds), or None."""
         with self._lock:
@@ -117,9 +121,10 @@ class Preview:
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self._refine)
         self.looks = QtCore.QTimer()
-        self.looks.timeout.connect(self._take)
+        self.looks.timeout.connect(self.take)
 
-    def want(self, wish):
+    def want(self, wish, take=True):
+        """take False: whoever wishes calls take() as often as it draws."""
         self.wish = wish
         self.timer.stop()
         if self.run is None:
@@ -128,9 +133,15 @@ class Preview:
             self.waiting = True
             self.run.cancel()
         else:
-            self._take()
+            if take:
+                self.take()
+            self.looks.start(LOOK)  # a picture is drawn anyway: not one more in between
             requests = self._requests(min(self.cells, self.finest()))
             self.waiting = requests is not None and not self.run.task.offer(requests)
+
+    def has_made(self):
+        """Whether take() has something to show."""
+        return self.run is not None and self.run.task.has_made()
 
     def settled(self):
         """Whether nothing is under way and nothing is to follow."""
@@ -168,10 +179,9 @@ class Preview:
         if self.run is None and self.wish is not None and self.finest() > self.cells:
             self._start(fine=True)
 
-    def _take(self):
+    def take(self):
         """Shows what was made since the last look."""
-        made = self.run.task.take()
-        self.looks.start(LOOK)  # with a wish a picture is drawn anyway: not one more in between
+        made = self.run.task.take() if self.run is not None else None
         if made is None:
             return
         self.show(made[0])
@@ -182,7 +192,7 @@ class Preview:
             self._adapt(made[1])
 
     def _ended(self, run):
-        self._take()
+        self.take()
         self.looks.stop()
         self.run = None
         if run.state != "cancelled":

@@ -2,7 +2,7 @@
 """What is selected, sorted by what our commands can use. Sub paths through groups and links stay."""
 import FreeCADGui as Gui
 
-from ..convert import leaves, root_path, split_path
+from ..convert import leaves, pairs_of, root_path, split_path
 from ..features.clearance import is_clearance
 from ..features.envelope import is_envelope
 from ..features.motion import is_motion
@@ -43,6 +43,18 @@ def parts():
         except ValueError:
             continue
     return found
+
+
+def moved_part(obj):
+    """The part that a motion (None: a new one) moves: the selected one, else the first of an envelope
+    that uses it."""
+    chosen = parts()
+    if chosen:
+        return chosen[0]
+    for user in obj.InList if obj else []:
+        if is_envelope(user) and user.Generators:
+            return pairs_of(user.Generators)[0]
+    return None
 
 
 def motion():

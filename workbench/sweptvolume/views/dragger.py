@@ -15,9 +15,9 @@ except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
 _NAMES = ("SoTransformDragger", "SoFCCSysDragger")
 #: Share of the part's size that the dragger takes.
 SIZE = 0.6
-#: ms between two looks at where the dragger is. It follows the mouse by itself; what follows it, the
-#: ghost and the path, is drawn so often, which leaves time for the envelopes.
-POLL = 80
+#: ms between two looks at where the dragger is. It follows the mouse by itself; how often what follows
+#: it is drawn is the panel's business.
+POLL = 30
 
 
 class PoseDragger:
