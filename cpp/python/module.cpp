@@ -20,6 +20,7 @@
 #ifdef HAVE_SWEPT_STEP
 #include "swept/step_export.h"
 #endif
+#include "warm_memory.h"
 
 #ifndef SWEPT_VERSION
 #define SWEPT_VERSION "unknown"
@@ -372,6 +373,12 @@ void bindPreview(py::module_& module) {
 }
 
 void bindFunctions(py::module_& module) {
+  py::class_<WarmMemory>(module, "WarmMemory", kWarmMemoryDoc)
+      .def(py::init<std::size_t>(), py::arg("bytes"))
+      .def("touch", &WarmMemory::touch, py::call_guard<py::gil_scoped_release>(),
+           "Fetches the pages; any thread.")
+      .def("release", &WarmMemory::release, "Leaves them to the heap; the thread that made it.")
+      .def_property_readonly("bytes", &WarmMemory::bytes, "Bytes that are held.");
   module.def(
       "stand_back", &standBack,
       "From now on runs leave the processor to other threads of this process first. Ask before "

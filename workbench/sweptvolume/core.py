@@ -310,6 +310,12 @@ def drawable(vertices, triangles, most, crease):
     return module().drawable(vertices, triangles, most, crease)
 
 
+def warm_memory(size):
+    """So many bytes for a copy that this thread is about to make: touch() in another thread, release()
+    before the copy; to be kept until it is made."""
+    return module().WarmMemory(int(size))
+
+
 def mesh_file(vertices, triangles):
     """The bytes of FreeCAD's own kind of mesh file."""
     return module().freecad_mesh(vertices, triangles)

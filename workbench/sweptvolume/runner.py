@@ -4,8 +4,8 @@ on the GUI thread.
 
 A task has `document`, `watched` (objects it needs to the end), `title`, `work(control)` (any thread,
 plain values only), `finish(value)` (GUI thread, inside one transaction), and optionally
-`fail(text, cancelled)`. If the document closes or a watched object goes, the run is cancelled and finish() is
-never called.
+`fail(text, cancelled)` and `room(value)`. If the document closes or a watched object goes, the run is
+cancelled and finish() is never called.
 """
 import FreeCAD as App
 from PySide import QtCore
@@ -15,6 +15,8 @@ from .texts import translate
 
 #: ms between two looks at the progress.
 POLL = 100
+#: Bytes from which on memory for the result is fetched beforehand.
+LARGE = 8 << 20
 
 _runs = []
 _observer = None
@@ -31,6 +33,10 @@ class Task:
 
     def work(self, control):
         raise NotImplementedError
+
+    def room(self, value):
+        """Bytes of memory that finish() is going to fill; 0: little."""
+        return 0
 
     def finish(self, value):
         raise NotImplementedError
@@ -50,8 +56,19 @@ class _Thread(QtCore.QThread):
     def run(self):
         try:
             self.value = self.task.work(self.control)
-        except Exception as error:  # shown by Run._ended
+        except Exception as error:  # shown by Run._conclude
             self.error = error
+
+
+class _Fetching(QtCore.QThread):
+    """Fetches memory for finish(): in the window's thread that would take longer than to fill it."""
+
+    def __init__(self, warm):
+        super().__init__()
+        self.warm = warm
+
+    def run(self):
+        self.warm.touch()
 
 
 class Run(QtCore.QObject):
@@ -70,7 +87,8 @@ class Run(QtCore.QObject):
         self._watched = {obj.Name for obj in task.watched}
         self._gone = False
         self._thread = _Thread(task, self.control)
-        self._thread.finished.connect(self._ended)
+        self._thread.finished.connect(self._worked)
+        self._fetching = None
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._look)
 
@@ -97,13 +115,29 @@ class Run(QtCore.QObject):
 
     def wait(self):
         self._thread.wait()
+        if self._fetching is not None:
+            self._fetching.wait()
 
     def _look(self):
         self.progress.emit(self.control.progress(), self.control.phase())
 
+    def _worked(self):
+        self._thread.wait()
+        room = 0
+        if self._thread.error is None and not self._gone:
+            room = self.task.room(self._thread.value)
+        if room < LARGE:
+            self._ended()
+            return
+        self._fetching = _Fetching(core.warm_memory(room))
+        self._fetching.finished.connect(self._ended)
+        self._fetching.start()
+
     def _ended(self):
         self._timer.stop()
-        self._thread.wait()
+        self.wait()
+        if self._fetching is not None:
+            self._fetching.warm.release()
         _runs.remove(self)
         if self._gone:
             self.state = "cancelled"
@@ -112,6 +146,7 @@ class Run(QtCore.QObject):
             self._conclude()
             for obj in self.task.watched:
                 _refresh_icon(obj)
+        self._fetching = None
         QtCore.QTimer.singleShot(0, self._forget)
         self.ended.emit(self)
 

@@ -73,6 +73,9 @@ class EnvelopeTask(PlanTask):
     def work(self, control):
         return surface.ready(self.request(control), self.most)
 
+    def room(self, value):
+        return surface.room(self.obj, value)
+
     def finish(self, value):
         super().finish(value)
         surface.show(self.obj, value)

@@ -25,6 +25,9 @@ class _Recut(runner.Task):
     def work(self, control):
         return surface.ready(self.run(control), self.most)
 
+    def room(self, found):
+        return surface.room(self.obj, found)
+
     def finish(self, found):
         envelope.apply(self.obj, found, self.hash)
         surface.show(self.obj, found)

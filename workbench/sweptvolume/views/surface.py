@@ -123,6 +123,18 @@ def ready(outcome, most):
     return outcome
 
 
+#: Bytes that FreeCAD takes for a facet and for a point of a mesh, in the document and in the view.
+_FACET, _POINT = 64 + 16, 24 + 12
+
+
+def room(obj, outcome):
+    """Bytes that it takes to write an envelope to its object (None: a new one)."""
+    meshes = [outcome.mesh]
+    if obj is not None and obj.Document.UndoMode:
+        meshes.append(obj.Mesh)  # kept for Undo
+    return sum(_FACET * m.CountFacets + _POINT * m.CountPoints for m in meshes)
+
+
 def show(obj, outcome):
     """Draws the thinned copy of an envelope that was just written to its object."""
     if outcome.drawn is not None:
