@@ -15,6 +15,8 @@ from .texts import translate
 
 #: ms between two looks at the progress.
 POLL = 100
+#: ms until a result that was taken over is freed: the window draws it first.
+FORGET = 400
 #: Bytes from which on memory for the result is fetched beforehand.
 LARGE = 8 << 20
 
@@ -147,11 +149,11 @@ class Run(QtCore.QObject):
             for obj in self.task.watched:
                 _refresh_icon(obj)
         self._fetching = None
-        QtCore.QTimer.singleShot(0, self._forget)
+        QtCore.QTimer.singleShot(FORGET, self._forget)
         self.ended.emit(self)
 
     def _forget(self):
-        """Gives the result back, in a turn of its own: it may be large, and the run lives on for a while."""
+        """Gives the result back: it may be large, and the run lives on for a while."""
         self._thread.value = None
 
     def _conclude(self):

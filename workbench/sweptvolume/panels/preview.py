@@ -16,7 +16,7 @@ from .widgets import alive
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
 #: Triangles that are drawn: each new one has to reach the view, and is seen for a moment.
-MOST_TRIANGLES = 50000
+MOST_TRIANGLES = 30000
 #: Cells of the fine envelope at most; more would keep the cores busy without being asked.
 MOST_CELLS = 192
 #: ms without a change before the fine envelope is computed.

@@ -15,7 +15,7 @@ from .. import convert, core, runner
 from ..features.base import kind_of
 
 #: Triangles that are drawn of one surface, about; edges that turn by more (rad) are drawn sharp.
-MOST, CREASE = 60000, 0.6
+MOST, CREASE = 40000, 0.6
 
 
 def drawn(vertices, triangles, most=MOST):
