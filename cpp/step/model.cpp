@@ -3,45 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <unordered_map>
+
+#include "chains.h"
 
 namespace swept::step {
 namespace {
 
 using Eigen::Vector3d;
 
-// Planes at less than about two degrees do not fix the line in which they meet.
-constexpr double kNearlyParallel = 0.9994;
 constexpr double kCornerShare = 0.15;  // of the tolerance, for corners of facets
-
-struct Chain {
-  std::vector<std::int32_t> halfEdges;   // in order, all with the same patch on either side
-  std::vector<const Surface*> surfaces;  // those that fix its points: not facets; a cut last
-  bool closed = false;
-  bool curved = false;    // one edge on the curve in which two surfaces meet
-  bool straight = false;  // one edge on the line in which two planes meet
-  bool dropped = false;   // shrank to a point
-};
 
 class Builder {
  public:
   Builder(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance, RunContext& run)
-      : mesh_(mesh), partition_(partition), tolerance_(tolerance), run_(run) {}
+      : mesh_(mesh),
+        partition_(partition),
+        borders_(mesh, partition),
+        tolerance_(tolerance),
+        run_(run) {
+    Chains found = findChains(mesh, partition, tolerance, run);
+    chains_ = std::move(found.chains);
+    kept_ = std::move(found.kept);
+  }
 
   Model build() {
-    findBoundary();
-    findChains();
-    run_.checkpoint(Phase::Export);
-    for (Chain& chain : chains_) classify(chain);
-    for (const Chain& chain : chains_) {
-      if (chain.curved) {
-        kept_[vertexAt(chain, 0)] = 1;
-      } else if (!chain.straight) {
-        keepBends(chain);
-      }
-    }
-    separateTwins();
     placeVertices();
     run_.checkpoint(Phase::Export);
     dropShrunkChains();
@@ -55,172 +41,7 @@ class Builder {
   }
 
  private:
-  std::int32_t patchOf(std::int32_t h) const { return partition_.patchOf[h / 3]; }
-  bool isBoundary(std::int32_t h) const { return patchOf(h) != patchOf(mesh_.opposite[h]); }
-
-  // The boundary half-edge of the same patch that follows h, turning within the fan of h.
-  std::int32_t nextBoundary(std::int32_t h) const {
-    std::int32_t n = HalfEdgeMesh::next(h);
-    while (!isBoundary(n)) n = HalfEdgeMesh::next(mesh_.opposite[n]);
-    return n;
-  }
-
-  void findBoundary() {
-    degree_.assign(mesh_.points.size(), 0);
-    const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
-    for (std::int32_t h = 0; h < count; ++h) {
-      if (isBoundary(h)) ++degree_[mesh_.origin(h)];
-    }
-    kept_.assign(mesh_.points.size(), 0);
-    for (std::size_t v = 0; v < degree_.size(); ++v) kept_[v] = degree_[v] > 2;
-  }
-
-  void findChains() {
-    const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
-    std::vector<char> seen(count, 0);
-    auto walk = [&](std::int32_t first) {
-      Chain chain;
-      std::int32_t h = first;
-      do {
-        seen[h] = seen[mesh_.opposite[h]] = 1;
-        chain.halfEdges.push_back(h);
-        if (kept_[mesh_.target(h)]) break;
-        h = nextBoundary(h);
-      } while (h != first);
-      chain.closed = mesh_.origin(first) == mesh_.target(chain.halfEdges.back());
-      chains_.push_back(std::move(chain));
-    };
-    for (std::int32_t h = 0; h < count; ++h) {
-      if (!seen[h] && isBoundary(h) && kept_[mesh_.origin(h)]) walk(h);
-    }
-    for (std::int32_t h = 0; h < count; ++h) {
-      if (!seen[h] && isBoundary(h)) walk(h);
-    }
-  }
-
-  std::int32_t vertexAt(const Chain& chain, std::size_t i) const {
-    return i < chain.halfEdges.size() ? mesh_.origin(chain.halfEdges[i])
-                                      : mesh_.target(chain.halfEdges.back());
-  }
-
-  std::size_t farthest(const Chain& chain, std::size_t from, std::size_t to,
-                       double& distance) const {
-    const Eigen::Vector3d a = mesh_.points[vertexAt(chain, from)];
-    const Eigen::Vector3d ab = mesh_.points[vertexAt(chain, to)] - a;
-    const double length2 = ab.squaredNorm();
-    std::size_t best = from;
-    distance = -1;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const Eigen::Vector3d d = mesh_.points[vertexAt(chain, i)] - a;
-      const double t = length2 > 0 ? std::clamp(d.dot(ab) / length2, 0.0, 1.0) : 0.0;
-      const double off = (d - t * ab).norm();
-      if (off > distance) {
-        distance = off;
-        best = i;
-      }
-    }
-    return best;
-  }
-
-  // Keeps the vertices that a polyline within the tolerance needs (iterative split at the
-  // farthest).
-  void keepBends(const Chain& chain) {
-    const std::size_t last = chain.halfEdges.size();
-    std::vector<std::pair<std::size_t, std::size_t>> spans;
-    if (chain.closed) {
-      double distance = 0;
-      const std::size_t middle = farthest(chain, 0, last, distance);
-      kept_[vertexAt(chain, 0)] = kept_[vertexAt(chain, middle)] = 1;
-      // A closed line needs three corners at least, whatever the tolerance.
-      const std::size_t third = middle > 1 ? farthest(chain, 0, middle, distance)
-                                           : farthest(chain, middle, last, distance);
-      kept_[vertexAt(chain, third)] = 1;
-      const auto [low, high] = std::minmax({middle, third});
-      spans = {{0, low}, {low, high}, {high, last}};
-    } else {
-      spans = {{0, last}};
-    }
-    while (!spans.empty()) {
-      const auto [from, to] = spans.back();
-      spans.pop_back();
-      if (to - from < 2) continue;
-      double distance = 0;
-      const std::size_t split = farthest(chain, from, to, distance);
-      if (distance <= tolerance_) continue;
-      kept_[vertexAt(chain, split)] = 1;
-      spans.push_back({from, split});
-      spans.push_back({split, to});
-    }
-  }
-
-  // Two straight edges between the same two vertices would enclose nothing: keep more of their
-  // chains.
-  void separateTwins() {
-    for (bool again = true; again;) {
-      again = false;
-      std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> seen;
-      for (std::size_t c = 0; c < chains_.size(); ++c) {
-        std::size_t from = 0;
-        for (std::size_t i = 1; i <= chains_[c].halfEdges.size(); ++i) {
-          if (!kept_[vertexAt(chains_[c], i)]) continue;
-          const auto [low, high] =
-              std::minmax({vertexAt(chains_[c], from), vertexAt(chains_[c], i)});
-          const std::uint64_t key =
-              (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
-          const auto [it, fresh] = seen.try_emplace(key, c, from);
-          if (!fresh) {
-            if (keepWithin(c, from)) again = true;
-            if (keepWithin(it->second.first, it->second.second)) again = true;
-          }
-          from = i;
-        }
-      }
-    }
-  }
-
-  // Keeps the farthest vertex between `from` and the next kept one; false if there is none.
-  bool keepWithin(std::size_t c, std::size_t from) {
-    std::size_t to = from + 1;
-    while (!kept_[vertexAt(chains_[c], to)]) ++to;
-    if (to - from < 2) return false;
-    double distance = 0;
-    kept_[vertexAt(chains_[c], farthest(chains_[c], from, to, distance))] = 1;
-    return true;
-  }
-
-  // A chain between two recognised surfaces, one of them curved, runs on the curve in which they
-  // meet.
-  void classify(Chain& chain) {
-    const Patch& left = partition_.patches[patchOf(chain.halfEdges[0])];
-    const Patch& right = partition_.patches[patchOf(mesh_.opposite[chain.halfEdges[0]])];
-    for (const Patch* patch : {&left, &right}) {
-      if (patch->surface.kind != SurfaceKind::Facet) chain.surfaces.push_back(&patch->surface);
-    }
-    chain.curved =
-        chain.surfaces.size() == 2 && !(left.surface.isPlanar() && right.surface.isPlanar());
-    chain.straight = chain.surfaces.size() == 2 && !chain.curved && !chain.closed &&
-                     left.surface.axis.dot(right.surface.axis) < kNearlyParallel;
-    if (left.surfaceId >= 0 && left.surfaceId == right.surfaceId) {
-      chain.surfaces = {&left.surface, nearestCut(chain, left.surfaceId)};
-    }
-  }
-
-  const Surface* nearestCut(const Chain& chain, std::int32_t surfaceId) const {
-    const Surface* best = nullptr;
-    double least = 1e300;
-    for (const Cut& cut : partition_.cuts) {
-      if (cut.surfaceId != surfaceId) continue;
-      double sum = 0;
-      for (const std::int32_t h : chain.halfEdges) {
-        sum += std::abs(cut.plane.distance(mesh_.points[mesh_.origin(h)]));
-      }
-      if (sum < least) {
-        least = sum;
-        best = &cut.plane;
-      }
-    }
-    return best;
-  }
+  std::int32_t vertexAt(const Chain& chain, std::size_t i) const { return chain.vertex(mesh_, i); }
 
   // Each kept vertex goes where the surfaces of its chains meet, if that is near. Beside a facet it
   // takes the facet's corner along, so there it may go only as far as the facets have left.
@@ -257,7 +78,7 @@ class Builder {
     isFacetCorner_.assign(mesh_.points.size(), 0);
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
       const auto half = static_cast<std::int32_t>(h);
-      if (partition_.patches[patchOf(half)].surface.kind == SurfaceKind::Facet)
+      if (partition_.patches[borders_.patchOf(half)].surface.kind == SurfaceKind::Facet)
         isFacetCorner_[mesh_.origin(half)] = 1;
     }
   }
@@ -276,18 +97,17 @@ class Builder {
     auto coincide = [&](std::int32_t a, std::int32_t b) {
       return a != b && (place_[a] - place_[b]).norm() <= eps;
     };
-    for (Chain& chain : chains_) {
+    std::erase_if(chains_, [&](const Chain& chain) {
       const std::int32_t a = vertexAt(chain, 0), b = vertexAt(chain, chain.halfEdges.size());
       if (!coincide(a, b) || chain.surfaces.size() < 2 || isFacetCorner_[a] || isFacetCorner_[b])
-        continue;
-      if (chain.halfEdges.size() > 12) continue;
-      chain.dropped = true;
+        return false;
+      if (chain.halfEdges.size() > 12) return false;
       same_[root(a)] = root(b);
-    }
+      return true;
+    });
     // What is left needs its corners apart: these stay where the mesh has them.
     for (int round = 0; round < 3; ++round) {
       for (const Chain& chain : chains_) {
-        if (chain.dropped) continue;
         std::int32_t last = vertexAt(chain, 0);
         for (std::size_t i = 1; i <= chain.halfEdges.size(); ++i) {
           const std::int32_t v = vertexAt(chain, i);
@@ -374,7 +194,6 @@ class Builder {
     std::size_t done = 0;
     for (const Chain& chain : chains_) {
       if ((++done & 63U) == 0) run_.checkpoint(Phase::Export);
-      if (chain.dropped) continue;
       std::int32_t edge = -1;
       for (const std::int32_t h : chain.halfEdges) {
         if (edge < 0) {
@@ -425,8 +244,8 @@ class Builder {
     std::vector<char> seen(mesh_.opposite.size(), 0);
     const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
     for (std::int32_t first = 0; first < count; ++first) {
-      if (seen[first] || !isBoundary(first)) continue;
-      const std::int32_t patch = patchOf(first);
+      if (seen[first] || !borders_.isBorder(first)) continue;
+      const std::int32_t patch = borders_.patchOf(first);
       if (faceOf[patch] < 0) {
         faceOf[patch] = static_cast<std::int32_t>(model_.faces.size());
         model_.faces.emplace_back();
@@ -439,7 +258,7 @@ class Builder {
       do {
         seen[h] = 1;
         if (startsEdge_[h]) loop.push_back({edgeOf_[h], isForward_[h] != 0});
-        h = nextBoundary(h);
+        h = borders_.next(h);
       } while (h != first);
       if (!loop.empty()) addSimpleLoops(loop, model_.faces[faceOf[patch]]);
     }
@@ -490,13 +309,13 @@ class Builder {
 
   const HalfEdgeMesh& mesh_;
   const Partition& partition_;
+  Borders borders_;
   double tolerance_;
   RunContext& run_;
-  Model model_;
-  std::vector<std::int32_t> degree_;  // boundary edges per mesh vertex
-  std::vector<char> kept_;            // mesh vertices that become model vertices
-  std::vector<char> isFacetCorner_;   // mesh vertices that a facet uses
   std::vector<Chain> chains_;
+  std::vector<char> kept_;  // mesh vertices that become model vertices
+  Model model_;
+  std::vector<char> isFacetCorner_;     // mesh vertices that a facet uses
   std::vector<std::int32_t> vertexId_;  // mesh vertex -> model vertex
   std::vector<std::int32_t> edgeOf_;    // half-edge -> model edge
   std::vector<char> isForward_;         // half-edge runs along its edge
