@@ -107,9 +107,17 @@ const MatchingList& matchings(int n) {
 
 int faceCrossings(std::uint32_t mask, int face) { return std::popcount(mask & kFaceMasks[face]); }
 
+bool hasChoice(std::uint32_t mask, int face) {
+  std::uint32_t left = mask & kFaceMasks[face];
+  left &= left - 1;
+  return (left & (left - 1)) != 0;
+}
+
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings) {
   std::array<Stop, 8> stops;
-  const int n = collectStops(cell, face, crossings, stops);
+  // Where two crossings leave no choice nothing else about them counts.
+  const bool choice = hasChoice(cell.mask, face);
+  const int n = collectStops(cell, face, choice ? crossings : nullptr, stops);
   FacePairs pairs;
   pairs.count = n / 2;
   if (n == 2) {
@@ -186,7 +194,7 @@ void ComponentFinder::find(const Cell& cell, const Crossing* crossings, Componen
   if (method_ == ComponentMethod::Equivalence) return findEquivalence(cell, out);
   if (method_ == ComponentMethod::Greedy) return findGreedy(cell, crossings, out);
   bool ambiguous = false;
-  for (int face = 0; face < kFaces; ++face) ambiguous |= faceCrossings(cell.mask, face) > 2;
+  for (int face = 0; face < kFaces; ++face) ambiguous |= hasChoice(cell.mask, face);
   if (ambiguous) {
     consistent(cell, crossings, out);
     return;

@@ -37,6 +37,8 @@ FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings);
 
 /// Crossings on a face that the cell's mask shows.
 int faceCrossings(std::uint32_t mask, int face);
+/// Whether they are more than two, so that they can be paired in several ways.
+bool hasChoice(std::uint32_t mask, int face);
 
 class ComponentFinder {
  public:

@@ -246,7 +246,7 @@ class LayerBuilder {
   void addSegments(const Cell& cell, std::vector<FaceSegment>& ambiguous) {
     for (int axis = 0; axis < 3; ++axis) {
       const int face = 2 * axis;
-      if (faceCrossings(cell.mask, face) <= 2) continue;
+      if (!hasChoice(cell.mask, face)) continue;
       const FacePairs pairs = pairFace(cell, face, grid_.crossings.data());
       for (int p = 0; p < pairs.count; ++p) {
         FaceSegment segment;
