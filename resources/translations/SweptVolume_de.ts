@@ -880,7 +880,7 @@ Versucht:
    <translation>Alle anderen sichtbaren Teile</translation>
   </message>
   <message>
-   <source>&amp;Take selected as neighbours</source>
+   <source>Ta&amp;ke selected as neighbours</source>
    <translation>Ausgewählte als &amp;Nachbarn</translation>
   </message>
   <message>
@@ -1105,14 +1105,14 @@ Versucht:
   </message>
   <message>
    <source>&amp;Capture</source>
-   <translation>&amp;Aufnehmen</translation>
+   <translation>Aufn&amp;ehmen</translation>
   </message>
   <message>
    <source>Adds the placement that the part has now (Ctrl+Return)</source>
    <translation>Fügt die jetzige Lage des Teils an (Strg+Eingabe)</translation>
   </message>
   <message>
-   <source>U&amp;pdate</source>
+   <source>&amp;Update</source>
    <translation>Über&amp;nehmen</translation>
   </message>
   <message>
@@ -1121,14 +1121,14 @@ Versucht:
   </message>
   <message>
    <source>&amp;Insert</source>
-   <translation>&amp;Einfügen</translation>
+   <translation>E&amp;infügen</translation>
   </message>
   <message>
    <source>A new key half-way to the next one (Insert)</source>
    <translation>Neue Stützstelle auf halbem Weg zur nächsten (Einfg)</translation>
   </message>
   <message>
-   <source>D&amp;uplicate</source>
+   <source>&amp;Duplicate</source>
    <translation>&amp;Verdoppeln</translation>
   </message>
   <message>
@@ -1136,7 +1136,7 @@ Versucht:
    <translation>Dieselbe Lage noch einmal (Strg+D)</translation>
   </message>
   <message>
-   <source>D&amp;elete</source>
+   <source>De&amp;lete</source>
    <translation>&amp;Löschen</translation>
   </message>
   <message>
@@ -1168,7 +1168,7 @@ Versucht:
    <translation>Später (Strg+Ab)</translation>
   </message>
   <message>
-   <source>E&amp;ven times</source>
+   <source>Eve&amp;n times</source>
    <translation>&amp;Gleiche Zeiten</translation>
   </message>
   <message>
@@ -1217,11 +1217,11 @@ Versucht:
   </message>
   <message>
    <source>&amp;Add selected</source>
-   <translation>&amp;Auswahl hinzufügen</translation>
+   <translation>Auswahl hin&amp;zufügen</translation>
   </message>
   <message>
    <source>&amp;Remove</source>
-   <translation>&amp;Entfernen</translation>
+   <translation>En&amp;tfernen</translation>
   </message>
   <message>
    <source>Takes the marked parts out of the list</source>
@@ -1264,8 +1264,8 @@ Versucht:
    <translation>Zur vorigen Stützstelle</translation>
   </message>
   <message>
-   <source>&amp;Play</source>
-   <translation>A&amp;bspielen</translation>
+   <source>Pl&amp;ay</source>
+   <translation>Ab&amp;spielen</translation>
   </message>
   <message>
    <source>Plays in real time, or pauses</source>
@@ -1276,8 +1276,8 @@ Versucht:
    <translation>Zur nächsten Stützstelle</translation>
   </message>
   <message>
-   <source>&amp;Pause</source>
-   <translation>&amp;Pause</translation>
+   <source>P&amp;ause</source>
+   <translation>Pau&amp;se</translation>
   </message>
   <message>
    <source>Volume: {0}</source>
@@ -1840,7 +1840,7 @@ Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon.</trans
   </message>
   <message>
    <source>&amp;Swept Volume</source>
-   <translation>Ü&amp;berstrichener Raum</translation>
+   <translation>Überstri&amp;chener Raum</translation>
   </message>
  </context>
 </TS>

@@ -65,6 +65,11 @@ class Keyboard:
             self._stroke(key)
         yield 0.1
 
+    def letter(self, key):
+        """Alt and a letter: a button stays down for a moment before it acts; a generator."""
+        yield from self.press("Alt_L+" + key)
+        yield 0.2
+
     def tab_to(self, name, key="Tab"):
         """Goes from field to field until one has the name; a generator."""
         passed = []
@@ -74,6 +79,14 @@ class Keyboard:
                 name, key, passed
             )
             yield from self.press(key)
+
+
+def letters():
+    """Letters that press something together with Alt now: of the menus and of the buttons in view."""
+    window = Gui.getMainWindow()
+    texts = [action.text() for action in window.menuBar().actions() if action.isVisible()]
+    texts += [b.text() for b in window.findChildren(QtWidgets.QPushButton) if b.isVisible()]
+    return [text[text.index("&") + 1].upper() for text in texts if "&" in text]
 
 
 def keyboard_or_leave():

@@ -48,7 +48,7 @@ def scenario():
     assert starter is not None and path.Count == 12
     assert starter.Label == "Anlasser" and path.Label == "Einbaubahn"
     menus = [action.text() for action in Gui.getMainWindow().menuBar().actions()]
-    assert "Ü&berstrichener Raum" in menus, menus
+    assert "Überstri&chener Raum" in menus, menus
     for name, items, expected in (
         ("EditMotion", (starter, path), ("Zwischen Lagen", "Aufnehmen")),
         ("Envelope", (starter, path), ("Genauigkeit",)),

@@ -16,7 +16,77 @@ from driver import (  # noqa: E402
     run,
     shot,
 )
-from x_keyboard import focused, keyboard_or_leave  # noqa: E402
+from x_keyboard import focused, keyboard_or_leave, letters  # noqa: E402
+from sweptvolume.panels import motion_panel  # noqa: E402
+
+
+def column(table, number):
+    return [table.item(row, number).text() for row in range(table.rowCount())]
+
+
+def edit(keyboard, table):
+    """Every action of the path editor, and back to the path of before."""
+    press, letter = keyboard.press, keyboard.letter
+    panel = motion_panel.opened[-1]
+    yield from keyboard.type("3", "Return")
+    assert column(table, 1) == ["0", "30", "3"], column(table, 1)
+    yield from press("Control_L+Up")
+    assert column(table, 1) == ["0", "3", "30"] and table.currentRow() == 1
+    yield from press("Control_L+Down")
+    assert column(table, 1) == ["0", "30", "3"] and table.currentRow() == 2
+    yield from letter("r")
+    assert column(table, 1) == ["3", "30", "0"], column(table, 1)
+    yield from letter("r")
+    yield from press("Control_L+d")
+    assert column(table, 1) == ["0", "30", "3", "3"], column(table, 1)
+    yield from press("Delete")
+    assert table.rowCount() == 3
+    yield from keyboard.type("", "Left")
+    yield from keyboard.type("2.5", "Return")
+    assert column(table, 0)[-1] == "2.5", column(table, 0)
+    yield from letter("n")
+    assert column(table, 0) == ["0", "1", "2"], column(table, 0)
+    yield from press("Right", "Right")
+    yield from keyboard.type("1.6 in", "Return")
+    assert column(table, 3)[2] == "40.64", column(table, 3)
+    yield from letter("o")  # to whole millimetres
+    assert column(table, 3)[2] == "41", column(table, 3)
+    yield from letter("u")  # where the part stands: at the origin
+    assert column(table, 3)[2] == "0" and column(table, 1)[2] == "0", column(table, 3)
+    yield from keyboard.tab_to("SweptVolumeInterpolation")
+    yield from press("End")
+    box = find(QtWidgets.QComboBox, "SweptVolumeInterpolation")
+    while box.currentData() != "Spline":
+        assert box.currentIndex() > 0
+        yield from press("Up")
+    yield from keyboard.tab_to("SweptVolumeTangent")
+    yield from press("End")
+    tangent = find(QtWidgets.QComboBox, "SweptVolumeTangent")
+    assert tangent.currentData() == "Given", tangent.currentData()
+    yield from keyboard.tab_to("SweptVolumeSpeedx")
+    yield from press("Control_L+a")
+    yield from keyboard.type("15", "Tab")
+    row = table.currentRow()
+    assert panel.keys.tangents[row][0] == "Given" and panel.keys.tangents[row][1].x == 15
+    yield from keyboard.tab_to("SweptVolumeTime")
+    yield from press("Home", "Right")
+    assert 0 < panel.player.now() < 0.1, panel.player.now()
+    yield from letter("a")
+    yield lambda: panel.player.play.isChecked()
+    yield lambda: not panel.player.play.isChecked()
+    yield from keyboard.tab_to("SweptVolumeDrag")
+    yield from press("space")
+    assert not panel.drag_box.isChecked()
+    shot("79_keyboard_spline")
+    yield 0.5
+    yield from press("space")
+    yield from keyboard.tab_to("SweptVolumeInterpolation", "Shift_L+Tab")
+    yield from press("Home")
+    yield from keyboard.tab_to("SweptVolumeKeys", "Shift_L+Tab")
+    while table.currentColumn() > 1:
+        yield from press("Left")
+    yield from keyboard.type("30", "Return")
+    assert column(table, 1) == ["0", "30", "30"], column(table, 1)
 
 
 def scenario():
@@ -51,6 +121,9 @@ def scenario():
     assert table.item(1, 1).text() == "30", table.item(1, 1).text()
     yield from press("Insert")
     assert table.rowCount() == 3
+    found = letters()
+    assert len(found) > 14 and len(set(found)) == len(found), found
+    yield from edit(keyboard, table)
     yield from press("Tab")
     assert focused() == "SweptVolumeCapture", focused()
     shot("80_keyboard_editor")

@@ -82,7 +82,7 @@ class ClearancePanel:
         self.all.setChecked(bool(all_visible))
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
-        self.take = QtWidgets.QPushButton(translate("Panels", "&Take selected as neighbours"))
+        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
         self.take.setObjectName("SweptVolumeTakeNeighbours")
         rows.addRow(self.all)
         rows.addRow(self.chosen)

@@ -10,16 +10,19 @@ from .widgets import QtWidgets, to_first_field
 _shown = []
 
 
+_OURS = QtCore.Qt.Key_Space, QtCore.Qt.Key_Home
+
+
 class _Keys(QtCore.QObject):
-    """Space presses the button or ticks the box that has the keyboard. FreeCAD's own shortcut, which hides
-    what is selected, would come first."""
+    """Space presses the button or ticks the box that has the keyboard, Home goes to the first entry.
+    FreeCAD's own shortcuts, to hide what is selected and to turn the view, would come first."""
 
     def eventFilter(self, watched, event):  # noqa: N802
         # Fields that do not want a key hand it on to the form.
-        if event.type() == QtCore.QEvent.ShortcutOverride and event.key() == QtCore.Qt.Key_Space:
+        ours = event.type() == QtCore.QEvent.ShortcutOverride and event.key() in _OURS
+        if ours:
             event.accept()
-            return True
-        return False
+        return ours
 
 
 class SortKeys(QtCore.QObject):

@@ -32,14 +32,14 @@ def actions():
 
     return [
         ("Capture", t("&Capture"), t("Adds the placement that the part has now (Ctrl+Return)")),
-        ("Update", t("U&pdate"), t("Takes the part's placement of now for this key")),
+        ("Update", t("&Update"), t("Takes the part's placement of now for this key")),
         ("Insert", t("&Insert"), t("A new key half-way to the next one (Insert)")),
-        ("Duplicate", t("D&uplicate"), t("The same placement again (Ctrl+D)")),
-        ("Delete", t("D&elete"), t("Removes the key (Delete)")),
+        ("Duplicate", t("&Duplicate"), t("The same placement again (Ctrl+D)")),
+        ("Delete", t("De&lete"), t("Removes the key (Delete)")),
         ("Reverse", t("&Reverse"), t("The way back")),
         ("Up", t("Up"), t("Earlier (Ctrl+Up)")),
         ("Down", t("Down"), t("Later (Ctrl+Down)")),
-        ("Even", t("E&ven times"), t("One second from key to key")),
+        ("Even", t("Eve&n times"), t("One second from key to key")),
     ]
 
 

@@ -23,7 +23,7 @@ class Player(QtWidgets.QGroupBox):
         self.slider.setRange(0, SLIDER)
         self.slider.setToolTip(translate("Panels", "Time: the green ghost shows the part there"))
         self.back = self._button("Back", "|<", translate("Panels", "To the key before"))
-        self.play = self._button("Play", translate("Panels", "&Play"), "")
+        self.play = self._button("Play", translate("Panels", "Pl&ay"), "")
         self.play.setCheckable(True)
         self.play.setToolTip(translate("Panels", "Plays in real time, or pauses"))
         self.forth = self._button("Forth", ">|", translate("Panels", "To the next key"))
@@ -82,7 +82,7 @@ class Player(QtWidgets.QGroupBox):
         self.moved.emit()
 
     def _toggle(self, on):
-        self.play.setText(translate("Panels", "&Pause") if on else translate("Panels", "&Play"))
+        self.play.setText(translate("Panels", "P&ause") if on else translate("Panels", "Pl&ay"))
         if on and len(self.times) > 1:
             if self.slider.value() >= SLIDER:
                 self.slider.setValue(0)
