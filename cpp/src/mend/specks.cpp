@@ -3,11 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "base/raw_array.h"
 #include "base/union_find.h"
 
 namespace swept {
@@ -134,20 +137,40 @@ std::vector<bool> findSpecks(const TriMesh& mesh, const std::vector<std::int32_t
 
 /// Keeps the entries of `values` that have a new number.
 template <class T>
-void compact(std::vector<T>& values, const std::vector<std::int32_t>& number) {
+void compact(std::vector<T>& values, const RawArray<std::int32_t>& number) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (number[i] >= 0) values[kept++] = values[i];
+  for (std::size_t i = 0; i < values.size();) {
+    if (number[i] < 0) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < values.size() && number[end] >= 0) ++end;
+    const auto from = values.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto length = static_cast<std::ptrdiff_t>(end - i);
+    if (kept != i) {
+      std::copy(from, from + length, values.begin() + static_cast<std::ptrdiff_t>(kept));
+    }
+    kept += end - i;
+    i = end;
   }
   values.resize(kept);
 }
 
-std::vector<std::int32_t> numberKept(const std::vector<bool>& kept) {
-  std::vector<std::int32_t> number(kept.size(), -1);
-  std::int32_t next = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i]) number[i] = next++;
-  }
+/// The kept ones are numbered in their order; -1: not kept.
+RawArray<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
+  RawArray<std::int32_t> number(kept.size());
+  std::vector<std::int32_t> next(kept.size() / kBlock + 1, 0);
+  parallelBlocks(kept.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::int32_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count += kept[i];
+    next[begin / kBlock] = count;
+  });
+  exclusiveScan(next);
+  parallelBlocks(kept.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::int32_t at = next[begin / kBlock];
+    for (std::size_t i = begin; i < end; ++i) number[i] = kept[i] != 0 ? at++ : -1;
+  });
   return number;
 }
 
@@ -159,12 +182,16 @@ Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunCo
   const std::vector<std::int32_t> shellOf = shellsOf(mesh, run);
   const std::vector<bool> speck = findSpecks(mesh, shellOf, cell, found);
   if (found.count == 0) return found;
-  std::vector<bool> keepsTriangle(mesh.triangles.size()), keepsVertex(mesh.vertices.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    keepsTriangle[t] = !speck[shellOf[mesh.triangles[t][0]]];
-    if (!keepsTriangle[t]) continue;
-    for (const std::int32_t v : mesh.triangles[t]) keepsVertex[v] = true;
-  }
+  std::vector<std::uint8_t> keepsTriangle(mesh.triangles.size()), keepsVertex(mesh.vertices.size());
+  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (speck[shellOf[mesh.triangles[t][0]]]) continue;
+      keepsTriangle[t] = 1;
+      for (const std::int32_t v : mesh.triangles[t]) {
+        std::atomic_ref<std::uint8_t>(keepsVertex[v]).store(1, std::memory_order_relaxed);
+      }
+    }
+  });
   const auto triangle = numberKept(keepsTriangle), vertex = numberKept(keepsVertex);
   compact(mesh.triangles, triangle);
   compact(surface.crossingOf, triangle);
@@ -174,8 +201,7 @@ Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunCo
     }
   });
   surface.dualVertices = static_cast<std::size_t>(std::count_if(
-      vertex.begin(), vertex.begin() + static_cast<std::ptrdiff_t>(surface.dualVertices),
-      [](std::int32_t v) { return v >= 0; }));
+      vertex.data(), vertex.data() + surface.dualVertices, [](std::int32_t v) { return v >= 0; }));
   compact(mesh.vertices, vertex);
   compact(surface.contactTime, vertex);
   compact(surface.lodging, vertex);
