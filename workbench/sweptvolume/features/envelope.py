@@ -257,7 +257,8 @@ def is_envelope(obj):
 class Plan:
     """What is to be computed: generators, motions, reference, values of the settings by property name.
 
-    Made from an object or from a panel; reads documents only in the thread of the GUI.
+    Made from an object or from a panel, anew for each use; reads documents only in the thread of the
+    GUI.
     motions: one for each of pairs, or empty; reference: (root, sub).
     """
 
@@ -270,6 +271,7 @@ class Plan:
         self.motions = list(motions) if any(m is not motion for m in motions) else []
         self.reference = reference
         self.reference_motion = reference_motion
+        self._words = None  # of the parts and motions, as they were when first asked
 
     @classmethod
     def of(cls, obj):
@@ -348,10 +350,11 @@ class Plan:
             del options["position_filter"]  # so are those made before there was one
         words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
         try:
-            for group in self.groups():
-                words += group.words()
+            if self._words is None:
+                self._words = [word for group in self.groups() for word in group.words()]
         except (InputProblem, RuntimeError, AttributeError):
             return ""
+        words += self._words
         return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
     def cell(self, groups):
