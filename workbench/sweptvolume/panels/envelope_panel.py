@@ -315,7 +315,7 @@ class EnvelopePanel(StartPanel):
         self.timer.stop()
         self.preview.stop()
         self._remove_coarse()
-        Gui.Control.closeDialog()
+        self.close_dialog()
         return True
 
 

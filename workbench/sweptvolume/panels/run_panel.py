@@ -26,6 +26,12 @@ class StartPanel:
         ]
         self._button_box = box  # keeps the wrappers of the buttons alive
 
+    def close_dialog(self):
+        """The buttons go with the dialog. PySide finds a wrapper by its address and would hand out one
+        that is kept for whatever comes to stand there."""
+        self.buttons, self._button_box = [], None
+        Gui.Control.closeDialog()
+
     def enable_buttons(self, on):
         for button in self.buttons:
             button.setEnabled(on)

@@ -3,7 +3,6 @@
 and of megabytes; an estimate; the run."""
 import os
 
-import FreeCADGui as Gui
 from PySide import QtCore
 
 from .. import core, export, runner
@@ -202,7 +201,7 @@ class SolidPanel(StartPanel):
             self.looking.ended.disconnect(self._estimated)
             self.looking.cancel()
             self.looking = None
-        Gui.Control.closeDialog()
+        self.close_dialog()
         return True
 
 
