@@ -5,6 +5,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <cstddef>
 #include <vector>
@@ -28,6 +29,12 @@ void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
     const std::size_t begin = b * block;
     body(begin, begin + block < n ? begin + block : n);
   });
+}
+
+/// Different actions side by side.
+template <class... Actions>
+void parallelActions(const Actions&... actions) {
+  tbb::parallel_invoke(actions...);
 }
 
 /// Replaces counts by their exclusive prefix sums and returns the total.

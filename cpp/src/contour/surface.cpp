@@ -101,8 +101,10 @@ class PolygonBuilder {
   const DualSurface& dual_;
 };
 
+using Triangle = std::array<std::int32_t, 3>;
+
 struct LayerPolygons {
-  std::vector<std::array<std::int32_t, 3>> triangles;  // >= kExtra: extra vertex of this layer
+  std::vector<Triangle> triangles;  // >= kExtra: extra vertex of this layer
   std::vector<std::uint32_t> crossingOf;
   std::vector<Eigen::Vector3d> extra;  // cells
   std::vector<double> extraTime;
@@ -125,19 +127,22 @@ struct FacePoints {
 FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
                           const PolygonBuilder& polygons) {
   FacePoints out;
-  const auto ends = [&](const FaceSegment& s) {
-    const CrossingPlace place = findCrossing(grid, s.crossing[0]);
-    std::uint32_t x = polygons.vertex(place.axis, place.i, s.crossing[0], s.side[0]);
-    std::uint32_t y = polygons.vertex(place.axis, place.i, s.crossing[0], (s.side[0] + 1) & 3);
-    return x < y ? std::pair(x, y) : std::pair(y, x);
-  };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(dual.ambiguous.size());
+  parallelBlocks(ends.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const FaceSegment& s = dual.ambiguous[n];
+      const CrossingPlace place = findCrossing(grid, s.crossing[0]);
+      ends[n] =
+          std::minmax({polygons.vertex(place.axis, place.i, s.crossing[0], s.side[0]),
+                       polygons.vertex(place.axis, place.i, s.crossing[0], (s.side[0] + 1) & 3)});
+    }
+  });
   for (std::size_t begin = 0; begin < dual.ambiguous.size();) {
     std::size_t end = begin + 1;
     while (end < dual.ambiguous.size() && !dual.ambiguous[end].firstOfFace) ++end;
     for (std::size_t s = begin + 1; s < end; ++s) {
-      const auto mine = ends(dual.ambiguous[s]);
       bool shared = false;
-      for (std::size_t r = begin; r < s; ++r) shared |= ends(dual.ambiguous[r]) == mine;
+      for (std::size_t r = begin; r < s; ++r) shared |= ends[r] == ends[s];
       if (!shared) continue;
       const FaceSegment& segment = dual.ambiguous[s];
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -252,50 +257,66 @@ class LayerEmitter {
   std::int32_t firstFacePoint_;
 };
 
-/// The polygons between the two sides of a split wall end: quads, triangles where the wall goes on
+/// The polygon between the two sides of a split wall end: a quad, a triangle where the wall goes on
 /// as one vertex. Wound against the polygons of the two sides.
-std::vector<std::array<std::int32_t, 3>> rimTriangles(const HermiteGrid& grid,
-                                                      const DualSurface& dual,
-                                                      const PolygonBuilder& polygons) {
+void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
+            const PolygonBuilder& polygons, std::vector<Triangle>& triangles) {
   struct Corner {
     std::uint32_t vertex = 0;
     Eigen::Vector3d position;
   };
-  std::vector<std::array<std::int32_t, 3>> triangles;
-  for (const RimSegment& rim : dual.rims) {
-    std::array<Corner, 4> ring;
-    for (int n = 0; n < 2; ++n) {
-      const CrossingPlace place = findCrossing(grid, rim.crossing[n]);
-      for (int end = 0; end < 2; ++end) {
-        // The quad runs from its side's first corner to the second if seen from the high end.
-        const int corner = (rim.side[n] + end) & 3;
-        Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
-        to.vertex = polygons.vertex(place.axis, place.i, rim.crossing[n], corner);
-        const auto layer =
-            std::upper_bound(dual.firstVertex.begin(), dual.firstVertex.end(), to.vertex) -
-            dual.firstVertex.begin() - 1;
-        to.position = polygons.position(to.vertex, static_cast<std::int32_t>(layer));
-      }
-    }
-    const auto triangle = [&](int a, int b, int c) {
-      triangles.push_back({static_cast<std::int32_t>(ring[a].vertex),
-                           static_cast<std::int32_t>(ring[b].vertex),
-                           static_cast<std::int32_t>(ring[c].vertex)});
-    };
-    if (ring[1].vertex == ring[2].vertex) {
-      if (ring[3].vertex != ring[0].vertex) triangle(0, 1, 3);
-    } else if (ring[3].vertex == ring[0].vertex) {
-      triangle(0, 1, 2);
-    } else if ((ring[2].position - ring[0].position).squaredNorm() <=
-               (ring[3].position - ring[1].position).squaredNorm()) {
-      triangle(0, 1, 2);
-      triangle(0, 2, 3);
-    } else {
-      triangle(1, 2, 3);
-      triangle(1, 3, 0);
+  std::array<Corner, 4> ring;
+  for (int n = 0; n < 2; ++n) {
+    const CrossingPlace place = findCrossing(grid, rim.crossing[n]);
+    for (int end = 0; end < 2; ++end) {
+      // The quad runs from its side's first corner to the second if seen from the high end.
+      const int corner = (rim.side[n] + end) & 3;
+      Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
+      to.vertex = polygons.vertex(place.axis, place.i, rim.crossing[n], corner);
+      const auto layer =
+          std::upper_bound(dual.firstVertex.begin(), dual.firstVertex.end(), to.vertex) -
+          dual.firstVertex.begin() - 1;
+      to.position = polygons.position(to.vertex, static_cast<std::int32_t>(layer));
     }
   }
+  const auto triangle = [&](int a, int b, int c) {
+    triangles.push_back({static_cast<std::int32_t>(ring[a].vertex),
+                         static_cast<std::int32_t>(ring[b].vertex),
+                         static_cast<std::int32_t>(ring[c].vertex)});
+  };
+  if (ring[1].vertex == ring[2].vertex) {
+    if (ring[3].vertex != ring[0].vertex) triangle(0, 1, 3);
+  } else if (ring[3].vertex == ring[0].vertex) {
+    triangle(0, 1, 2);
+  } else if ((ring[2].position - ring[0].position).squaredNorm() <=
+             (ring[3].position - ring[1].position).squaredNorm()) {
+    triangle(0, 1, 2);
+    triangle(0, 2, 3);
+  } else {
+    triangle(1, 2, 3);
+    triangle(1, 3, 0);
+  }
+}
+
+std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& dual,
+                                   const PolygonBuilder& polygons) {
+  constexpr std::size_t kBlock = 1024;
+  std::vector<std::vector<Triangle>> parts(dual.rims.size() / kBlock + 1);
+  parallelBlocks(dual.rims.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      addRim(dual.rims[n], grid, dual, polygons, parts[begin / kBlock]);
+    }
+  });
+  std::vector<Triangle> triangles;
+  for (const auto& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());
   return triangles;
+}
+
+/// With room for what mending adds, so that nothing has to move then.
+template <class T>
+void resizeWithRoom(std::vector<T>& list, std::size_t size, const T& value) {
+  list.reserve(size + size / 32);
+  list.resize(size, value);
 }
 
 }  // namespace
@@ -357,14 +378,19 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
   surface.rimPolygons = static_cast<std::int64_t>(dual.rims.size());
   std::vector<std::array<std::uint32_t, 4>>().swap(dual.quads);
   auto& mesh = surface.mesh;
-  mesh.vertices.resize(vertexCount);
-  mesh.triangles.resize(triangleCount + rim.size());
-  surface.crossingOf.resize(triangleCount + rim.size(), Surface::kNoCrossing);
+  const std::size_t all = triangleCount + rim.size();
+  surface.dualVertices = dualVertices;
+  // The system clears fresh memory page by page: on all cores.
+  parallelActions(
+      [&] {
+        resizeWithRoom(mesh.vertices, vertexCount, {0, 0, 0});
+      },
+      [&] { resizeWithRoom(mesh.triangles, all, {}); },
+      [&] { resizeWithRoom(surface.crossingOf, all, Surface::kNoCrossing); },
+      [&] { resizeWithRoom(surface.contactTime, vertexCount, 0.0); },
+      [&] { surface.lodging.resize(dualVertices); });
   std::copy(rim.begin(), rim.end(),
             mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangleCount));
-  surface.dualVertices = dualVertices;
-  surface.lodging.resize(dualVertices);
-  surface.contactTime.resize(vertexCount);
   const auto place = [&](std::size_t at, const Eigen::Vector3d& g, double time) {
     mesh.vertices[at] = grid.plan.origin + grid.plan.cell * g;
     surface.contactTime[at] = time;

@@ -51,12 +51,11 @@ class Mender {
   /// Vertices that were moved onto one another, or into one line, go part of their way back.
   void restoreAreas() {
     for (const double back : kWaysBack) {
-      std::vector<std::int32_t> vertices;
-      for (const std::int32_t t : region_) {
-        if (!hasArea(t)) {
-          vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
-        }
-      }
+      std::vector<std::int32_t> vertices =
+          gather<std::int32_t>(region_.size(), [&](std::size_t n, std::vector<std::int32_t>& part) {
+            const Triangle& t = mesh_.triangles[region_[n]];
+            if (!hasArea(region_[n])) part.insert(part.end(), t.begin(), t.end());
+          });
       if (vertices.empty()) return;
       sortUnique(vertices);
       for (const std::int32_t v : vertices) {
