@@ -72,8 +72,8 @@ RunPointer runFromObject(const py::object& run) {
   return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
 }
 
-// One option of compute() and estimate(); what is no number, name or flag is a TypeError, a whole number that
-// no option could hold a BadOption.
+// One option of compute() and estimate(); what is no number, name or flag is a TypeError, a whole
+// number that no option could hold a BadOption.
 template <class T>
 T castOption(const std::string& name, const py::handle& value) {
   try {

@@ -7,99 +7,10 @@
 
 #include "base/parallel.h"
 #include "contour/dual_surface.h"
+#include "contour/polygon_builder.h"
 
 namespace swept {
 namespace {
-
-using Vec2 = Eigen::Vector2d;
-
-double cross2(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// How well one diagonal of a quad does: whether it stays between its neighbours as seen along the
-/// lattice edge, how far from the crossing it meets the edge, how long it is.
-struct Diagonal {
-  bool valid = false;
-  double miss = 0, length2 = 0;
-};
-
-/// v[n]: corners relative to the crossing, (b, c, a) with a along the lattice edge, counted round.
-Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
-  const Eigen::Vector3d &p = v[from], &q = v[from + 2], &r = v[(from + 1) & 3],
-                        &s = v[(from + 3) & 3];
-  const Vec2 d = (q - p).head<2>();
-  const double sideR = cross2(d, (r - p).head<2>()), sideS = cross2(d, (s - p).head<2>());
-  const double sideEdge = cross2(d, -p.head<2>());
-  Diagonal out;
-  out.valid = sideR < 0 && sideS > 0;
-  out.length2 = (q - p).squaredNorm();
-  // The triangle that holds the lattice edge, and where it meets it.
-  const Eigen::Vector3d& third = sideEdge < 0 ? r : s;
-  const Eigen::Vector3d n = (q - p).cross(third - p);
-  out.miss = std::abs(n[2]) > 1e-12 ? std::abs(n.dot(p) / n[2]) : 1e3;
-  return out;
-}
-
-enum class Split : std::uint8_t { Diagonal02, Diagonal13, Fan };
-
-constexpr double kEquallyGood = 2e-3;  ///< cells: misses that differ by less count as equal
-constexpr double kFanMiss = 0.05;      ///< cells: a quad that misses its crossing by more is fanned
-
-class PolygonBuilder {
- public:
-  PolygonBuilder(const HermiteGrid& grid, const DualSurface& dual) : grid_(grid), dual_(dual) {}
-
-  /// Global vertex of a quad's corner, from the layer of its edge.
-  std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
-    // Corners at -b: 0 and 3; at -c: 0 and 1. x is b of axis 2, c of axis 1.
-    const bool lower =
-        (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
-    return dual_.firstVertex[lower ? i - 1 : i] + dual_.quads[crossing][corner];
-  }
-
-  Eigen::Vector3d position(std::uint32_t global, std::int32_t layer) const {
-    const DualVertex& v = dual_.vertices[layer][global - dual_.firstVertex[layer]];
-    return v.local.cast<double>() + Eigen::Vector3d(v.i, v.j, v.k);
-  }
-
-  bool complete(std::uint32_t crossing) const {
-    for (const std::uint32_t v : dual_.quads[crossing]) {
-      if (v == DualSurface::kNone) return false;
-    }
-    return true;
-  }
-
-  Eigen::Vector3d crossingPoint(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
-                                std::uint32_t crossing) const {
-    Eigen::Vector3d p(i, j, edge.k);
-    p[axis] += grid_.crossings[crossing].fraction;
-    return p;
-  }
-
-  Split choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
-               std::uint32_t crossing) const {
-    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-    std::array<Eigen::Vector3d, 4> v;
-    for (int corner = 0; corner < 4; ++corner) {
-      const std::uint32_t global = vertex(axis, i, crossing, corner);
-      const std::int32_t layer = global >= dual_.firstVertex[i] ? i : i - 1;
-      const Eigen::Vector3d p = position(global, layer) - point;
-      v[corner] = {p[b], p[c], p[axis]};
-    }
-    const Diagonal d02 = rate(v, 0), d13 = rate(v, 1);
-    if (!d02.valid && !d13.valid) return Split::Fan;
-    bool first = d02.valid;
-    if (d02.valid && d13.valid) {
-      first = std::abs(d02.miss - d13.miss) < kEquallyGood ? d02.length2 <= d13.length2
-                                                           : d02.miss < d13.miss;
-    }
-    if ((first ? d02 : d13).miss > kFanMiss) return Split::Fan;
-    return first ? Split::Diagonal02 : Split::Diagonal13;
-  }
-
- private:
-  const HermiteGrid& grid_;
-  const DualSurface& dual_;
-};
 
 using Triangle = std::array<std::int32_t, 3>;
 
@@ -120,6 +31,7 @@ std::uint64_t sideKey(std::uint32_t crossing, int side) {
 /// Extra vertices on faces where two segments join the same two components.
 struct FacePoints {
   std::unordered_map<std::uint64_t, std::int32_t> at;  // side of a quad -> index into points
+  std::vector<bool> hasOne;                            // by crossing; empty without points
   std::vector<Eigen::Vector3d> points;                 // cells
   std::vector<double> times;
 };
@@ -155,6 +67,8 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
         time = grid.crossings[segment.crossing[e]].timeSeconds;
         out.at[sideKey(segment.crossing[e], segment.side[e])] =
             static_cast<std::int32_t>(out.points.size());
+        out.hasOne.resize(grid.crossings.size());
+        out.hasOne[segment.crossing[e]] = true;
       }
       out.points.push_back(middle);
       out.times.push_back(time);
@@ -212,11 +126,7 @@ class LayerEmitter {
   }
 
   bool hasFacePoint(std::uint32_t crossing) const {
-    if (facePoints_.points.empty()) return false;
-    for (int side = 0; side < 4; ++side) {
-      if (facePoints_.at.contains(sideKey(crossing, side))) return true;
-    }
-    return false;
+    return !facePoints_.hasOne.empty() && facePoints_.hasOne[crossing];
   }
 
   void emitQuad(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
@@ -225,7 +135,7 @@ class LayerEmitter {
     int n = 0;
     for (int corner = 0; corner < 4; ++corner) {
       ring[n++] = static_cast<std::int32_t>(polygons_.vertex(axis, i, crossing, corner));
-      if (split != Split::Fan || facePoints_.points.empty()) continue;
+      if (split != Split::Fan || !hasFacePoint(crossing)) continue;
       const auto point = facePoints_.at.find(sideKey(crossing, corner));
       if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
     }

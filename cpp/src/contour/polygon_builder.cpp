@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/polygon_builder.h"
+
+#include <cmath>
+
+namespace swept {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+double cross2(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// How well one diagonal of a quad does: whether it stays between its neighbours as seen along the
+/// lattice edge, how far from the crossing it meets the edge, how long it is.
+struct Diagonal {
+  bool valid = false;
+  double miss = 0, length2 = 0;
+};
+
+/// v[n]: corners relative to the crossing, (b, c, a) with a along the lattice edge, counted round.
+Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
+  const Eigen::Vector3d &p = v[from], &q = v[from + 2], &r = v[(from + 1) & 3],
+                        &s = v[(from + 3) & 3];
+  const Vec2 d = (q - p).head<2>();
+  const double sideR = cross2(d, (r - p).head<2>()), sideS = cross2(d, (s - p).head<2>());
+  const double sideEdge = cross2(d, -p.head<2>());
+  Diagonal out;
+  out.valid = sideR < 0 && sideS > 0;
+  out.length2 = (q - p).squaredNorm();
+  // The triangle that holds the lattice edge, and where it meets it.
+  const Eigen::Vector3d& third = sideEdge < 0 ? r : s;
+  const Eigen::Vector3d n = (q - p).cross(third - p);
+  out.miss = std::abs(n[2]) > 1e-12 ? std::abs(n.dot(p) / n[2]) : 1e3;
+  return out;
+}
+
+constexpr double kEquallyGood = 2e-3;  ///< cells: misses that differ by less count as equal
+constexpr double kFanMiss = 0.05;      ///< cells: a quad that misses its crossing by more is fanned
+
+}  // namespace
+
+Split PolygonBuilder::choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
+                             std::uint32_t crossing) const {
+  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+  std::array<Eigen::Vector3d, 4> v;
+  for (int corner = 0; corner < 4; ++corner) {
+    const std::uint32_t global = vertex(axis, i, crossing, corner);
+    const std::int32_t layer = global >= dual_.firstVertex[i] ? i : i - 1;
+    const Eigen::Vector3d p = position(global, layer) - point;
+    v[corner] = {p[b], p[c], p[axis]};
+  }
+  const Diagonal d02 = rate(v, 0), d13 = rate(v, 1);
+  if (!d02.valid && !d13.valid) return Split::Fan;
+  bool first = d02.valid;
+  if (d02.valid && d13.valid) {
+    first = std::abs(d02.miss - d13.miss) < kEquallyGood ? d02.length2 <= d13.length2
+                                                         : d02.miss < d13.miss;
+  }
+  if ((first ? d02 : d13).miss > kFanMiss) return Split::Fan;
+  return first ? Split::Diagonal02 : Split::Diagonal13;
+}
+
+}  // namespace swept

@@ -1,0 +1,55 @@
+// The polygon of a crossing: the four vertices round its lattice edge, and how it is cut.
+// In: Hermite grid, dual surface. Units: cells. Cost: O(1) a crossing.
+// Paper: Ju and Udeshi 2006: a diagonal only where both triangles stay between the neighbours.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "contour/dual_surface.h"
+#include "data/hermite_grid.h"
+
+namespace swept {
+
+enum class Split : std::uint8_t { Diagonal02, Diagonal13, Fan };
+
+/// What is known of the polygons about crossings before they become triangles.
+class PolygonBuilder {
+ public:
+  PolygonBuilder(const HermiteGrid& grid, const DualSurface& dual) : grid_(grid), dual_(dual) {}
+
+  /// Global vertex of a quad's corner, from the layer of its edge.
+  std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
+    // Corners at -b: 0 and 3; at -c: 0 and 1. x is b of axis 2, c of axis 1.
+    const bool lower =
+        (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
+    return dual_.firstVertex[lower ? i - 1 : i] + dual_.quads[crossing][corner];
+  }
+
+  Eigen::Vector3d position(std::uint32_t global, std::int32_t layer) const {
+    const DualVertex& v = dual_.vertices[layer][global - dual_.firstVertex[layer]];
+    return v.local.cast<double>() + Eigen::Vector3d(v.i, v.j, v.k);
+  }
+
+  bool complete(std::uint32_t crossing) const {
+    for (const std::uint32_t v : dual_.quads[crossing]) {
+      if (v == DualSurface::kNone) return false;
+    }
+    return true;
+  }
+
+  Eigen::Vector3d crossingPoint(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
+                                std::uint32_t crossing) const {
+    Eigen::Vector3d p(i, j, edge.k);
+    p[axis] += grid_.crossings[crossing].fraction;
+    return p;
+  }
+
+  /// How the quad of a crossing is cut into triangles. point: crossingPoint() of the crossing.
+  Split choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
+               std::uint32_t crossing) const;
+
+ private:
+  const HermiteGrid& grid_;
+  const DualSurface& dual_;
+};
+
+}  // namespace swept
