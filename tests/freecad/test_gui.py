@@ -48,7 +48,9 @@ def test_scenario(scenario):
         environment = dict(os.environ, FREECAD_USER_HOME=home)
         environment.pop("DISPLAY", None)
         environment.pop("PYTHONPATH", None)
-        command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", _freecad()]
+        display = str(100 + os.getpid() % 800)  # two of these may run side by side
+        screen = ["-a", "-n", display, "-s", "-screen 0 1400x900x24"]
+        command = ["xvfb-run"] + screen + [_freecad()]
         done = subprocess.run(
             command + [os.path.join(HERE, scenario)],
             env=environment,
