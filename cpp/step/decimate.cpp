@@ -123,7 +123,8 @@ class Decimator {
       for (int k = 0; k < 3; ++k) {
         const Vector3d &a = state_.points[state_.triangles[t][k]],
                        &b = state_.points[state_.triangles[t][(k + 1) % 3]];
-        const auto between = std::min(kMostWatched, static_cast<int>((b - a).norm() / spacing));
+        const auto between =
+            static_cast<int>(std::min<double>(kMostWatched, (b - a).norm() / spacing));
         isLong = isLong || between > 0;
         const std::size_t h = 3 * t + k;
         if (static_cast<std::int32_t>(h) > in_.opposite[h] && state_.label[in_.opposite[h] / 3] < 0)

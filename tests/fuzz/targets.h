@@ -17,11 +17,17 @@ class BrokenPromise : public std::logic_error {
   explicit BrokenPromise(const std::string& what) : std::logic_error(what) {}
 };
 
-/// Body, motion and options from the bytes, then compute().
+/// Body, motion and options from the bytes, then compute(), and recut() where it is simplified.
 void envelope(const std::uint8_t* data, std::size_t size);
 /// The bytes as a table of poses, plain or packed, then checkTrajectory's part of compute().
 void motionFile(const std::uint8_t* data, std::size_t size);
 /// First byte: the format; the rest: a mesh file, then the body check.
 void meshFile(const std::uint8_t* data, std::size_t size);
+/// Body, motion and parts that stand still from the bytes, then checkClearance(); corners of the
+/// body at the poses are measured against the parts once more.
+void clearance(const std::uint8_t* data, std::size_t size);
+/// A surface (mostly an envelope) and options from the bytes, then writeSolid(). Only with
+/// OpenCASCADE.
+void solid(const std::uint8_t* data, std::size_t size);
 
 }  // namespace swept::fuzz

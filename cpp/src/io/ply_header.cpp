@@ -45,13 +45,16 @@ PlyProperty parseProperty(std::istringstream& words, const std::string& path, in
   return property;
 }
 
+// What is not as it should be is refused here: OpenMesh reads on for ever where a number is none.
 void parseLine(const std::string& text, const std::string& path, PlyHeader& header) {
   std::istringstream words(text);
   std::string key;
   if (!(words >> key) || key == "comment" || key == "obj_info") return;
   if (key == "format") {
     std::string format;
-    words >> format;
+    std::string version;
+    words >> format >> version;
+    if (version != "1.0") bad(path, header.lines, "expected version 1.0, found '" + version + "'");
     if (format == "ascii") {
       header.format = PlyHeader::Format::Ascii;
     } else if (format == "binary_little_endian") {
@@ -73,6 +76,8 @@ void parseLine(const std::string& text, const std::string& path, PlyHeader& head
   } else {
     bad(path, header.lines, "unknown keyword '" + key + "'");
   }
+  std::string more;
+  if (words >> more) bad(path, header.lines, "more than '" + key + "' takes: '" + more + "'");
 }
 
 void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::string& path) {

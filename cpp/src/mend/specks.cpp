@@ -16,9 +16,8 @@
 namespace swept {
 namespace {
 
-constexpr double kMostVolume = 0.01;  ///< cubic cells
-constexpr double kMostSize = 2;       ///< cells
-constexpr double kMostTurned = 4;     ///< cells
+constexpr double kMostSize = 2;    ///< cells
+constexpr double kMostTurned = 4;  ///< cells
 
 constexpr std::size_t kBlock = 1 << 14;
 
@@ -108,7 +107,7 @@ std::unordered_map<std::int32_t, double> volumesOf(const TriMesh& mesh,
 
 /// Marks the shells that go, by their smallest vertices.
 std::vector<bool> findSpecks(const TriMesh& mesh, const std::vector<std::int32_t>& shellOf,
-                             double cell, Specks& found) {
+                             double cell, double mostVolume, Specks& found) {
   std::vector<bool> speck(mesh.vertices.size());
   const std::vector<Shell> shells = boxesOf(mesh, shellOf);
   if (shells.size() < 2) return speck;
@@ -122,7 +121,7 @@ std::vector<bool> findSpecks(const TriMesh& mesh, const std::vector<std::int32_t
     if (small[shell.first] && sum == volumes.end()) continue;  // no triangle
     const double volume =
         small[shell.first] ? std::abs(sum->second) / 6 / (cell * cell * cell) : HUGE_VAL;
-    if (volume >= kMostVolume) {
+    if (volume >= mostVolume) {
       others = true;
       continue;
     }
@@ -176,11 +175,12 @@ RawArray<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
 
 }  // namespace
 
-Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunContext& run) {
+Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersections& pairs,
+                  RunContext& run) {
   Specks found;
   TriMesh& mesh = surface.mesh;
   const std::vector<std::int32_t> shellOf = shellsOf(mesh, run);
-  const std::vector<bool> speck = findSpecks(mesh, shellOf, cell, found);
+  const std::vector<bool> speck = findSpecks(mesh, shellOf, cell, mostVolume, found);
   if (found.count == 0) return found;
   std::vector<std::uint8_t> keepsTriangle(mesh.triangles.size()), keepsVertex(mesh.vertices.size());
   parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {

@@ -22,9 +22,14 @@ struct Specks {
   double largestSize = 0;    ///< cells, diagonal of the box
 };
 
-/// Drops shells of less than 0.01 cubic cells and 2 cells across, never the last shell; `pairs` are
-/// brought up to date.
-Specks dropSpecks(Surface& surface, double cell, SelfIntersections& pairs, RunContext& run);
+/// Cubic cells: of what hangs on a sweep, and of what holds nothing at all (a shell that mending
+/// has laid flat has no outside).
+constexpr double kSpeckVolume = 0.01, kFlatVolume = 1e-9;
+
+/// Drops shells of less than `mostVolume` cubic cells and 2 cells across, never the last shell;
+/// `pairs` are brought up to date.
+Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersections& pairs,
+                  RunContext& run);
 
 /// Turns over shells less than 4 cells across that came out inside out, as a sheet thinner than the
 /// rounding of its vertices may: where no hollow spaces are kept, all shells face outward. Returns

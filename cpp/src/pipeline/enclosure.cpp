@@ -30,15 +30,44 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   return found;
 }
 
-void requireCrossings(const HermiteGrid& hermite) {
-  if (!hermite.crossings.empty()) return;
-  throw Error(Status::InvalidInput, "CellTooLarge",
-              "no line of the grid meets the body: it is thinner than the cell everywhere; use a "
-              "smaller cell");
+namespace {
+
+/// Of a plate its thickness, of a rod half of it; 0: the body is open.
+double meanThickness(const CheckedBody& body) {
+  if (!body.closed) return 0;
+  const std::vector<Eigen::Vector3d>& v = body.mesh.vertices;
+  double volume = 0, area = 0;  // six times, twice
+  for (const auto& [a, b, c] : body.mesh.triangles) {
+    const Eigen::Vector3d across = (v[b] - v[a]).cross(v[c] - v[a]);
+    volume += across.dot(v[a] - v[0]);
+    area += across.norm();
+  }
+  return area > 0 ? 2.0 / 3 * std::abs(volume) / area : 0;
+}
+
+[[noreturn]] void refuseCell(const char* what, const Prepared& prepared) {
+  const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body);
+  std::ostringstream text;
+  text.precision(3);
+  text << what << ": it is thinner than the cell of " << cell << " mm everywhere";
+  if (thickness > 0) text << ", about " << thickness << " mm";
+  text << "; use a smaller cell, try " << (thickness > 0 ? std::min(thickness, cell / 2) : cell / 2)
+       << " mm";
+  throw Error(Status::InvalidInput, "CellTooLarge", text.str());
+}
+
+}  // namespace
+
+void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared) {
+  if (hermite.crossings.empty()) refuseCell("no line of the grid meets the body", prepared);
+}
+
+void requireSurface(const TriMesh& mesh, const Prepared& prepared) {
+  if (mesh.triangles.empty()) refuseCell("no surface can be made of the body", prepared);
 }
 
 void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report) {
-  requireCrossings(hermite);
+  requireCrossings(hermite, prepared);
   const auto crossings = static_cast<std::int64_t>(hermite.crossings.size());
   if (prepared.body.closed || hermite.sheetEdges == 0) return;
   const double share =

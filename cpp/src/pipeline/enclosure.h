@@ -18,8 +18,9 @@ namespace swept {
 SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid,
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 
-/// There must be something to contour.
-void requireCrossings(const HermiteGrid& hermite);
+/// There must be something to contour, and something must come of it.
+void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared);
+void requireSurface(const TriMesh& mesh, const Prepared& prepared);
 /// And the outside must not reach in through an open body.
 void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report);
 

@@ -133,6 +133,7 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
 }
 
 void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite) {
+  requireSurface(surface.mesh, prepared_);
   if (sketch_) {
     report_.warnings.push_back(
         {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
@@ -195,7 +196,7 @@ void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, dou
       run_);
   stage("offset");
   report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
-  requireCrossings(hermite);
+  requireCrossings(hermite, prepared_);
   Surface surface = contourUniform(hermite, options_, run_);
   stage("contour");
   finish(std::move(surface), hermite);

@@ -11,11 +11,13 @@
 namespace swept {
 namespace {
 
-/// A body that stands still may have parts this small; what it sweeps hangs together.
+/// A body that stands still may have parts as small as specks, but none without volume; what it
+/// sweeps hangs together.
 void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& with, Report& report) {
-  if (!with.prepared.motion.continuous || with.options.conservative) return;
+  if (with.options.conservative) return;
   const double cell = with.prepared.grid.cell;
-  const Specks specks = swept::dropSpecks(surface, cell, pairs, with.run);
+  const double most = with.prepared.motion.continuous ? kSpeckVolume : kFlatVolume;
+  const Specks specks = swept::dropSpecks(surface, cell, most, pairs, with.run);
   if (specks.count == 0) return;
   std::ostringstream text;
   text.precision(3);

@@ -24,9 +24,9 @@ void append(Surface& surface, const TriMesh& mesh, std::uint32_t crossing) {
   surface.dualVertices = surface.mesh.vertices.size();
 }
 
-Specks drop(Surface& surface, SelfIntersections& pairs) {
+Specks drop(Surface& surface, SelfIntersections& pairs, double mostVolume = kSpeckVolume) {
   RunContext run;
-  return dropSpecks(surface, 1, pairs, run);
+  return dropSpecks(surface, 1, mostVolume, pairs, run);
 }
 
 TEST(Specks, OnlyWhatIsFarSmallerThanACellGoes) {
@@ -58,6 +58,18 @@ TEST(Specks, TheLastShellStays) {
   SelfIntersections pairs;
   EXPECT_EQ(drop(surface, pairs).count, 0);
   EXPECT_EQ(surface.mesh.triangles.size(), surface.crossingOf.size());
+}
+
+TEST(Specks, WhereSmallPartsStayAShellWithoutVolumeGoes) {
+  Surface surface;
+  append(surface, makeBox({0, 0, 0}, {3, 3, 3}), 0);
+  append(surface, makeBox({5, 0, 0}, {5.01, 0.01, 0.01}), 1);
+  append(surface, makeBox({8, 0, 0}, {8.1, 0.1, 0}), 2);  // laid flat
+  SelfIntersections pairs;
+  EXPECT_EQ(drop(surface, pairs, kFlatVolume).count, 1);
+  ASSERT_EQ(surface.mesh.vertices.size(), 16u);
+  RunContext run;
+  EXPECT_TRUE(checkMesh(surface.mesh, false, run).oriented);
 }
 
 TEST(Specks, SmallShellsInsideOutAreTurnedAndNoOthers) {

@@ -33,6 +33,10 @@ void runAll(const std::string& name, Target target) {
 TEST(FuzzCases, Envelope) { runAll("envelope", fuzz::envelope); }
 TEST(FuzzCases, MotionFile) { runAll("motionFile", fuzz::motionFile); }
 TEST(FuzzCases, MeshFile) { runAll("meshFile", fuzz::meshFile); }
+TEST(FuzzCases, Clearance) { runAll("clearance", fuzz::clearance); }
+#ifdef HAVE_SWEPT_STEP
+TEST(FuzzCases, Solid) { runAll("solid", fuzz::solid); }
+#endif
 
 }  // namespace
 }  // namespace swept::test

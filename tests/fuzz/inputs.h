@@ -1,0 +1,15 @@
+// Bodies and motions out of fuzzer bytes, sound and damaged ones.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "fuzz/byte_source.h"
+#include "swept/types.h"
+
+namespace swept::fuzz {
+
+/// A small body, whole or after a few blows with a hammer, near the origin or far away; mm.
+TriMesh body(ByteSource& bytes);
+/// 0 to 6 poses.
+Trajectory motion(ByteSource& bytes);
+
+}  // namespace swept::fuzz

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "fuzz/inputs.h"
+#include "fuzz/targets.h"
+#include "swept/compute.h"
+#include "swept/step_export.h"
+
+namespace swept::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMemoryLimit = 64ull << 20;
+constexpr std::int64_t kMostFaces = 400;  // the kernel takes milliseconds a face here
+
+/// A folder of its own; what is left in it is seen.
+class Folder {
+ public:
+  Folder() : path_("/dev/shm/swept-fuzz-" + std::to_string(getpid())) {
+    fs::remove_all(path_);
+    fs::create_directory(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(const char* name) const { return (path_ / name).string(); }
+  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(path_), {}); }
+
+ private:
+  fs::path path_;
+};
+
+StepOptions options(ByteSource& bytes) {
+  StepOptions options;
+  options.maxFaces = bytes.chance(16) ? bytes.byte() - 3 : kMostFaces;
+  options.mergeCoplanar = bytes.chance(230);
+  if (bytes.chance(128)) options.tolerance = std::abs(bytes.number()) / 16;
+  if (bytes.chance(32)) options.planarTolerance = bytes.number() / 800;
+  if (bytes.chance(16)) options.maxMegabytes = bytes.number();
+  options.exact = bytes.chance(32);
+  options.recognise = bytes.chance(220);
+  constexpr StepSchema kSchemas[] = {StepSchema::Ap214, StepSchema::Ap242,
+                                     StepSchema::Ap242Tessellated};
+  options.schema = kSchemas[bytes.below(3)];
+  if (bytes.chance(32)) options.productName = std::string(1 + bytes.below(4), bytes.byte());
+  if (bytes.chance(8)) options.colour[bytes.below(3)] = bytes.number();
+  return options;
+}
+
+/// An envelope where there is one, else the body as it is: the writer takes any mesh.
+TriMesh surface(ByteSource& bytes, RunContext& run) {
+  const TriMesh mesh = body(bytes);
+  if (bytes.chance(64)) return mesh;
+  Options options;
+  options.backend = Backend::Cpu;
+  options.resolution = 4 + bytes.below(12);
+  if (bytes.chance(64)) options.tolerance = std::abs(bytes.even()) / 8;
+  if (bytes.chance(32)) options.offset = std::abs(bytes.even()) / 4;
+  options.keepCavities = bytes.chance(128);
+  const Result result = compute(mesh, motion(bytes), options, run);
+  return result.report.status == Status::Ok ? result.mesh : mesh;
+}
+
+void requireSolid(const StepReport& report, const StepOptions& options, const Folder& folder) {
+  const auto require = [&](bool holds, const char* what) {
+    if (!holds) throw BrokenPromise(what);
+  };
+  require(folder.files() == 1, "a solid without a file, or with more than one");
+  require(report.valid && report.solids > 0 && report.faces > 0, "a solid that is none");
+  require(std::isfinite(report.volume) && std::isfinite(report.deviation), "no volume");
+  require(report.fileBytes > 0, "an empty file");
+  require(report.deviation <= report.tolerance * (1 + 1e-9) ||
+              report.deviation <= options.planarTolerance * (1 + 1e-9),
+          "the solid leaves the mesh by more than its tolerance");
+  require(options.tolerance <= 0 || report.tolerance <= options.tolerance * (1 + 1e-9),
+          "another tolerance than the one given");
+}
+
+}  // namespace
+
+void solid(const std::uint8_t* data, std::size_t size) {
+  ByteSource bytes(data, size);
+  StepOptions chosen = options(bytes);
+  const bool brep = bytes.chance(64);
+  RunContext run, exporting;
+  run.threads = exporting.threads = 1;
+  run.memoryLimitBytes = exporting.memoryLimitBytes = kMemoryLimit;
+  if (bytes.chance(16)) exporting.cancelAtCheckpoint = bytes.byte();
+  const TriMesh mesh = surface(bytes, run);
+  const Folder folder;
+  try {
+    const StepReport report =
+        writeSolid(mesh, folder.file(brep ? "a.brep" : "a.step"), chosen, exporting);
+    if (chosen.schema != StepSchema::Ap242Tessellated) requireSolid(report, chosen, folder);
+  } catch (const Error& error) {
+    const bool named = error.status() == Status::ExportFailed ||
+                       error.status() == Status::Cancelled ||
+                       error.status() == Status::ResourceLimit;
+    if (!named || error.code().empty() || std::string(error.what()).empty()) {
+      throw BrokenPromise(std::string("a solid is refused with ") + statusName(error.status()) +
+                          "/" + error.code() + ": " + error.what());
+    }
+    if (folder.files() != 0) throw BrokenPromise("a refused solid left a file");
+  }
+}
+
+}  // namespace swept::fuzz
