@@ -18,7 +18,9 @@ namespace {
                   "and repair the mesh, or export it as a mesh file");
 }
 
-void checkIndices(const TriMesh& mesh) {
+constexpr double kFarthest = 1e9;  // mm, as for bodies
+
+void checkNumbers(const TriMesh& mesh) {
   if (mesh.triangles.empty()) refuse("EmptyMesh", "the mesh has no triangles");
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -30,6 +32,12 @@ void checkIndices(const TriMesh& mesh) {
       }
       if (!mesh.vertices[v].allFinite()) {
         refuse("NonFiniteVertex", "vertex " + std::to_string(v) + " is not finite");
+      }
+      if (mesh.vertices[v].cwiseAbs().maxCoeff() > kFarthest) {
+        throw Error(Status::ExportFailed, "OutOfRange",
+                    "vertex " + std::to_string(v) +
+                        " lies more than 1e9 mm from the origin; move the mesh nearer, or check "
+                        "its unit");
       }
       if (v == mesh.triangles[t][(k + 1) % 3]) {
         refuse("DegenerateTriangle", "triangle " + std::to_string(t) + " repeats a vertex");
@@ -207,7 +215,7 @@ Eigen::Vector3d HalfEdgeMesh::areaVector(std::int32_t triangle) const {
 
 HalfEdgeMesh buildHalfEdges(const TriMesh& mesh, RunContext& run) {
   run.checkpoint(Phase::Export);
-  checkIndices(mesh);
+  checkNumbers(mesh);
   HalfEdgeMesh result;
   result.points = mesh.vertices;
   result.triangles = mesh.triangles;

@@ -51,8 +51,11 @@ NearestTriangle::NearestTriangle(const std::vector<Eigen::Vector3d>& vertices,
   parallelBlocks(n, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& tri = triangles[t];
+      // Far from the origin the mean may round to a point beside the box.
       const Eigen::Vector3d m =
-          ((vertices[tri[0]] + vertices[tri[1]] + vertices[tri[2]]) / 3 - low) * scale;
+          (((vertices[tri[0]] + vertices[tri[1]] + vertices[tri[2]]) / 3 - low) * scale)
+              .cwiseMax(0)
+              .cwiseMin(1023);
       keys[t] = mortonCode(static_cast<std::uint32_t>(m[0]), static_cast<std::uint32_t>(m[1]),
                            static_cast<std::uint32_t>(m[2]))
                     << 32 |
