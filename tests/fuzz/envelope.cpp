@@ -62,7 +62,8 @@ void require(bool holds, const std::string& what, const Report& report) {
                       report.message + ")");
 }
 
-void requireOk(const Result& result, const Options& options) {
+/// With a tolerance vertices may leave the planned box by as much.
+void requireOk(const Result& result, const Options& options, double tolerance) {
   const Report& report = result.report;
   require(report.code.empty() && report.message.empty(), "Ok with a complaint", report);
   require(!result.mesh.triangles.empty(), "Ok without a mesh", report);
@@ -72,7 +73,9 @@ void requireOk(const Result& result, const Options& options) {
   require(result.contactTime.size() == result.mesh.vertices.size(), "times do not fit", report);
   Eigen::Vector3d cells(static_cast<double>(report.grid[0]), static_cast<double>(report.grid[1]),
                         static_cast<double>(report.grid[2]));
-  const Eigen::AlignedBox3d box(report.gridOrigin, report.gridOrigin + cells * report.cellSize);
+  const Eigen::Array3d slack = Eigen::Array3d::Constant(tolerance);
+  const Eigen::AlignedBox3d box(report.gridOrigin - slack.matrix(),
+                                report.gridOrigin + cells * report.cellSize + slack.matrix());
   for (const auto& v : result.mesh.vertices) {
     require(box.contains(v), "a vertex outside the planned box", report);
   }
@@ -105,15 +108,17 @@ void envelope(const std::uint8_t* data, std::size_t size) {
     requireFailure(result);
     return;
   }
-  requireOk(result, chosen);
+  requireOk(result, chosen, chosen.tolerance);
   if (result.kept == nullptr) return;
+  double tolerance = std::abs(bytes.number());
   try {
-    recut(result, std::abs(bytes.number()), run);
+    recut(result, tolerance, run);
   } catch (const Error& error) {
     require(error.status() != Status::InternalError && !error.code().empty(),
             std::string("cut again: ") + error.what(), result.report);
+    tolerance = chosen.tolerance;  // as before
   }
-  requireOk(result, chosen);  // cut, or as before
+  requireOk(result, chosen, tolerance);
 }
 
 }  // namespace swept::fuzz

@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kFarthest = 1e9;  // mm, as for envelopes
+
 void requireUsable(const TriMesh& mesh, const std::string& who) {
   if (mesh.triangles.empty())
     throw Error(Status::InvalidInput, "EmptyMesh",
@@ -20,6 +22,10 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
     if (!mesh.vertices[i].allFinite())
       throw Error(Status::InvalidInput, "NonFiniteVertex",
                   who + ": vertex " + std::to_string(i) + " is not finite; export the part again");
+    if (mesh.vertices[i].cwiseAbs().maxCoeff() > kFarthest)
+      throw Error(Status::InvalidInput, "OutOfRange",
+                  who + ": vertex " + std::to_string(i) +
+                      " lies more than 1e9 mm from the origin; check the unit of the part");
   }
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -172,6 +178,7 @@ std::vector<BoxTree::Piece> BoxTree::cutSlivers(const TriMesh& mesh) {
       Piece second = parts[at];
       const int next = (edge + 1) % 3;
       const Vector3d middle = 0.5 * (second.corners[edge] + second.corners[next]);
+      if (middle == second.corners[edge] || middle == second.corners[next]) continue;  // rounded
       second.corners[edge] = middle;
       parts[at].corners[next] = middle;
       todo.push_back(at);

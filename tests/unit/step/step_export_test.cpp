@@ -216,6 +216,9 @@ TEST_F(StepExport, BrokenMeshesAreRefusedByName) {
   TriMesh nan = boxMesh(1, 1, 1);
   nan.vertices[2].y() = std::nan("");
   EXPECT_EQ(failure(nan, path("x.step")), "NonFiniteVertex");
+  TriMesh far = boxMesh(1, 1, 1);
+  far.vertices[2].y() = 2e9;
+  EXPECT_EQ(failure(far, path("x.step")), "OutOfRange");
   EXPECT_EQ(failure(TriMesh{}, path("x.step")), "EmptyMesh");
   EXPECT_EQ(filesIn(folder_), 0U);
 }
