@@ -18,6 +18,36 @@ from sweptvolume.features import envelope, motion
 from sweptvolume.panels import tasks
 
 
+class FailingTask(runner.Task):
+    """Adds an object, unless it fails at one place before; fail() only after work()."""
+
+    title = "Failing"
+
+    def __init__(self, document, place):
+        self.document = document
+        self.place = place
+
+    def at(self, place):
+        if self.place == place:
+            raise RuntimeError("fault planted in " + place)
+
+    def work(self, control):
+        self.at("work")
+        if self.place == "fail":
+            raise RuntimeError("what fail() is told")
+
+    def room(self, value):
+        self.at("room")
+        return 0
+
+    def finish(self, value):
+        self.document.addObject("App::FeaturePython", "Made")
+        self.at("finish")
+
+    def fail(self, text, cancelled=False):
+        self.at("fail")
+
+
 class BadInput(BadCase):
     def test_bad_input_01_empty_mesh(self):
         self.refused(self.envelope([self.mesh_object([])], self.line()), "empty")
@@ -78,10 +108,15 @@ class BadInput(BadCase):
                 export.check_target(os.path.join(self.folder, name))
         self.assertEqual(os.listdir(self.folder), [])
 
+    def events(self):
+        from PySide import QtCore
+
+        return QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
+
     def loop_until(self, ended, seconds=60):
         from PySide import QtCore
 
-        application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
+        application = self.events()
         clock = QtCore.QElapsedTimer()
         clock.start()
         while not ended() and clock.elapsed() < 1000 * seconds:
@@ -89,9 +124,7 @@ class BadInput(BadCase):
         self.assertTrue(ended(), "the run does not end")
 
     def running(self):
-        from PySide import QtCore
-
-        self.application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
+        self.application = self.events()
         ball = self.doc.addObject("Part::Sphere", "Ball")
         self.doc.recompute()
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(80, base=shift(9).Base)])
@@ -120,6 +153,21 @@ class BadInput(BadCase):
         self.loop_until(lambda: run.state != "running")
         self.assertIn(run.state, ("ok", "cancelled"))
         self.assertNotEqual(obj.Status, envelope.UP_TO_DATE)
+
+    def test_an_exception_anywhere_ends_a_run(self):
+        self.application = self.events()
+        for place in ("work", "room", "finish", "fail"):
+            task, ended = FailingTask(self.doc, place), []
+            run = runner.start(task)
+            run.ended.connect(ended.append)
+            self.loop_until(lambda: run.state != "running")
+            self.assertEqual((run.state, runner.running(), len(ended)), ("failed", [], 1), place)
+            self.assertIn(place, run.message)
+            self.assertEqual(len(self.doc.Objects), 0, place)
+        task = FailingTask(self.doc, None)
+        run = runner.start(task)
+        self.loop_until(lambda: run.state != "running")
+        self.assertEqual((run.state, len(self.doc.Objects)), ("ok", 1))
 
     def saved(self):
         obj = self.envelope([self.box()], self.line())

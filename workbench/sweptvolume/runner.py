@@ -125,15 +125,22 @@ class Run(QtCore.QObject):
 
     def _worked(self):
         self._thread.wait()
-        room = 0
         if self._thread.error is None and not self._gone:
-            room = self.task.room(self._thread.value)
-        if room < LARGE:
+            try:
+                self._fetch_room()
+            except Exception as error:  # shown by _conclude
+                self._thread.error = error
+        if self._fetching is None:
             self._ended()
+
+    def _fetch_room(self):
+        room = self.task.room(self._thread.value)
+        if room < LARGE:
             return
-        self._fetching = _Fetching(core.warm_memory(room))
-        self._fetching.finished.connect(self._ended)
-        self._fetching.start()
+        fetching = _Fetching(core.warm_memory(room))
+        fetching.finished.connect(self._ended)
+        fetching.start()
+        self._fetching = fetching
 
     def _ended(self):
         self._timer.stop()
@@ -145,7 +152,11 @@ class Run(QtCore.QObject):
             self.state = "cancelled"
             self.message = translate("Messages", "Cancelled: the document or an object is gone.")
         else:
-            self._conclude()
+            try:
+                self._conclude()
+            except Exception as error:  # of fail(): the run ends all the same
+                self.state, self.message = "failed", str(error) or type(error).__name__
+                App.Console.PrintError("{}: {}\n".format(self.task.title, self.message))
             for obj in self.task.watched:
                 _refresh_icon(obj)
         self._fetching = None
