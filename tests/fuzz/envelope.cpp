@@ -6,7 +6,7 @@
 
 #include "fuzz/inputs.h"
 #include "fuzz/targets.h"
-#include "swept/compute.h"
+#include "swept/preview.h"
 
 namespace swept::fuzz {
 namespace {
@@ -119,6 +119,44 @@ void envelope(const std::uint8_t* data, std::size_t size) {
     tolerance = chosen.tolerance;  // as before
   }
   requireOk(result, chosen, tolerance);
+}
+
+void preview(const std::uint8_t* data, std::size_t size) {
+  ByteSource bytes(data, size);
+  const Options chosen = options(bytes);
+  Trajectory way = motion(bytes);
+  RunContext run;
+  run.threads = 1;
+  run.memoryLimitBytes = kMemoryLimit;
+  const TriMesh mesh = body(bytes);
+  try {
+    PreviewSession session(mesh, chosen, run);
+    const int calls = 1 + bytes.below(4);
+    for (int i = 0; i < calls; ++i) {
+      RunContext call;
+      call.threads = 1;
+      call.memoryLimitBytes = kMemoryLimit;
+      if (bytes.chance(16)) call.cancelAtCheckpoint = bytes.byte();
+      const Result result = session.compute(way, call);
+      result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);
+      // What a hand on a gizmo does: one pose moves, another comes or goes.
+      if (!way.poses.empty())
+        way.poses[bytes.byte() % way.poses.size()].translation = bytes.point();
+      if (bytes.chance(64)) {
+        Pose pose = way.poses.empty() ? Pose{} : way.poses.back();
+        pose.timeSeconds += 1;
+        pose.translation += bytes.point();
+        way.poses.push_back(pose);
+      } else if (bytes.chance(64) && !way.poses.empty()) {
+        way.poses.pop_back();
+      }
+      if (bytes.chance(128) && !chosen.conservative) session.sketch(way, call);
+    }
+  } catch (const Error& error) {
+    if (error.status() == Status::InternalError || error.code().empty()) {
+      throw BrokenPromise(std::string("a preview ends with ") + error.what());
+    }
+  }
 }
 
 }  // namespace swept::fuzz

@@ -19,6 +19,8 @@ class BrokenPromise : public std::logic_error {
 
 /// Body, motion and options from the bytes, then compute(), and recut() where it is simplified.
 void envelope(const std::uint8_t* data, std::size_t size);
+/// Body and options from the bytes, then a PreviewSession while the motion is edited.
+void preview(const std::uint8_t* data, std::size_t size);
 /// The bytes as a table of poses, plain or packed, then checkTrajectory's part of compute().
 void motionFile(const std::uint8_t* data, std::size_t size);
 /// First byte: the format; the rest: a mesh file, then the body check.

@@ -31,6 +31,7 @@ void runAll(const std::string& name, Target target) {
 }
 
 TEST(FuzzCases, Envelope) { runAll("envelope", fuzz::envelope); }
+TEST(FuzzCases, Preview) { runAll("preview", fuzz::preview); }
 TEST(FuzzCases, MotionFile) { runAll("motionFile", fuzz::motionFile); }
 TEST(FuzzCases, MeshFile) { runAll("meshFile", fuzz::meshFile); }
 TEST(FuzzCases, Clearance) { runAll("clearance", fuzz::clearance); }
