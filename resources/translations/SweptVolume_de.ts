@@ -410,6 +410,10 @@
    <translation>Die Hülle wurde nicht vereinfacht.</translation>
   </message>
   <message>
+   <source>The envelope was simplified less than the tolerance allows.</source>
+   <translation>Die Hülle wurde weniger vereinfacht, als die Toleranz erlaubt.</translation>
+  </message>
+  <message>
    <source>It was not checked whether triangles cross each other.</source>
    <translation>Ob sich Dreiecke durchdringen, wurde nicht geprüft.</translation>
   </message>

@@ -68,6 +68,7 @@ _TEXTS = {
     "CavitiesFilled": mark("Core", "Hollow spaces inside the envelope were filled."),
     "SelfIntersections": mark("Core", "Triangles of the envelope cross each other."),
     "NotSimplified": mark("Core", "The envelope was not simplified."),
+    "SimplifiedLess": mark("Core", "The envelope was simplified less than the tolerance allows."),
     "NotChecked": mark("Core", "It was not checked whether triangles cross each other."),
 }
 

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/kept_surface.h"
 
+#include <sstream>
+
 #include "check/mesh_check.h"
 #include "check/self_intersections.h"
 #include "pipeline/require_passed.h"
 #include "simplify/simplify.h"
 
 namespace swept {
+namespace {
 
-void cutKept(Result& result, double tolerance, RunContext& run) {
+constexpr int kHalvings = 6;
+
+void cutOnce(Result& result, double tolerance, RunContext& run) {
   const SimplifyTree& kept = *result.kept;
   Report& report = result.report;
   if (tolerance > 0) {
@@ -25,7 +30,29 @@ void cutKept(Result& result, double tolerance, RunContext& run) {
     report.simplificationDeviation = 0;
   }
   report.check = checkMesh(result.mesh, run);
-  requirePassed(report.check, "the simplified envelope", report.cellSize);
+}
+
+}  // namespace
+
+// Within a tolerance as large as the body its surface may turn inside out: then half of it, and so
+// on, and in the end the surface as it is, which has passed.
+void cutKept(Result& result, double tolerance, RunContext& run) {
+  auto& notes = result.report.warnings;
+  std::erase_if(notes, [](const Finding& f) { return f.code == "SimplifiedLess"; });
+  double used = tolerance;
+  cutOnce(result, used, run);
+  for (int n = 1; n <= kHalvings && used > 0 && !result.report.check.passes(); ++n) {
+    used = n < kHalvings ? used / 2 : 0;
+    cutOnce(result, used, run);
+  }
+  requirePassed(result.report.check, "the simplified envelope", result.report.cellSize);
+  if (used == tolerance) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "within a tolerance of " << tolerance << " mm the surface would turn inside out; it was "
+       << (used > 0 ? "simplified within " : "left as it is");
+  if (used > 0) text << used << " mm";
+  notes.push_back({"SimplifiedLess", 1, {}, text.str()});
 }
 
 }  // namespace swept

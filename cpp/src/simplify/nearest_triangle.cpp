@@ -11,6 +11,12 @@
 #include "simplify/morton.h"
 
 namespace swept {
+namespace {
+
+/// 0 also where an edge or the triangle has no extent.
+double share(double part, double whole) { return part > 0 ? part / whole : 0; }
+
+}  // namespace
 
 double squaredDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                        const Eigen::Vector3d& c) {
@@ -22,17 +28,17 @@ double squaredDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3) return bp.squaredNorm();
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - ab * (d1 / (d1 - d3))).squaredNorm();
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - ab * share(d1, d1 - d3)).squaredNorm();
   const Eigen::Vector3d cp = p - c;
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
   if (d6 >= 0 && d5 <= d6) return cp.squaredNorm();
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - ac * (d2 / (d2 - d6))).squaredNorm();
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - ac * share(d2, d2 - d6)).squaredNorm();
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    return (bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).squaredNorm();
+    return (bp - (c - b) * share(d4 - d3, (d4 - d3) + (d5 - d6))).squaredNorm();
   }
-  const double scale = 1 / (va + vb + vc);
+  const double scale = va + vb + vc > 0 ? 1 / (va + vb + vc) : 0;
   return (ap - ab * (vb * scale) - ac * (vc * scale)).squaredNorm();
 }
 

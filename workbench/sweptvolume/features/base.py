@@ -33,15 +33,19 @@ class Feature:
     def add_properties(self, obj):
         """Adds what is absent, so that documents of older versions gain new properties."""
         for kind, name, group, text, default, mode in self.properties():
+            choice = kind == "App::PropertyEnumeration" and isinstance(default, list)
+            if choice and name in obj.PropertiesList and getattr(obj, name) is None:
+                # Damaged. In FreeCAD 1.0 such a property takes no value any more.
+                obj.removeProperty(name)
             if name not in obj.PropertiesList:
                 obj.addProperty(kind, name, group, translate("Properties", text))
                 if default is not None:
                     setattr(obj, name, default)
-            elif kind == "App::PropertyEnumeration" and isinstance(default, list):
-                now = getattr(obj, name)  # None in a damaged document
+            elif choice:
+                now = getattr(obj, name)
                 if obj.getEnumerationsOfProperty(name) != default:
                     setattr(obj, name, default)
-                if getattr(obj, name) != now or now is None:
+                if getattr(obj, name) != now:
                     setattr(obj, name, now if now in default else default[0])
             if mode:
                 obj.setEditorMode(name, mode)

@@ -8,21 +8,38 @@ from .widgets import QtWidgets, to_first_field
 
 #: What show() opened last: the form of a task panel, and its filter.
 _shown = []
-
-
-_OURS = QtCore.Qt.Key_Space, QtCore.Qt.Key_Home
+#: The tree that to_tree_or_panel() went to last, and its filter.
+_tree = []
 
 
 class _Keys(QtCore.QObject):
-    """Space presses the button or ticks the box that has the keyboard, Home goes to the first entry.
-    FreeCAD's own shortcuts, to hide what is selected and to turn the view, would come first."""
+    """Keys that a widget wants itself, before FreeCAD's shortcuts have them: pairs of modifiers and key."""
+
+    def __init__(self, *wanted):
+        super().__init__()
+        self.wanted = wanted
 
     def eventFilter(self, watched, event):  # noqa: N802
         # Fields that do not want a key hand it on to the form.
-        ours = event.type() == QtCore.QEvent.ShortcutOverride and event.key() in _OURS
+        if event.type() != QtCore.QEvent.ShortcutOverride:
+            return False
+        ours = (event.modifiers() & ~QtCore.Qt.KeypadModifier, event.key()) in self.wanted
         if ours:
             event.accept()
         return ours
+
+
+def _form_keys():
+    """Space presses the button or ticks the box, Home goes to the first entry; FreeCAD would hide what is
+    selected, and turn the view."""
+    plain = QtCore.Qt.NoModifier
+    return _Keys((plain, QtCore.Qt.Key_Space), (plain, QtCore.Qt.Key_Home))
+
+
+def _tree_keys():
+    """Ctrl and an arrow goes on without choosing; FreeCAD 1.0 would show and hide docks."""
+    held = QtCore.Qt.ControlModifier
+    return _Keys((held, QtCore.Qt.Key_Up), (held, QtCore.Qt.Key_Down))
 
 
 class SortKeys(QtCore.QObject):
@@ -48,7 +65,7 @@ class SortKeys(QtCore.QObject):
 def show(panel):
     """Opens a task panel with the keyboard in its first field."""
     Gui.Control.showDialog(panel)
-    keys = _Keys()
+    keys = _form_keys()
     panel.form.installEventFilter(keys)
     _shown[:] = [panel.form, keys]
     QtCore.QTimer.singleShot(0, lambda: to_first_field(panel.form))
@@ -70,6 +87,10 @@ def to_tree_or_panel():
         to_first_field(_shown[0])
         return
     _bring_up(tree)
+    if tree not in _tree:
+        keys = _tree_keys()
+        tree.installEventFilter(keys)
+        _tree[:] = [tree, keys]
     tree.setFocus(QtCore.Qt.ShortcutFocusReason)
 
 
