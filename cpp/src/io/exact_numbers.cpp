@@ -14,32 +14,9 @@
 namespace swept {
 namespace {
 
-std::string readAll(std::istream& stream) {
-  stream.clear();
-  stream.seekg(0, std::ios::end);
-  const auto size = stream.tellg();
-  stream.seekg(0);
-  std::string text(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)), '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
-double number(TextScanner& scan, std::string_view word) {
-  double value = 0;
-  if (!parseNumber(word, value)) scan.expected("a number", word);
-  return value;
-}
-
-std::int64_t integer(TextScanner& scan, std::string_view word) {
-  std::int64_t value = 0;
-  if (!parseInteger(word, value)) scan.expected("a whole number", word);
-  return value;
-}
-
 Eigen::Vector3d threeNumbers(TextScanner& scan) {
   Eigen::Vector3d p;
-  for (int axis = 0; axis < 3; ++axis) p[axis] = number(scan, scan.word());
+  for (int axis = 0; axis < 3; ++axis) p[axis] = toNumber(scan, scan.word());
   return p;
 }
 
@@ -56,138 +33,6 @@ void appendVertex(const Eigen::Vector3d& p, const char* key, std::string& text) 
   }
 }
 
-void skipBytes(std::istream& stream, std::uint64_t count) {
-  stream.ignore(static_cast<std::streamsize>(count));
-}
-
-std::uint64_t littleOrBig(const unsigned char* bytes, int count, bool big) {
-  std::uint64_t value = 0;
-  for (int i = 0; i < count; ++i) {
-    value = value << 8 | bytes[big ? i : count - 1 - i];
-  }
-  return value;
-}
-
-double realAt(const unsigned char* bytes, int count, bool big) {
-  const std::uint64_t bits = littleOrBig(bytes, count, big);
-  if (count == 8) return std::bit_cast<double>(bits);
-  return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-}
-
-struct CoordinateColumns {
-  std::array<int, 3> offset{-1, -1, -1};  // bytes from the start of the vertex
-  std::array<int, 3> width{0, 0, 0};
-  bool usable = false;  // all three are floating, one at least is double
-};
-
-CoordinateColumns coordinateColumns(const PlyElement& element) {
-  CoordinateColumns columns;
-  int at = 0;
-  bool allReal = true;
-  bool anyDouble = false;
-  for (const PlyProperty& property : element.properties) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (property.name != std::string(1, static_cast<char>('x' + axis))) continue;
-      columns.offset[axis] = at;
-      columns.width[axis] = property.bytes;
-      allReal = allReal && property.isFloat;
-      anyDouble = anyDouble || property.bytes == 8;
-    }
-    at += property.bytes;
-  }
-  const bool all = std::none_of(columns.offset.begin(), columns.offset.end(),
-                                [](int offset) { return offset < 0; });
-  columns.usable = all && allReal && anyDouble && !element.hasLists();
-  return columns;
-}
-
-// Walks one list element by element so that no count is believed before the bytes are known to
-// exist.
-void walkElement(std::istream& stream, const PlyElement& element, bool big, std::uint64_t fileBytes,
-                 const std::string& path) {
-  std::array<unsigned char, 8> count{};
-  for (std::uint64_t i = 0; i < element.count; ++i) {
-    for (const PlyProperty& property : element.properties) {
-      if (property.countBytes == 0) {
-        skipBytes(stream, static_cast<std::uint64_t>(property.bytes));
-        continue;
-      }
-      stream.read(reinterpret_cast<char*>(count.data()), property.countBytes);
-      const std::uint64_t entries = littleOrBig(count.data(), property.countBytes, big);
-      if (!stream || entries > fileBytes / static_cast<std::uint64_t>(property.bytes)) {
-        throw Error(Status::InvalidInput, "BadFile",
-                    "'" + path + "': " + element.name + " " + std::to_string(i) +
-                        (stream ? " claims " + std::to_string(entries) +
-                                      " entries, more than the file can hold; it is damaged"
-                                : " is missing; the file is truncated"));
-      }
-      skipBytes(stream, entries * static_cast<std::uint64_t>(property.bytes));
-    }
-  }
-  if (stream.eof()) {
-    throw Error(Status::InvalidInput, "BadFile",
-                "'" + path + "' ends inside the element '" + element.name + "'; it is truncated");
-  }
-}
-
-ExactNumbers readBinaryPly(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes,
-                           const std::string& path) {
-  const bool big = header.format == PlyHeader::Format::BigEndian;
-  ExactNumbers exact;
-  stream.clear();
-  stream.seekg(static_cast<std::streamoff>(header.dataStart));
-  for (const PlyElement& element : header.elements) {
-    const CoordinateColumns columns = coordinateColumns(element);
-    if (element.name == "vertex" && columns.usable) {
-      std::vector<unsigned char> row(element.leastBytes());
-      exact.vertices.reserve(element.count);
-      for (std::uint64_t i = 0; i < element.count; ++i) {
-        stream.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size()));
-        Eigen::Vector3d p;
-        for (int axis = 0; axis < 3; ++axis) {
-          p[axis] = realAt(row.data() + columns.offset[axis], columns.width[axis], big);
-        }
-        exact.vertices.push_back(p);
-      }
-      exact.present = true;
-    } else if (element.hasLists()) {
-      walkElement(stream, element, big, fileBytes, path);
-    } else {
-      skipBytes(stream, element.leastBytes() * element.count);
-    }
-  }
-  return exact;
-}
-
-ExactNumbers readTextPly(std::istream& stream, const PlyHeader& header, const std::string& path) {
-  const std::string text = readAll(stream);
-  TextScanner scan(std::string_view(text).substr(header.dataStart), path, header.lines + 1);
-  ExactNumbers exact;
-  exact.present = true;
-  for (const PlyElement& element : header.elements) {
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-      Eigen::Vector3d p = Eigen::Vector3d::Zero();
-      for (const PlyProperty& property : element.properties) {
-        std::int64_t entries = 1;
-        if (property.countBytes != 0) {
-          entries = integer(scan, scan.wordAnywhere());
-          if (entries < 0 || entries > static_cast<std::int64_t>(text.size())) {
-            scan.bad("a list of " + std::to_string(entries) + " entries; the file is damaged");
-          }
-        }
-        for (std::int64_t k = 0; k < entries; ++k) {
-          const double value = number(scan, scan.wordAnywhere());
-          const bool coordinate =
-              property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
-          if (coordinate) p[property.name[0] - 'x'] = value;
-        }
-      }
-      if (element.name == "vertex") exact.vertices.push_back(p);
-    }
-  }
-  return exact;
-}
-
 [[noreturn]] void notFinite(const std::string& path, const std::string& where) {
   throw Error(Status::InvalidInput, "NonFiniteVertex",
               "'" + path + "', " + where +
@@ -196,6 +41,29 @@ ExactNumbers readTextPly(std::istream& stream, const PlyHeader& header, const st
 }
 
 }  // namespace
+
+std::string readAll(std::istream& stream) {
+  stream.clear();
+  stream.seekg(0, std::ios::end);
+  const auto size = stream.tellg();
+  stream.seekg(0);
+  std::string text(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+double toNumber(TextScanner& scan, std::string_view word) {
+  double value = 0;
+  if (!parseNumber(word, value)) scan.expected("a number", word);
+  return value;
+}
+
+std::int64_t toInteger(TextScanner& scan, std::string_view word) {
+  std::int64_t value = 0;
+  if (!parseInteger(word, value)) scan.expected("a whole number", word);
+  return value;
+}
 
 bool parseNumber(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
@@ -220,12 +88,6 @@ bool parseInteger(std::string_view text, std::int64_t& value) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-ExactNumbers readExactPly(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes,
-                          const std::string& path) {
-  return header.format == PlyHeader::Format::Ascii ? readTextPly(stream, header, path)
-                                                   : readBinaryPly(stream, header, fileBytes, path);
-}
-
 ExactNumbers readExactObj(std::istream& stream, const std::string& path) {
   const std::string text = readAll(stream);
   TextScanner scan(text, path);
@@ -244,7 +106,7 @@ ExactNumbers readExactObj(std::istream& stream, const std::string& path) {
       exact.cleaned += 'f';
       for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
         const auto count = static_cast<std::int64_t>(exact.vertices.size());
-        std::int64_t index = integer(scan, word.substr(0, word.find('/')));
+        std::int64_t index = toInteger(scan, word.substr(0, word.find('/')));
         if (index < 0) index += count + 1;
         if (index <= 0) scan.expected("a vertex number that exists", word);
         if (index > highest) {
@@ -290,8 +152,8 @@ ExactNumbers readExactOff(std::istream& stream, const std::string& path) {
     word = nextFilledLine();
   }
   std::array<std::int64_t, 2> counts{};
-  counts[0] = integer(scan, word);
-  counts[1] = integer(scan, scan.word());
+  counts[0] = toInteger(scan, word);
+  counts[1] = toInteger(scan, scan.word());
   const auto bytes = static_cast<std::int64_t>(text.size());
   if (counts[0] < 0 || counts[1] < 0 || counts[0] > bytes / 5 || counts[1] > bytes / 7) {
     scan.bad("the counts " + std::to_string(counts[0]) + " and " + std::to_string(counts[1]) +
@@ -305,19 +167,19 @@ ExactNumbers readExactOff(std::istream& stream, const std::string& path) {
   for (std::int64_t i = 0; i < counts[0]; ++i) {
     scan.nextLine();
     Eigen::Vector3d p;
-    p[0] = number(scan, nextFilledLine());
-    for (int axis = 1; axis < 3; ++axis) p[axis] = number(scan, scan.word());
+    p[0] = toNumber(scan, nextFilledLine());
+    for (int axis = 1; axis < 3; ++axis) p[axis] = toNumber(scan, scan.word());
     exact.vertices.push_back(p);
     appendVertex(p, "", exact.cleaned);
   }
   for (std::int64_t i = 0; i < counts[1]; ++i) {
     scan.nextLine();
-    const std::int64_t corners = integer(scan, nextFilledLine());
+    const std::int64_t corners = toInteger(scan, nextFilledLine());
     if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
     exact.cleaned += std::to_string(corners);
     for (std::int64_t k = 0; k < corners; ++k) {
       word = scan.word();
-      const std::int64_t index = integer(scan, word);
+      const std::int64_t index = toInteger(scan, word);
       if (index < 0 || index >= counts[0]) scan.expected("a vertex number that exists", word);
       exact.cleaned += ' ' + std::to_string(index);
     }
@@ -346,10 +208,13 @@ void checkTextStl(std::istream& stream, const std::string& path) {
 void checkBinaryStl(std::istream& stream, const std::string& path) {
   stream.clear();
   stream.seekg(84);
-  std::array<unsigned char, 50> facet{};
-  for (std::int64_t i = 0; stream.read(reinterpret_cast<char*>(facet.data()), facet.size()); ++i) {
+  static_assert(std::endian::native == std::endian::little);
+  std::array<char, 50> facet{};
+  for (std::int64_t i = 0; stream.read(facet.data(), facet.size()); ++i) {
     for (int k = 3; k < 12; ++k) {
-      if (std::isfinite(realAt(facet.data() + 4 * k, 4, false))) continue;
+      float value = 0;
+      std::memcpy(&value, facet.data() + 4 * k, 4);
+      if (std::isfinite(value)) continue;
       notFinite(path, "triangle " + std::to_string(i));
     }
   }

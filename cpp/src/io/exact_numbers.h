@@ -1,8 +1,8 @@
-// A second look at a mesh file beside OpenMesh's readers, which round every coordinate to single
-// precision and read on over text that is no number.
-// In:   stream at the start of the file. Out: vertices in double, in file order, where there are
-// any. Throws Error(InvalidInput, "BadFile") with line and column of what is wrong. Cost: one pass,
-// O(file size); text files are held in memory meanwhile.
+// A second look at an OBJ, OFF or STL file beside OpenMesh's readers, which round every coordinate
+// to single precision and read on over text that is no number. In:   stream at the start of the
+// file. Out: vertices in double, in file order, where there are any. Throws Error(InvalidInput,
+// "BadFile") with line and column of what is wrong. Cost: one pass, O(file size); text files are
+// held in memory meanwhile.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/ply_header.h"
+#include "io/text_scanner.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -25,14 +25,16 @@ struct ExactNumbers {
   std::string cleaned;
 };
 
-ExactNumbers readExactPly(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes,
-                          const std::string& path);
 ExactNumbers readExactObj(std::istream& stream, const std::string& path);
 ExactNumbers readExactOff(std::istream& stream, const std::string& path);
 /// STL coordinates are welded by value while reading, which must not see NaN.
 void checkTextStl(std::istream& stream, const std::string& path);
 void checkBinaryStl(std::istream& stream, const std::string& path);
 
+std::string readAll(std::istream& stream);
+/// What a word says; throws as TextScanner::expected() where it is no number.
+double toNumber(TextScanner& scan, std::string_view word);
+std::int64_t toInteger(TextScanner& scan, std::string_view word);
 /// Whole-text number parsing, independent of the locale; a leading + is accepted.
 bool parseNumber(std::string_view text, double& value);
 bool parseInteger(std::string_view text, std::int64_t& value);

@@ -1,4 +1,5 @@
-// Mesh files through OpenMesh's readers and writers (see openmesh_bridge.h for why not its mesh).
+// Mesh files through OpenMesh's readers and writers (see openmesh_bridge.h for why not its mesh),
+// PLY through our own.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -15,7 +16,7 @@
 #include "base/safe_file.h"
 #include "io/exact_numbers.h"
 #include "io/openmesh_bridge.h"
-#include "io/ply_header.h"
+#include "io/ply_mesh.h"
 #include "io/polygon_split.h"
 #include "io/three_mf.h"
 #include "swept/io.h"
@@ -94,11 +95,11 @@ bool isBinaryStl(std::istream& stream, std::uint64_t fileBytes, const std::strin
           "; it is truncated or not an STL file");
 }
 
-TriMesh toTriangles(const ListImporter& found, const std::string& path) {
+TriMesh toTriangles(PolygonList found, const std::string& path) {
   const auto vertexCount = static_cast<std::int64_t>(found.vertices.size());
   TriMesh mesh;
-  mesh.triangles.reserve(found.n_faces());
-  for (std::size_t f = 0; f < found.n_faces(); ++f) {
+  mesh.triangles.reserve(found.faces());
+  for (std::size_t f = 0; f < found.faces(); ++f) {
     const std::span<const std::int32_t> corners(
         found.corners.data() + found.faceStart[f],
         static_cast<std::size_t>(found.faceStart[f + 1] - found.faceStart[f]));
@@ -115,6 +116,7 @@ TriMesh toTriangles(const ListImporter& found, const std::string& path) {
     }
     splitPolygon(found.vertices, corners, mesh.triangles);
   }
+  mesh.vertices = std::move(found.vertices);
   return mesh;
 }
 
@@ -182,25 +184,16 @@ void scaleAndCheck(TriMesh& mesh, double factor) {
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= factor;
 }
 
-}  // namespace
+PolygonList readPly(OpenedFile& file, const std::string& path) {
+  const PlyHeader header = readPlyHeader(file.stream, file.bytes, path);
+  return readPlyMesh(file.stream, header, file.bytes, path);
+}
 
-TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
-  const std::string suffix = suffixOf(path);
-  if (!isMeshSuffix(suffix)) {
-    badFile("'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
-  }
-  OpenedFile file = openFile(path);
+PolygonList readThroughOpenMesh(OpenedFile& file, const std::string& suffix,
+                                const std::string& path) {
   OpenMesh::IO::Options options;
   ExactNumbers exact;
-  std::uint64_t expectedVertices = 0;
-  std::uint64_t expectedFaces = 0;
-  if (suffix == "ply") {
-    const PlyHeader header = readPlyHeader(file.stream, file.bytes, path);
-    expectedVertices = header.find("vertex")->count;
-    expectedFaces = header.find("face")->count;
-    exact = readExactPly(file.stream, header, file.bytes, path);
-    if (header.format != PlyHeader::Format::Ascii) options += OpenMesh::IO::Options::Binary;
-  } else if (suffix == "stl") {
+  if (suffix == "stl") {
     if (isBinaryStl(file.stream, file.bytes, path)) {
       options += OpenMesh::IO::Options::Binary;
       checkBinaryStl(file.stream, path);
@@ -215,28 +208,31 @@ TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
 
   const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // each takes a byte at least
   ListImporter found(limit, 4 * limit);
-  {
-    OpenMeshCall call;
-    std::istringstream cleaned(std::move(exact.cleaned));
-    const bool fromText = suffix == "obj" || suffix == "off";
-    std::istream& source = fromText ? static_cast<std::istream&>(cleaned) : file.stream;
-    if (!OpenMesh::IO::IOManager().read(source, suffix, found, options)) {
-      badFile("'" + path + "' cannot be read: " + call.said());
-    }
-    // Streams swallow exceptions; a stream over memory has no other reason to go bad.
-    if (fromText && source.bad()) throw std::bad_alloc();
+  OpenMeshCall call;
+  std::istringstream cleaned(std::move(exact.cleaned));
+  const bool fromText = suffix != "stl";
+  std::istream& source = fromText ? static_cast<std::istream&>(cleaned) : file.stream;
+  if (!OpenMesh::IO::IOManager().read(source, suffix, found, options)) {
+    badFile("'" + path + "' cannot be read: " + call.said());
   }
-  if (suffix == "ply" &&
-      (found.n_vertices() != expectedVertices || found.n_faces() != expectedFaces)) {
-    badFile("'" + path + "' promises " + std::to_string(expectedVertices) + " vertices and " +
-            std::to_string(expectedFaces) + " faces, found " + std::to_string(found.n_vertices()) +
-            " and " + std::to_string(found.n_faces()) + "; the file is truncated");
+  // Streams swallow exceptions; a stream over memory has no other reason to go bad.
+  if (fromText && source.bad()) throw std::bad_alloc();
+  if (exact.vertices.size() == found.n_vertices() && exact.present) {
+    found.list.vertices = std::move(exact.vertices);
   }
-  if (exact.vertices.size() == found.vertices.size() && exact.present) {
-    found.vertices = std::move(exact.vertices);
+  return std::move(found.list);
+}
+
+}  // namespace
+
+TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
+  const std::string suffix = suffixOf(path);
+  if (!isMeshSuffix(suffix)) {
+    badFile("'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
   }
-  TriMesh mesh = toTriangles(found, path);
-  mesh.vertices = std::move(found.vertices);
+  OpenedFile file = openFile(path);
+  TriMesh mesh = toTriangles(
+      suffix == "ply" ? readPly(file, path) : readThroughOpenMesh(file, suffix, path), path);
   scaleAndCheck(mesh, millimetresPerUnit);
   return mesh;
 }

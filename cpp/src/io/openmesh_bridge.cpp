@@ -19,9 +19,9 @@ using OpenMesh::VertexHandle;
 }  // namespace
 
 VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3d& point) {
-  if (vertices.size() >= maxVertices_) tooMany("vertices", maxVertices_);
-  vertices.emplace_back(point[0], point[1], point[2]);
-  return VertexHandle(static_cast<int>(vertices.size() - 1));
+  if (list.vertices.size() >= maxVertices_) tooMany("vertices", maxVertices_);
+  list.vertices.emplace_back(point[0], point[1], point[2]);
+  return VertexHandle(static_cast<int>(list.vertices.size() - 1));
 }
 
 VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3f& point) {
@@ -31,23 +31,23 @@ VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3f& point) {
 VertexHandle ListImporter::add_vertex() { return add_vertex(OpenMesh::Vec3d(0.0)); }
 
 FaceHandle ListImporter::add_face(const VHandles& handles) {
-  if (corners.size() + handles.size() > maxCorners_) tooMany("face corners", maxCorners_);
-  for (const VertexHandle& handle : handles) corners.push_back(handle.idx());
-  faceStart.push_back(corners.size());
-  return FaceHandle(static_cast<int>(faceStart.size() - 2));
+  if (list.corners.size() + handles.size() > maxCorners_) tooMany("face corners", maxCorners_);
+  for (const VertexHandle& handle : handles) list.corners.push_back(handle.idx());
+  list.faceStart.push_back(list.corners.size());
+  return FaceHandle(static_cast<int>(list.faceStart.size() - 2));
 }
 
 void ListImporter::set_point(VertexHandle vertex, const OpenMesh::Vec3f& point) {
   const int index = vertex.idx();
-  if (index < 0 || static_cast<std::size_t>(index) >= vertices.size()) return;
-  vertices[static_cast<std::size_t>(index)] = Eigen::Vector3d(point[0], point[1], point[2]);
+  if (index < 0 || static_cast<std::size_t>(index) >= list.vertices.size()) return;
+  list.vertices[static_cast<std::size_t>(index)] = Eigen::Vector3d(point[0], point[1], point[2]);
 }
 
 void ListImporter::reserve(unsigned int nV, unsigned int /*nE*/, unsigned int nF) {
   // The counts come from the file: believe them only as far as the file is long.
-  vertices.reserve(std::min<std::uint64_t>(nV, maxVertices_));
-  faceStart.reserve(std::min<std::uint64_t>(nF, maxCorners_ / 3) + 1);
-  corners.reserve(std::min<std::uint64_t>(3 * static_cast<std::uint64_t>(nF), maxCorners_));
+  list.vertices.reserve(std::min<std::uint64_t>(nV, maxVertices_));
+  list.faceStart.reserve(std::min<std::uint64_t>(nF, maxCorners_ / 3) + 1);
+  list.corners.reserve(std::min<std::uint64_t>(3 * static_cast<std::uint64_t>(nF), maxCorners_));
 }
 
 OpenMesh::Vec3d ListExporter::pointd(VertexHandle vertex) const {

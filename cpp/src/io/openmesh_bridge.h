@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/polygon_list.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -22,9 +23,7 @@ class ListImporter final : public OpenMesh::IO::BaseImporter {
   ListImporter(std::uint64_t maxVertices, std::uint64_t maxCorners)
       : maxVertices_(maxVertices), maxCorners_(maxCorners) {}
 
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::int32_t> corners;        ///< all faces one after another
-  std::vector<std::uint64_t> faceStart{0};  ///< face f has corners [faceStart[f], faceStart[f + 1])
+  PolygonList list;
 
   OpenMesh::VertexHandle add_vertex(const OpenMesh::Vec3f& point) override;
   OpenMesh::VertexHandle add_vertex(const OpenMesh::Vec3d& point) override;
@@ -32,8 +31,8 @@ class ListImporter final : public OpenMesh::IO::BaseImporter {
   OpenMesh::FaceHandle add_face(const VHandles& handles) override;
   void set_point(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& point) override;
   void reserve(unsigned int nV, unsigned int nE, unsigned int nF) override;
-  size_t n_vertices() const override { return vertices.size(); }
-  size_t n_faces() const override { return faceStart.size() - 1; }
+  size_t n_vertices() const override { return list.vertices.size(); }
+  size_t n_faces() const override { return list.faces(); }
   size_t n_edges() const override { return 0; }
 
   OpenMesh::HalfedgeHandle add_edge(OpenMesh::VertexHandle, OpenMesh::VertexHandle) override {

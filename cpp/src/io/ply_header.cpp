@@ -40,12 +40,13 @@ PlyProperty parseProperty(std::istringstream& words, const std::string& path, in
     words >> type;
   }
   property.bytes = bytesOf(type, &property.isFloat);
+  property.isSigned = !property.isFloat && type[0] != 'u';
   if (property.bytes == 0) bad(path, line, "unknown type '" + type + "'");
   if (!(words >> property.name)) bad(path, line, "property without a name");
   return property;
 }
 
-// What is not as it should be is refused here: OpenMesh reads on for ever where a number is none.
+// What is not as it should be is refused here: what the data mean follows from it.
 void parseLine(const std::string& text, const std::string& path, PlyHeader& header) {
   std::istringstream words(text);
   std::string key;
@@ -106,13 +107,6 @@ std::uint64_t PlyElement::leastBytes() const {
     sum += static_cast<std::uint64_t>(p.countBytes != 0 ? p.countBytes : p.bytes);
   }
   return sum;
-}
-
-bool PlyElement::hasLists() const {
-  for (const PlyProperty& p : properties) {
-    if (p.countBytes != 0) return true;
-  }
-  return false;
 }
 
 const PlyElement* PlyHeader::find(const std::string& name) const {

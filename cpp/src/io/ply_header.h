@@ -16,6 +16,7 @@ struct PlyProperty {
   int bytes = 0;       ///< of the value, or of one list entry
   int countBytes = 0;  ///< lists: of the count; 0 for a plain value
   bool isFloat = false;
+  bool isSigned = false;  ///< a whole number that may be below 0
 };
 
 struct PlyElement {
@@ -24,7 +25,6 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
   /// Least bytes of one element in a binary file (empty lists).
   std::uint64_t leastBytes() const;
-  bool hasLists() const;
 };
 
 struct PlyHeader {

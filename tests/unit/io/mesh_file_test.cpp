@@ -136,6 +136,46 @@ TEST(MeshFile, TextAndBigEndianPly) {
   EXPECT_EQ(big.triangles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
 }
 
+// Of OpenMesh's PLY reader, version 11 crashes on what stands beside the mesh here.
+TEST(MeshFile, PlyWithPropertiesOfAllKinds) {
+  const TemporaryFolder folder;
+  const std::string head =
+      "comment 1 2 3\nobj_info x\nelement tag 2\nproperty uchar a\nelement vertex 3\n"
+      "property list uchar short more\nproperty short x\nproperty float32 y\nproperty char w\n"
+      "property float64 z\nelement nothing 9\nelement edge 1\nproperty list uchar int "
+      "vertex_indices\n"
+      "element face 2\nproperty float quality\nproperty list uint8 uint16 vertex_index\n"
+      "property list uchar float uv\nend_header\n";
+  const std::string text =
+      folder.write("a.ply", "ply\nformat ascii 1.0\n" + head +
+                                "7 8  2 5 6 -3 0.5 1 0.1\n0 1 0 1 0\n1 9 0 1 1 0\n"
+                                "2 0 1\n0.5 3 0 1 2 0\n0.5 3 2 1 0 2 .1 .2\n");
+  std::string body("\7\10\2\5\0\6\0\xfd\xff\0\0\0\x3f\1", 14);
+  const auto put = [&](double value) {
+    std::array<char, 8> bytes{};
+    std::memcpy(bytes.data(), &value, 8);
+    body.append(bytes.data(), 8);
+  };
+  put(0.1);
+  body += std::string("\0\1\0\0\0\0\0\1", 8);
+  put(0);
+  body += std::string("\1\11\0\0\0\0\0\x80\x3f\1", 10);
+  put(0);
+  body += std::string("\2\0\0\0\0\1\0\0\0", 9);
+  body += std::string("\0\0\0\0\3\0\0\1\0\2\0\0", 12);
+  body += std::string("\0\0\0\0\3\2\0\1\0\0\0\2", 12) + std::string(8, '\0');
+  const std::string binary =
+      folder.write("b.ply", "ply\nformat binary_little_endian 1.0\n" + head + body);
+  for (const std::string& path : {text, binary}) {
+    const TriMesh mesh = readMesh(path);
+    ASSERT_EQ(mesh.vertices.size(), 3u) << path;
+    EXPECT_EQ(mesh.vertices[0], Eigen::Vector3d(-3, 0.5, 0.1)) << path;
+    EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(0, 1, 0)) << path;
+    ASSERT_EQ(mesh.triangles.size(), 2u) << path;
+    EXPECT_EQ(mesh.triangles[1], (std::array<std::int32_t, 3>{2, 1, 0})) << path;
+  }
+}
+
 struct BrokenMesh {
   const char* name;
   std::string bytes;
@@ -161,6 +201,17 @@ std::vector<BrokenMesh> brokenMeshes() {
        "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
        "element face 0\nproperty list uchar int vertex_indices\nend_header\n",
        "BadFile", "truncated"},
+      {"version.ply", "ply\nformat ascii one\n", "BadFile", "version 1.0"},
+      {"more.ply", "ply\nformat ascii 1.0\nelement vertex 3 4\n", "BadFile", "line 3"},
+      {"nolist.ply",
+       "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+       "property float z\nelement face 0\nproperty int vertex_indices\nend_header\n",
+       "BadFile", "a list vertex_indices"},
+      {"below.ply",
+       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float "
+       "y\nproperty float z\nelement face 1\nproperty list char char vertex_index\nend_header\n" +
+           points + std::string("\3\0\xff\1", 4),
+       "BadFile", "vertex -1"},
       {"cut.ply", ply + points.substr(0, 20), "BadFile", "truncated"},
       {"cutface.ply", ply + points + std::string("\3\0\0\0\0\0\0\0", 8), "BadFile", "truncated"},
       {"hugelist.ply", ply + points + std::string("\xff\xff\xff\xff\0\0\0\0\0\0\0\0\0\0\0\0", 16),
