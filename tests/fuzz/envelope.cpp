@@ -137,6 +137,7 @@ void preview(const std::uint8_t* data, std::size_t size) {
       call.threads = 1;
       call.memoryLimitBytes = kMemoryLimit;
       if (bytes.chance(16)) call.cancelAtCheckpoint = bytes.byte();
+      if (std::getenv("SWEPT_FUZZ_SHOW") != nullptr) show(mesh, way, chosen);
       const Result result = session.compute(way, call);
       result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);
       // What a hand on a gizmo does: one pose moves, another comes or goes.

@@ -22,6 +22,7 @@ namespace {
 constexpr int kReachCells = 4;  ///< around a triangle that meets another one
 constexpr int kRounds = 8;
 constexpr double kThinFirst = 0.1;  ///< cells: walls up to this are laid together at once
+constexpr double kWaysAside[] = {1e-9, 1e-7, 1e-5, 1e-3};  ///< cells
 constexpr double kWaysBack[] = {1e-3, 1e-2, 0.1, 1};  ///< of a vertex whose triangle has no area
 
 using Triangle = std::array<std::int32_t, 3>;
@@ -48,24 +49,30 @@ class Mender {
   bool done() const { return pairs_.count == 0; }
   const SelfIntersections& left() const { return pairs_; }
 
-  /// Vertices that were moved onto one another, or into one line, go part of their way back.
+  /// Vertices that were moved onto one another, or into one line, go part of their way back; where
+  /// that gives no area, the middle one of three in line steps aside by next to nothing.
   void restoreAreas() {
     for (const double back : kWaysBack) {
-      std::vector<std::int32_t> vertices =
-          gather<std::int32_t>(region_.size(), [&](std::size_t n, std::vector<std::int32_t>& part) {
-            const Triangle& t = mesh_.triangles[region_[n]];
-            if (!hasArea(region_[n])) part.insert(part.end(), t.begin(), t.end());
-          });
+      std::vector<std::int32_t> vertices;
+      for (const std::int32_t t : flatTriangles()) {
+        vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+      }
       if (vertices.empty()) return;
       sortUnique(vertices);
       for (const std::int32_t v : vertices) {
         const auto at = before_.find(v);
         if (at != before_.end()) mesh_.vertices[v] += back * (at->second - mesh_.vertices[v]);
       }
-      changed_ = touching(vertices, region_);
-      sortUnique(changed_);
-      blocks_.update(mesh_, changed_);
-      findAgain(nearPairs(&region_));
+      findAgainAround(vertices);
+    }
+    for (const double aside : kWaysAside) {
+      std::vector<std::int32_t> vertices;
+      for (const std::int32_t t : flatTriangles()) {
+        if (!hasArea(t)) vertices.push_back(stepAside(mesh_.triangles[t], aside * grid_.plan.cell));
+      }
+      if (vertices.empty()) return;
+      sortUnique(vertices);
+      findAgainAround(vertices);
     }
   }
 
@@ -251,6 +258,43 @@ class Mender {
       }
       changed_.push_back(place);
     }
+  }
+
+  std::vector<std::int32_t> flatTriangles() {
+    std::vector<std::int32_t> flat =
+        gather<std::int32_t>(region_.size(), [&](std::size_t n, std::vector<std::int32_t>& part) {
+          if (!hasArea(region_[n])) part.push_back(region_[n]);
+        });
+    sortUnique(flat);
+    return flat;
+  }
+
+  /// Moves the corner across from the longest side, square to that side; returns which.
+  std::int32_t stepAside(const Triangle& triangle, double far) {
+    int longest = 0;
+    Eigen::Vector3d side = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d other =
+          mesh_.vertices[triangle[(k + 1) % 3]] - mesh_.vertices[triangle[k]];
+      if (other.squaredNorm() <= side.squaredNorm()) continue;
+      side = other;
+      longest = k;
+    }
+    Eigen::Index axis = 0;
+    side.cwiseAbs().minCoeff(&axis);
+    const Eigen::Vector3d square = side.cross(Eigen::Vector3d::Unit(axis));
+    const double length = square.norm();
+    const std::int32_t corner = triangle[(longest + 2) % 3];
+    mesh_.vertices[corner] +=
+        far * (length > 0 ? Eigen::Vector3d(square / length) : Eigen::Vector3d::UnitX());
+    return corner;
+  }
+
+  void findAgainAround(const std::vector<std::int32_t>& vertices) {
+    changed_ = touching(vertices, region_);
+    sortUnique(changed_);
+    blocks_.update(mesh_, changed_);
+    findAgain(nearPairs(&region_));
   }
 
   /// Pairs of which neither triangle has changed stand; the rest is asked anew.
