@@ -8,6 +8,9 @@ from .widgets import QtWidgets, to_first_field
 
 #: What show() opened last: the form of a task panel, and its filter.
 _shown = []
+#: ms after which a new panel takes the keyboard. With Qt 6 a menu that was opened by keys gives it back
+#: to the 3D view after the command has run.
+_WAITS = 0, 50, 200
 #: The tree that to_tree_or_panel() went to last, and its filter.
 _tree = []
 
@@ -68,7 +71,17 @@ def show(panel):
     keys = _form_keys()
     panel.form.installEventFilter(keys)
     _shown[:] = [panel.form, keys]
-    QtCore.QTimer.singleShot(0, lambda: to_first_field(panel.form))
+    for wait in _WAITS:
+        QtCore.QTimer.singleShot(wait, lambda: _enter(panel.form))
+
+
+def _enter(form):
+    try:
+        holder = QtWidgets.QApplication.focusWidget()
+        if holder is None or not form.isAncestorOf(holder):
+            to_first_field(form)
+    except RuntimeError:
+        pass  # the panel was closed at once
 
 
 def to_tree_or_panel():
