@@ -68,11 +68,11 @@ class SortKeys(QtCore.QObject):
 def show(panel):
     """Opens a task panel with the keyboard in its first field."""
     Gui.Control.showDialog(panel)
-    keys = _form_keys()
-    panel.form.installEventFilter(keys)
-    _shown[:] = [panel.form, keys]
+    form, keys = panel.form, _form_keys()  # a panel that was closed has no form
+    form.installEventFilter(keys)
+    _shown[:] = [form, keys]
     for wait in _WAITS:
-        QtCore.QTimer.singleShot(wait, lambda: _enter(panel.form))
+        QtCore.QTimer.singleShot(wait, lambda: _enter(form))
 
 
 def _enter(form):
