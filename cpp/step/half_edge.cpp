@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/limits.h"
 #include "base/parallel.h"
 
 namespace swept::step {
@@ -17,8 +18,6 @@ namespace {
                   "; a solid needs a closed, oriented, edge-manifold mesh: run the mesh check "
                   "and repair the mesh, or export it as a mesh file");
 }
-
-constexpr double kFarthest = 1e9;  // mm, as for bodies
 
 void checkNumbers(const TriMesh& mesh) {
   if (mesh.triangles.empty()) refuse("EmptyMesh", "the mesh has no triangles");
@@ -33,7 +32,7 @@ void checkNumbers(const TriMesh& mesh) {
       if (!mesh.vertices[v].allFinite()) {
         refuse("NonFiniteVertex", "vertex " + std::to_string(v) + " is not finite");
       }
-      if (mesh.vertices[v].cwiseAbs().maxCoeff() > kFarthest) {
+      if (mesh.vertices[v].cwiseAbs().maxCoeff() > kLargestLength) {
         throw Error(Status::ExportFailed, "OutOfRange",
                     "vertex " + std::to_string(v) +
                         " lies more than 1e9 mm from the origin; move the mesh nearer, or check "

@@ -13,10 +13,10 @@
 #include "base/parallel.h"
 #include "fault/failing_new.h"
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 #include "swept/clearance.h"
 #include "swept/compute.h"
 #include "swept/io.h"
-#include "unit/io/temporary_folder.h"
 
 namespace swept::test {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuzz/inputs.h"
+#include "fuzz/promise.h"
 #include "fuzz/targets.h"
 #include "support/mesh_distance.h"
 
@@ -104,16 +105,13 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   const ClearanceOptions chosen = options(bytes);
   const Trajectory way = motion(bytes);
   RunContext run;
-  run.threads = 1;
+  limit(run);
   if (bytes.chance(16)) run.cancelAtCheckpoint = bytes.byte();
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
   const ClearanceReport report = checkClearance(mesh, way, parts, chosen, run);
   if (report.status != Status::Ok) {
-    if (report.code.empty() || report.message.empty() || report.status == Status::InternalError) {
-      throw BrokenPromise(std::string("a failure without a name: ") + statusName(report.status) +
-                          "/" + report.code + ": " + report.message);
-    }
+    requireNamed("a clearance", report.status, report.code, report.message);
     return;
   }
   if (report.neighbours.size() != parts.size() || report.smallest < 0 || report.summary.empty()) {

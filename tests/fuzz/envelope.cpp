@@ -5,14 +5,12 @@
 #include <cstdlib>
 
 #include "fuzz/inputs.h"
+#include "fuzz/promise.h"
 #include "fuzz/targets.h"
 #include "swept/preview.h"
 
 namespace swept::fuzz {
 namespace {
-
-// Keeps one run within a second: the programs look for faults, not for large grids.
-constexpr std::uint64_t kMemoryLimit = 64ull << 20;
 
 Options options(ByteSource& bytes) {
   Options options;
@@ -83,12 +81,10 @@ void requireOk(const Result& result, const Options& options, double tolerance) {
 
 void requireFailure(const Result& result) {
   const Report& report = result.report;
-  require(!report.code.empty() && !report.message.empty(), "a failure without a name", report);
+  requireNamed("a run", report.status, report.code, report.message);
   require(result.mesh.vertices.empty() && result.mesh.triangles.empty() &&
               result.contactTime.empty() && result.featureEdges.empty() && !result.kept,
           "a failure that leaves something", report);
-  // The one status that says that the program is wrong.
-  require(report.status != Status::InternalError, "internal error", report);
 }
 
 }  // namespace
@@ -98,8 +94,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
   const Options chosen = options(bytes);
   const Trajectory way = motion(bytes);
   RunContext run;
-  run.threads = 1;
-  run.memoryLimitBytes = kMemoryLimit;
+  limit(run);
   if (bytes.chance(16)) run.cancelAtCheckpoint = bytes.byte();
   const TriMesh mesh = body(bytes);
   if (std::getenv("SWEPT_FUZZ_SHOW") != nullptr) show(mesh, way, chosen);
@@ -114,8 +109,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
   try {
     recut(result, tolerance, run);
   } catch (const Error& error) {
-    require(error.status() != Status::InternalError && !error.code().empty(),
-            std::string("cut again: ") + error.what(), result.report);
+    requireNamed("a cut at another tolerance", error);
     tolerance = chosen.tolerance;  // as before
   }
   requireOk(result, chosen, tolerance);
@@ -126,16 +120,14 @@ void preview(const std::uint8_t* data, std::size_t size) {
   const Options chosen = options(bytes);
   Trajectory way = motion(bytes);
   RunContext run;
-  run.threads = 1;
-  run.memoryLimitBytes = kMemoryLimit;
+  limit(run);
   const TriMesh mesh = body(bytes);
   try {
     PreviewSession session(mesh, chosen, run);
     const int calls = 1 + bytes.below(4);
     for (int i = 0; i < calls; ++i) {
       RunContext call;
-      call.threads = 1;
-      call.memoryLimitBytes = kMemoryLimit;
+      limit(call);
       if (bytes.chance(16)) call.cancelAtCheckpoint = bytes.byte();
       if (std::getenv("SWEPT_FUZZ_SHOW") != nullptr) show(mesh, way, chosen);
       const Result result = session.compute(way, call);
@@ -154,9 +146,7 @@ void preview(const std::uint8_t* data, std::size_t size) {
       if (bytes.chance(128) && !chosen.conservative) session.sketch(way, call);
     }
   } catch (const Error& error) {
-    if (error.status() == Status::InternalError || error.code().empty()) {
-      throw BrokenPromise(std::string("a preview ends with ") + error.what());
-    }
+    requireNamed("a preview", error);
   }
 }
 

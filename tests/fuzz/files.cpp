@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "fuzz/promise.h"
 #include "fuzz/targets.h"
 #include "swept/compute.h"
 #include "swept/io.h"
@@ -31,13 +32,8 @@ class MemoryFile {
   int handle_;
 };
 
-void requireNamed(const Error& error) {
-  const bool expected =
-      error.status() == Status::InvalidInput || error.status() == Status::ResourceLimit;
-  if (!expected || error.code().empty() || std::string(error.what()).empty()) {
-    throw BrokenPromise(std::string("a file is refused with ") + statusName(error.status()) + "/" +
-                        error.code() + ": " + error.what());
-  }
+void requireRefused(const Error& error) {
+  requireNamed("a file", error, {Status::InvalidInput, Status::ResourceLimit});
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ void motionFile(const std::uint8_t* data, std::size_t size) {
       if (!pose.rotation.coeffs().allFinite()) throw BrokenPromise("a rotation is not finite");
     }
   } catch (const Error& error) {
-    requireNamed(error);
+    requireRefused(error);
   }
 }
 
@@ -78,7 +74,7 @@ void meshFile(const std::uint8_t* data, std::size_t size) {
       }
     }
   } catch (const Error& error) {
-    requireNamed(error);
+    requireRefused(error);
   }
   unlink(link.c_str());
 }

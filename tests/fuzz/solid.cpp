@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "fuzz/inputs.h"
+#include "fuzz/promise.h"
 #include "fuzz/targets.h"
+#include "support/temporary_folder.h"
 #include "swept/compute.h"
 #include "swept/step_export.h"
 
 namespace swept::fuzz {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::uint64_t kMemoryLimit = 64ull << 20;
 constexpr std::int64_t kMostFaces = 400;  // the kernel takes milliseconds a face here
-
-/// A folder of its own; what is left in it is seen.
-class Folder {
- public:
-  Folder() : path_("/dev/shm/swept-fuzz-" + std::to_string(getpid())) {
-    fs::remove_all(path_);
-    fs::create_directory(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(const char* name) const { return (path_ / name).string(); }
-  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(path_), {}); }
-
- private:
-  fs::path path_;
-};
 
 StepOptions options(ByteSource& bytes) {
   StepOptions options;
@@ -66,11 +45,12 @@ TriMesh surface(ByteSource& bytes, RunContext& run) {
   return result.report.status == Status::Ok ? result.mesh : mesh;
 }
 
-void requireSolid(const StepReport& report, const StepOptions& options, const Folder& folder) {
+void requireSolid(const StepReport& report, const StepOptions& options,
+                  const test::TemporaryFolder& folder) {
   const auto require = [&](bool holds, const char* what) {
     if (!holds) throw BrokenPromise(what);
   };
-  require(folder.files() == 1, "a solid without a file, or with more than one");
+  require(folder.count() == 1, "a solid without a file, or with more than one");
   require(report.valid && report.solids > 0 && report.faces > 0, "a solid that is none");
   require(std::isfinite(report.volume) && std::isfinite(report.deviation), "no volume");
   require(report.fileBytes > 0, "an empty file");
@@ -88,24 +68,19 @@ void solid(const std::uint8_t* data, std::size_t size) {
   StepOptions chosen = options(bytes);
   const bool brep = bytes.chance(64);
   RunContext run, exporting;
-  run.threads = exporting.threads = 1;
-  run.memoryLimitBytes = exporting.memoryLimitBytes = kMemoryLimit;
+  limit(run);
+  limit(exporting);
   if (bytes.chance(16)) exporting.cancelAtCheckpoint = bytes.byte();
   const TriMesh mesh = surface(bytes, run);
-  const Folder folder;
+  const test::TemporaryFolder folder;
   try {
     const StepReport report =
         writeSolid(mesh, folder.file(brep ? "a.brep" : "a.step"), chosen, exporting);
     if (chosen.schema != StepSchema::Ap242Tessellated) requireSolid(report, chosen, folder);
   } catch (const Error& error) {
-    const bool named = error.status() == Status::ExportFailed ||
-                       error.status() == Status::Cancelled ||
-                       error.status() == Status::ResourceLimit;
-    if (!named || error.code().empty() || std::string(error.what()).empty()) {
-      throw BrokenPromise(std::string("a solid is refused with ") + statusName(error.status()) +
-                          "/" + error.code() + ": " + error.what());
-    }
-    if (folder.files() != 0) throw BrokenPromise("a refused solid left a file");
+    requireNamed("a solid", error,
+                 {Status::ExportFailed, Status::Cancelled, Status::ResourceLimit});
+    if (folder.count() != 0) throw BrokenPromise("a refused solid left a file");
   }
 }
 

@@ -7,15 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 
 namespace swept::fuzz {
-
-class BrokenPromise : public std::logic_error {
- public:
-  explicit BrokenPromise(const std::string& what) : std::logic_error(what) {}
-};
 
 /// Body, motion and options from the bytes, then compute(), and recut() where it is simplified.
 void envelope(const std::uint8_t* data, std::size_t size);

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/limits.h"
+
 namespace swept::clearance {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kFarthest = 1e9;  // mm, as for envelopes
 
 void requireUsable(const TriMesh& mesh, const std::string& who) {
   if (mesh.triangles.empty())
@@ -22,7 +22,7 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
     if (!mesh.vertices[i].allFinite())
       throw Error(Status::InvalidInput, "NonFiniteVertex",
                   who + ": vertex " + std::to_string(i) + " is not finite; export the part again");
-    if (mesh.vertices[i].cwiseAbs().maxCoeff() > kFarthest)
+    if (mesh.vertices[i].cwiseAbs().maxCoeff() > kLargestLength)
       throw Error(Status::InvalidInput, "OutOfRange",
                   who + ": vertex " + std::to_string(i) +
                       " lies more than 1e9 mm from the origin; check the unit of the part");

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/limits.h"
 #include "clearance/penetration.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
@@ -25,7 +26,8 @@ double secondsSince(Clock::time_point start) {
 }
 
 void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
-  if (std::isfinite(value) && value >= 0 && value < 1e9 && (mayBeZero || value > 0)) return;
+  if (std::isfinite(value) && value >= 0 && value < kLargestLength && (mayBeZero || value > 0))
+    return;
   char text[200];
   std::snprintf(text, sizeof text, "%s%s is %g mm; allowed: %s up to 1e9 mm", owner.c_str(), name,
                 value, mayBeZero ? "0" : "more than 0");

@@ -6,13 +6,12 @@
 #include <cstdio>
 #include <string>
 
+#include "base/limits.h"
 #include "input/body_orientation.h"
 #include "input/body_weld.h"
 
 namespace swept {
 namespace {
-
-constexpr double kLargestCoordinate = 1e9;  // mm
 
 std::string number(double value) {
   char text[40];
@@ -68,7 +67,7 @@ void refuseBadVertices(const TriMesh& body) {
                     "(first: " +
                     list(first) + "); repair or export the mesh again");
   }
-  if (largest > kLargestCoordinate) {
+  if (largest > kLargestLength) {
     throw Error(Status::InvalidInput, "OutOfRange",
                 "the body reaches " + number(largest) +
                     " mm from the origin; the limit is 1e9 mm; check the unit, or move it nearer");

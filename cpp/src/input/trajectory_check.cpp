@@ -5,13 +5,14 @@
 #include <cstdio>
 #include <string>
 
+#include "base/limits.h"
+
 namespace swept {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kRigidLimit = 1e-4;    // largest |q| - 1 that is taken for rounding of the source
-constexpr double kMendNote = 1e-9;      // below: not worth a note
-constexpr double kLargestLength = 1e9;  // mm
+constexpr double kRigidLimit = 1e-4;  // largest |q| - 1 that is taken for rounding of the source
+constexpr double kMendNote = 1e-9;    // below: not worth a note
 constexpr double kAmbiguousDegrees = 1.0;
 
 std::string number(double value) {

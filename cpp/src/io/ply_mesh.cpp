@@ -5,12 +5,11 @@
 #include <array>
 #include <bit>
 
+#include "base/limits.h"
 #include "io/exact_numbers.h"
 
 namespace swept {
 namespace {
-
-constexpr std::uint64_t kMaxVertices = 2147483647;  // their numbers have 32 bits
 
 [[noreturn]] void bad(const std::string& path, const std::string& what) {
   throw Error(Status::InvalidInput, "BadFile", "'" + path + "'" + what);
@@ -51,8 +50,8 @@ void requireRoles(const PlyHeader& header, const std::string& path) {
       bad(path, ": vertex_indices must be whole numbers");
     }
   }
-  if (header.find("vertex")->count > kMaxVertices) {
-    bad(path, ": more than " + std::to_string(kMaxVertices) + " vertices");
+  if (header.find("vertex")->count > kMostElements) {
+    bad(path, ": more than " + std::to_string(kMostElements) + " vertices");
   }
 }
 
@@ -62,7 +61,7 @@ class Growing {
   void value(Role role, double number) { point_[static_cast<int>(role) - 1] = number; }
   void corner(std::int64_t index) {
     // What 32 bits do not hold does not exist: it is refused with the other numbers out of range.
-    const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMaxVertices);
+    const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMostElements);
     list.corners.push_back(holds ? static_cast<std::int32_t>(index) : -1);
   }
   void endOf(const PlyElement& element) {

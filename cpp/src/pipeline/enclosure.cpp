@@ -2,7 +2,10 @@
 #include "pipeline/enclosure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+
+#include "check/mesh_check.h"
 
 namespace swept {
 
@@ -33,20 +36,14 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
 namespace {
 
 /// Of a plate its thickness, of a rod half of it; 0: the body is open.
-double meanThickness(const CheckedBody& body) {
+double meanThickness(const CheckedBody& body, RunContext& run) {
   if (!body.closed) return 0;
-  const std::vector<Eigen::Vector3d>& v = body.mesh.vertices;
-  double volume = 0, area = 0;  // six times, twice
-  for (const auto& [a, b, c] : body.mesh.triangles) {
-    const Eigen::Vector3d across = (v[b] - v[a]).cross(v[c] - v[a]);
-    volume += across.dot(v[a] - v[0]);
-    area += across.norm();
-  }
-  return area > 0 ? 2.0 / 3 * std::abs(volume) / area : 0;
+  const MeshCheck check = checkMesh(body.mesh, false, run);
+  return check.area > 0 ? 2 * std::abs(check.volume) / check.area : 0;
 }
 
-[[noreturn]] void refuseCell(const char* what, const Prepared& prepared) {
-  const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body);
+[[noreturn]] void refuseCell(const char* what, const Prepared& prepared, RunContext& run) {
+  const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body, run);
   std::ostringstream text;
   text.precision(3);
   text << what << ": it is thinner than the cell of " << cell << " mm everywhere";
@@ -58,16 +55,17 @@ double meanThickness(const CheckedBody& body) {
 
 }  // namespace
 
-void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared) {
-  if (hermite.crossings.empty()) refuseCell("no line of the grid meets the body", prepared);
+void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run) {
+  if (hermite.crossings.empty()) refuseCell("no line of the grid meets the body", prepared, run);
 }
 
-void requireSurface(const TriMesh& mesh, const Prepared& prepared) {
-  if (mesh.triangles.empty()) refuseCell("no surface can be made of the body", prepared);
+void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run) {
+  if (mesh.triangles.empty()) refuseCell("no surface can be made of the body", prepared, run);
 }
 
-void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report) {
-  requireCrossings(hermite, prepared);
+void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report,
+                     RunContext& run) {
+  requireCrossings(hermite, prepared, run);
   const auto crossings = static_cast<std::int64_t>(hermite.crossings.size());
   if (prepared.body.closed || hermite.sheetEdges == 0) return;
   const double share =

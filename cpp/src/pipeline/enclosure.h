@@ -19,9 +19,10 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 
 /// There must be something to contour, and something must come of it.
-void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared);
-void requireSurface(const TriMesh& mesh, const Prepared& prepared);
+void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run);
+void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run);
 /// And the outside must not reach in through an open body.
-void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report);
+void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report,
+                     RunContext& run);
 
 }  // namespace swept

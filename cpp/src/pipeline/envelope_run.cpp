@@ -133,7 +133,7 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
 }
 
 void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite) {
-  requireSurface(surface.mesh, prepared_);
+  requireSurface(surface.mesh, prepared_, run_);
   if (sketch_) {
     report_.warnings.push_back(
         {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
@@ -196,7 +196,7 @@ void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, dou
       run_);
   stage("offset");
   report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
-  requireCrossings(hermite, prepared_);
+  requireCrossings(hermite, prepared_, run_);
   Surface surface = contourUniform(hermite, options_, run_);
   stage("contour");
   finish(std::move(surface), hermite);
@@ -230,7 +230,7 @@ HermiteGrid EnvelopeRun::sample(const BodyTopology& topology, bool cull) {
   elements_ = std::move(marked.elements);
   stage("crossings");
   report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
-  requireEnclosed(hermite, prepared_, report_);
+  requireEnclosed(hermite, prepared_, report_, run_);
   return hermite;
 }
 

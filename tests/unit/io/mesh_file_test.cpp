@@ -4,7 +4,8 @@
 #include <cstring>
 #include <limits>
 
-#include "io/temporary_folder.h"
+#include "io/error_text.h"
+#include "support/temporary_folder.h"
 #include "swept/io.h"
 
 namespace swept {

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.h"
+
 #ifndef _WIN32
 #include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
-
-#include "io/temporary_folder.h"
 
 namespace swept {
 namespace {

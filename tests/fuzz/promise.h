@@ -1,0 +1,29 @@
+// What the fuzzing programs hold a run to, and what they let it take.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept::fuzz {
+
+class BrokenPromise : public std::logic_error {
+ public:
+  explicit BrokenPromise(const std::string& what) : std::logic_error(what) {}
+};
+
+/// One thread, and memory for about a second: the programs look for faults, not for large grids.
+void limit(RunContext& run);
+
+/// Throws BrokenPromise unless a failure has a code, a sentence and one of the statuses allowed;
+/// none given: any but InternalError, the one status that says that the program is wrong.
+void requireNamed(const std::string& what, Status status, const std::string& code,
+                  const std::string& message, std::initializer_list<Status> allowed = {});
+void requireNamed(const std::string& what, const Error& error,
+                  std::initializer_list<Status> allowed = {});
+
+}  // namespace swept::fuzz
