@@ -26,9 +26,9 @@ The arrays are read-only views that share the result's memory; copy them to chan
 constexpr const char* kRecutDoc =
     R"(recut(tolerance, run=None) -> Result
 
-The same envelope simplified to another tolerance (mm; 0: not at all) without sampling again. Only
-for a result that was computed with a tolerance above 0: else InvalidInput. This result stays as it
-is. Of the report, check and simplification_deviation change.)";
+The same envelope simplified to another tolerance (mm, up to 1e9; 0: not at all) without
+sampling again. Only for a result that was computed with a tolerance above 0: else InvalidInput.
+This result stays as it is. Of the report, check and simplification_deviation change.)";
 
 constexpr const char* kComputeDoc =
     R"(compute(vertices, triangles, motion, interpolation='linear', run=None, **options) -> Result

@@ -18,7 +18,7 @@ Options options(ByteSource& bytes) {
   options.resolution = 4 + bytes.below(28);
   if (bytes.chance(32)) options.cellSize = std::abs(bytes.odd());
   if (bytes.chance(8)) options.cellSize = bytes.special();
-  if (bytes.chance(4)) options.resolution = bytes.byte() * 1000 - 5;
+  if (bytes.chance(4)) options.resolution = bytes.byte() * 10000 - 5;
   if (bytes.chance(64)) {
     constexpr ComponentMethod kMethods[] = {
         ComponentMethod::Consistent, ComponentMethod::DualContouring,

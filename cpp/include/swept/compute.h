@@ -28,9 +28,9 @@ struct Result {
 Result compute(const TriMesh& body, const Trajectory& trajectory, const Options& options,
                RunContext& run);
 
-/// Simplifies the kept surface of a result to another tolerance (mm; 0: not at all) without
-/// sampling again: mesh, contactTime, featureEdges, report.check and report.simplificationDeviation
-/// change. Throws Error; the result is then as before.
+/// Simplifies the kept surface of a result to another tolerance (mm, up to 1e9; 0: not at all)
+/// without sampling again: mesh, contactTime, featureEdges, report.check and
+/// report.simplificationDeviation change. Throws Error; the result is then as before.
 void recut(Result& result, double tolerance, RunContext& run);
 
 /// What a run would take, computed in milliseconds from boxes only.

@@ -10,6 +10,7 @@
 
 #include "base/memory.h"
 #include "base/timer.h"
+#include "input/trajectory_check.h"
 #include "pipeline/envelope_run.h"
 #include "pipeline/guarded.h"
 #include "pipeline/kept_surface.h"
@@ -106,10 +107,9 @@ Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
 std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }
 
 void recut(Result& result, double tolerance, RunContext& run) {
-  if (!(tolerance >= 0)) {
-    throw Error(Status::InvalidInput, "BadOption",
-                "tolerance is " + std::to_string(tolerance) + " mm, must be 0 or more");
-  }
+  Options asked;
+  asked.tolerance = tolerance;
+  checkOptions(asked);
   if (!result.kept) {
     throw Error(Status::InvalidInput, "NothingKept",
                 "the envelope was made without a simplification tolerance; compute it again");
