@@ -13,6 +13,8 @@
 namespace swept::fuzz {
 namespace {
 
+constexpr int kMostCheckpoints = 1000;  ///< about a second
+
 ClearanceOptions options(ByteSource& bytes) {
   ClearanceOptions options;
   if (bytes.chance(128)) options.required = std::abs(bytes.number());
@@ -106,7 +108,8 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   const Trajectory way = motion(bytes);
   RunContext run;
   limit(run);
-  if (bytes.chance(16)) run.cancelAtCheckpoint = bytes.byte();
+  // Parts of kilometres to a hundredth of a millimetre: as good as without end, but cancelled.
+  run.cancelAtCheckpoint = bytes.chance(16) ? bytes.byte() : kMostCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
   const ClearanceReport report = checkClearance(mesh, way, parts, chosen, run);
