@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/step_export.h"
 
+#include <tbb/task_arena.h>
+
 #include <Eigen/Geometry>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
@@ -15,8 +17,10 @@
 #include <new>
 #include <optional>
 
+#include "base/limits.h"
 #include "base/parallel.h"
 #include "base/safe_file.h"
+#include "base/threads.h"
 #include "half_edge.h"
 #include "kernel.h"
 #include "patches.h"
@@ -43,26 +47,46 @@ Format formatOf(const std::string& path) {
       "'" + path + "' does not end in .step, .stp, .brep or .brp, so the format is unknown");
 }
 
-void checkOptions(const StepOptions& options) {
-  if (!(options.planarTolerance >= 0) || !std::isfinite(options.planarTolerance)) {
-    throw Error(Status::ExportFailed, "BadOption", "planarTolerance must be 0 mm or more");
-  }
-  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
-    throw Error(Status::ExportFailed, "BadOption", "the solid's tolerance must be 0 mm or more");
-  }
-  if (options.exact && options.tolerance > 0) {
-    throw Error(Status::ExportFailed, "BadOption", "an exact solid has a tolerance of 0 mm");
-  }
-  if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
-    throw Error(Status::ExportFailed, "BadOption",
-                "a solid has 4 faces at least, and a file more than 0 MB");
-  }
+[[noreturn]] void badOption(const std::string& text) {
+  throw Error(Status::ExportFailed, "BadOption", text);
 }
 
 std::string number(const char* format, double value) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, format, value);
   return buffer;
+}
+
+void requireLength(const char* name, double value) {
+  if (value >= 0 && value <= kLargestLength) return;
+  badOption(std::string(name) + " is " + number("%g", value) + " mm; allowed: 0 to 1e9 mm");
+}
+
+// The kernel, and so most programs, gives up on longer ones.
+constexpr std::size_t kLongestName = 1000;
+
+void requireName(const char* name, const std::string& text) {
+  if (text.size() <= kLongestName) return;
+  badOption(std::string(name) + " has " + std::to_string(text.size()) + " bytes; allowed: up to " +
+            std::to_string(kLongestName));
+}
+
+void checkOptions(const StepOptions& options) {
+  requireLength("planarTolerance", options.planarTolerance);
+  requireLength("the solid's tolerance", options.tolerance);
+  requireName("the product's name", options.productName);
+  requireName("the author", options.author);
+  requireName("the organization", options.organization);
+  for (const double part : options.colour) {
+    if (!(part >= 0 && part <= 1))
+      badOption("a part of the colour is " + number("%g", part) + "; allowed: 0 to 1");
+  }
+  if (options.exact && options.tolerance > 0) {
+    badOption("an exact solid has a tolerance of 0 mm");
+  }
+  if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
+    badOption("a solid has 4 faces at least, and a file more than 0 MB");
+  }
 }
 
 // Rough figures of one core, measured on triangulated bodies.
@@ -203,7 +227,6 @@ bool isWorthFacets(const Error& error) {
 StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
                         RunContext& run) {
   const Format format = formatOf(path);
-  checkOptions(options);
   SafeFile file(path);
   Stopwatch watch;
   StepReport report;
@@ -268,17 +291,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
   return report;
 }
 
-}  // namespace
-
-StepSchema parseStepSchema(const std::string& text) {
-  if (text == "ap214") return StepSchema::Ap214;
-  if (text == "ap242") return StepSchema::Ap242;
-  if (text == "ap242-tessellated") return StepSchema::Ap242Tessellated;
-  throw Error(Status::InvalidInput, "BadOption",
-              "schema is '" + text + "'; allowed: ap214, ap242, ap242-tessellated");
-}
-
-SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, RunContext& run) {
+SolidEstimate estimateChecked(const TriMesh& mesh, const StepOptions& options, RunContext& run) {
   const HalfEdgeMesh whole = buildHalfEdges(mesh, run);
   SolidEstimate estimate;
   estimate.triangles = static_cast<std::int64_t>(whole.triangles.size());
@@ -305,8 +318,8 @@ SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, Run
   return estimate;
 }
 
-StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                      RunContext& run) {
+StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const StepOptions& options,
+                         RunContext& run) {
   if (options.schema == StepSchema::Ap242Tessellated && formatOf(path) == Format::Step)
     return writeTessellated(mesh, path, options, run);
   StepOptions used = options;
@@ -320,6 +333,29 @@ StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOp
     report.note = std::string("no surfaces were recognised, because with them ") + error.what();
     return report;
   }
+}
+
+}  // namespace
+
+StepSchema parseStepSchema(const std::string& text) {
+  if (text == "ap214") return StepSchema::Ap214;
+  if (text == "ap242") return StepSchema::Ap242;
+  if (text == "ap242-tessellated") return StepSchema::Ap242Tessellated;
+  throw Error(Status::InvalidInput, "BadOption",
+              "schema is '" + text + "'; allowed: ap214, ap242, ap242-tessellated");
+}
+
+SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, RunContext& run) {
+  checkOptions(options);
+  tbb::task_arena arena(threadsOf(run));
+  return arena.execute([&] { return estimateChecked(mesh, options, run); });
+}
+
+StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
+                      RunContext& run) {
+  checkOptions(options);
+  tbb::task_arena arena(threadsOf(run));
+  return arena.execute([&] { return writeOrFacets(mesh, path, options, run); });
 }
 
 }  // namespace swept

@@ -27,7 +27,7 @@ def backend():
 
 def threads():
     """Threads of a run; 0: all cores."""
-    return max(0, _group().GetInt("Threads", 0))
+    return min(max(_group().GetInt("Threads", 0), 0), 4096)
 
 
 def memory_limit():

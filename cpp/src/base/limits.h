@@ -10,5 +10,7 @@ namespace swept {
 constexpr double kLargestLength = 1e9;
 /// Vertices and triangles are numbered with 32 bits.
 constexpr std::uint64_t kMostElements = 2147483647;
+/// That a run may be given.
+constexpr int kMostThreads = 4096;
 
 }  // namespace swept

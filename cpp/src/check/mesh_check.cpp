@@ -13,6 +13,7 @@
 
 #include "base/exact_predicates.h"
 #include "base/ray_columns.h"
+#include "base/threads.h"
 #include "check/mesh_topology.h"
 #include "check/self_intersections.h"
 #include "swept/compute.h"
@@ -271,8 +272,8 @@ MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext&
   SelfIntersections found;
   SelfIntersections* wanted = withSelfIntersections ? &found : nullptr;
   MeshTopology topology;
-  if (run.threads <= 0) return checkInArena(mesh, topology, wanted, run);
-  tbb::task_arena arena(run.threads);
+  if (run.threads == 0) return checkInArena(mesh, topology, wanted, run);
+  tbb::task_arena arena(threadsOf(run));
   return arena.execute([&] { return checkInArena(mesh, topology, wanted, run); });
 }
 

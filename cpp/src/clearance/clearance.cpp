@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/limits.h"
+#include "base/threads.h"
 #include "clearance/penetration.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
@@ -293,8 +294,8 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
   report.tolerance = options.tolerance;
   report.interpolation = interpolationName(trajectory.interpolation);
   try {
-    tbb::task_arena arena(run.threads > 0 ? run.threads : tbb::task_arena::automatic);
-    report.threads = arena.max_concurrency();
+    report.threads = threadsOf(run);
+    tbb::task_arena arena(report.threads);
     arena.execute([&] { runCheck(report, body, trajectory, neighbours, options, run); });
   } catch (const Error& e) {
     fail(report, e.status(), e.code(), e.what());

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <new>
-#include <thread>
 
 #include "base/memory.h"
+#include "base/threads.h"
 #include "base/timer.h"
 #include "input/trajectory_check.h"
 #include "pipeline/envelope_run.h"
@@ -19,12 +19,6 @@
 namespace swept {
 namespace {
 
-/// Threads that a run may use.
-int threadsOf(const RunContext& run) {
-  if (run.threads > 0) return run.threads;
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
-
 /// What becomes of the memory that a run has freed: a session's next run takes it again.
 enum class Freed : std::uint8_t { Returned, Kept };
 
@@ -33,9 +27,9 @@ template <class Work>
 Result runWith(const Options& options, RunContext& run, Freed freed, const Work& work) {
   Result result;
   const Timer total;
-  const int threads = threadsOf(run);
-  result.report.threads = threads;
   guarded(result, [&] {
+    const int threads = threadsOf(run);
+    result.report.threads = threads;
     resetPeakMemory();
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(threads);
@@ -117,8 +111,7 @@ void recut(Result& result, double tolerance, RunContext& run) {
   Result next;
   next.kept = result.kept;
   next.report = result.report;
-  const int threads = threadsOf(run);
-  tbb::task_arena arena(threads);
+  tbb::task_arena arena(threadsOf(run));
   arena.execute([&] { cutKept(next, tolerance, run); });
   result = std::move(next);
 }

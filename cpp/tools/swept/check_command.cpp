@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "arguments.h"
+#include "base/limits.h"
 #include "commands.h"
 #include "report_file.h"
 #include "runner.h"
@@ -48,7 +49,7 @@ int checkCommand(const std::vector<std::string>& words) {
   Arguments arguments;
   arguments.with("--unit", [&](const std::string& text) { unit = parseLengthUnit(text); });
   arguments.text("--report", reportPath);
-  arguments.integer("--threads", threads, 0, 4096);
+  arguments.integer("--threads", threads, 0, kMostThreads);
   arguments.flag("--quiet", quiet);
   const std::vector<std::string> positional = arguments.parse(words);
   if (positional.size() != 1) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "arguments.h"
+#include "base/limits.h"
 #include "base/safe_file.h"
 #include "commands.h"
 #include "report_file.h"
@@ -82,7 +83,7 @@ ClearanceJob parseJob(const std::vector<std::string>& words) {
   a.with("--motion-unit", [&](const std::string& t) { job.motionUnit = parseLengthUnit(t); });
   a.integer("--curve", curve, 0, 1000000);
   a.integer("--stamp", job.stamp, 0, 1000000);
-  a.integer("--threads", job.threads, 0, 4096);
+  a.integer("--threads", job.threads, 0, kMostThreads);
   a.flag("--no-penetration", job.options.penetration, false);
   a.flag("--quiet", job.quiet);
   const std::vector<std::string> positional = a.parse(words);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "arguments.h"
+#include "base/limits.h"
 #include "base/safe_file.h"
 #include "commands.h"
 #include "report_file.h"
@@ -93,7 +94,7 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
   a.flag("--conservative", job.options.conservative);
   a.flag("--keep-cavities", job.options.keepCavities);
   a.flag("--no-cull", job.options.cull, false);
-  a.integer("--threads", job.threads, 0, 4096);
+  a.integer("--threads", job.threads, 0, kMostThreads);
   a.integer("--memory-limit", job.memoryLimitMegabytes, 1, kMostMegabytes);
   a.flag("--quiet", job.quiet);
 #ifdef HAVE_SWEPT_STEP

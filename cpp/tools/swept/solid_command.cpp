@@ -1,6 +1,7 @@
 // swept solid MESH --output FILE: a closed mesh becomes a STEP or BREP file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_STEP
+#include "base/limits.h"
 #include "commands.h"
 #include "report_file.h"
 #include "runner.h"
@@ -31,7 +32,7 @@ int solidCommand(const std::vector<std::string>& words) {
   arguments.text("--output", outputPath);
   arguments.with("--unit", [&](const std::string& text) { unit = parseLengthUnit(text); });
   arguments.text("--report", reportPath);
-  arguments.integer("--threads", threads, 0, 4096);
+  arguments.integer("--threads", threads, 0, kMostThreads);
   arguments.flag("--quiet", quiet);
   addSolidOptions(arguments, options);
   const std::vector<std::string> positional = arguments.parse(words);
