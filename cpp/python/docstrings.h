@@ -13,8 +13,8 @@ RunContext. Ctrl-C cancels as well. Failures raise Error or one of its subclasse
 constexpr const char* kRunContextDoc =
     R"(RunContext(threads=0, memory_limit_mb=0)
 
-Watches and cancels one run from any thread. threads 0: all cores; memory_limit_mb 0: three quarters
-of what is free. Use one for one run: progress does not start over.)";
+Watches and cancels one run from any thread. threads (up to 4096) 0: all cores; memory_limit_mb 0:
+three quarters of what is free. Use one for one run: progress does not start over.)";
 
 constexpr const char* kMeshDoc =
     "Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), both read-only views.";

@@ -15,7 +15,7 @@ const char* phaseName(Phase phase);
 /// Shared by the thread that computes and the ones that watch. Not copyable; must outlive the run.
 class RunContext {
  public:
-  int threads = 0;                     ///< 0: all cores
+  int threads = 0;                     ///< up to 4096; 0: all cores
   std::uint64_t memoryLimitBytes = 0;  ///< 0: three quarters of what the machine has available
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
