@@ -79,6 +79,24 @@ void requireOk(const Result& result, const Options& options, double tolerance) {
   }
 }
 
+/// What is grown holds what is not, but for what a cell cannot tell.
+void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& way, Options options,
+                  const RunContext& given) {
+  RunContext run;
+  run.threads = given.threads;
+  run.memoryLimitBytes = given.memoryLimitBytes;
+  options.offset = 0;
+  options.conservative = false;
+  options.cellSize = grown.report.cellSize;
+  const Result plain = compute(mesh, way, options, run);
+  if (plain.report.status != Status::Ok) return;
+  const MeshCheck& check = plain.report.check;
+  require(grown.report.check.volume >= check.volume - check.area * options.cellSize,
+          "grown from " + std::to_string(check.volume) + " to " +
+              std::to_string(grown.report.check.volume) + " mm^3",
+          grown.report);
+}
+
 void requireFailure(const Result& result) {
   const Report& report = result.report;
   requireNamed("a run", report.status, report.code, report.message);
@@ -104,6 +122,8 @@ void envelope(const std::uint8_t* data, std::size_t size) {
     return;
   }
   requireOk(result, chosen, chosen.tolerance);
+  if (chosen.tolerance == 0 && (chosen.offset > 0 || chosen.conservative))
+    requireGrown(result, mesh, way, chosen, run);
   if (result.kept == nullptr) return;
   double tolerance = std::abs(bytes.number());
   try {

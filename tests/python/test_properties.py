@@ -142,10 +142,13 @@ def test_motion_cut_in_two_is_the_union_of_its_parts(body, motion):
 
 
 @cases
-@given(bodies, motions())
-def test_offset_grows(body, motion):
+@given(bodies, motions(), st.sampled_from([1e-9, 1e-4, 0.01, 0.1, 0.4, 2]))
+def test_offset_grows(body, motion, cells):
     plain = sweep(body, motion)
     cell = plain.report["cell"]
     assume(cell > 0)
-    grown = sweep(body, motion, cell=cell, offset=2 * cell)
+    grown = sweep(body, motion, cell=cell, offset=cells * cell)
     assert gap(grown, plain) >= -BAR
+    if cells < 0.05:
+        most = (cells + BAR) * cell * plain.report["area"]
+        assert grown.report["volume"] <= plain.report["volume"] + most

@@ -191,6 +191,33 @@ TEST(Offset, TurningBoxAgreesWithTheDistanceOverTime) {
   }
 }
 
+TEST(Offset, OfAsLittleAsNothingKeepsTheSweptVolume) {
+  const TriMesh box =
+      transformed(makeBox({1, -2, -1}, {6, 2, 1}), placement({1, 2, 3}, 20, {0, 0, 0}));
+  Pose end;
+  end.timeSeconds = 2;
+  end.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, V3(1, 2, 3).normalized()));
+  end.translation = V3(2, 5, -3);
+  const double cell = 0.1;
+  for (const Trajectory& motion :
+       {still(), straight({3.01, 4.02, 5.03}), Trajectory{{Pose{}, end}, Interpolation::Linear}}) {
+    const Result plain = grown(box, motion, 0, cell);
+    const SweptDistance truth(box, motion, 0.01 * cell);
+    for (const double cells : {1e-9, 1e-5, 1e-3, 0.01, 0.03, 0.1, 0.3}) {
+      const double d = cells * cell;
+      const Result result = grown(box, motion, d, cell);
+      const Deviation out = deviation(
+          result, d, [&](const V3& x) { return truth.distance(x); }, 500);
+      const double more = result.report.check.volume - plain.report.check.volume;
+      std::printf("grown by %g cells: mean %.4f max %.4f, volume %+.5f\n", cells, out.mean,
+                  out.most, more);
+      EXPECT_LT(out.mean, 0.02) << cells;
+      EXPECT_LT(out.most, 0.25) << cells;
+      EXPECT_NEAR(more / (plain.report.check.area * cell), cells, 0.02) << cells;
+    }
+  }
+}
+
 TEST(Offset, ManyCopiesAreMeasuredFromTheEnvelope) {
   // Above the limit of copies: the envelope is made first, its deviation adds.
   const TriMesh ball = makeBall({0, 0, 0}, 3, 4);  // 5120 triangles

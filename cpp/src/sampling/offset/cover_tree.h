@@ -29,6 +29,12 @@ class CoverTree {
   Nearest nearest(const Eigen::Vector3d& x, double below, std::int32_t hint = -1,
                   double enough = 0) const;
 
+  /// Calls visit(number of a triangle) for each whose box, slack included, comes within `distance`
+  /// of a box.
+  template <class Visit>
+  void forNear(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance,
+               const Visit& visit) const;
+
   const CoverTriangle& triangle(std::int32_t index) const { return triangles_[index]; }
   bool empty() const { return triangles_.empty(); }
 
@@ -48,5 +54,31 @@ class CoverTree {
   std::vector<CoverTriangle>& triangles_;
   std::vector<Node> nodes_;
 };
+
+template <class Visit>
+void CoverTree::forNear(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance,
+                        const Visit& visit) const {
+  if (nodes_.empty()) return;
+  std::int32_t stack[128];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
+    for (int c = 0; c < kWidth; ++c) {
+      if (node.child[c] == Node::kEmpty) continue;
+      bool near = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        near = near && node.low[axis][c] <= high[axis] + distance &&
+               node.high[axis][c] >= low[axis] - distance;
+      }
+      if (!near) continue;
+      if (node.child[c] < 0) {
+        visit(~node.child[c]);
+      } else {
+        stack[top++] = node.child[c];
+      }
+    }
+  }
+}
 
 }  // namespace swept::offset

@@ -14,7 +14,10 @@ using Eigen::Vector3d;
 constexpr double kRounding = 1e-6;      // cells: gaps are stored as floats
 constexpr double kFromPoint = 1e-3;     // cells that crossings keep from lattice points
 constexpr double kDipsBelow = 2;        // cells: dips are shallower than 1 / (8 distance)
-constexpr double kShortest = 1.0 / 32;  // of an edge: shorter dips are not looked for
+constexpr double kShortest = 1.0 / 32;  // of an edge: shorter dips are not looked for, but for
+constexpr double kApart = 0.5;  // cells: an edge may cross two walls of bodies grown by less
+constexpr double kThin = kShortest / 2;  // cells: walls of bodies grown by less
+constexpr double kFlat = 1e-3;           // cells: bodies grown by less have the cover's normals
 
 /// Where the ray origin + t * way, t in [0, 1], enters the rounded triangle; 1 if never found.
 double entry(const Vector3d& origin, const Vector3d& way, const CoverTriangle& triangle,
@@ -33,10 +36,35 @@ double entry(const Vector3d& origin, const Vector3d& way, const CoverTriangle& t
   return t;
 }
 
+struct Entry {
+  double t = 1;  ///< of the way
+  std::int32_t triangle = -1;
+};
+
+/// Where a way along an axis enters the first rounded triangle, if there is one.
+Entry firstEntry(const CoverTree& tree, double distance, const Vector3d& origin,
+                 const Vector3d& way) {
+  Entry first;
+  const Vector3d end = origin + way;
+  tree.forNear(origin.cwiseMin(end), origin.cwiseMax(end), distance, [&](std::int32_t index) {
+    const CoverTriangle& triangle = tree.triangle(index);
+    const double t = entry(origin, way, triangle, distance + triangle.slack);
+    if (t < first.t) first = {t, index};
+  });
+  return first;
+}
+
 /// A point of the edge at which the gap is 0 or less, or -1.
 double findDip(const CoverTree& tree, double distance, const Vector3d& origin, int axis, double t0,
                double gap0, double t1, double gap1) {
-  if (gap0 + gap1 >= t1 - t0 || t1 - t0 < kShortest) return -1;
+  if (gap0 + gap1 >= t1 - t0) return -1;
+  if (t1 - t0 < kShortest) {
+    if (distance >= kThin) return -1;
+    Vector3d from = origin;
+    from[axis] += t0;
+    const Entry found = firstEntry(tree, distance, from, (t1 - t0) * Vector3d::Unit(axis));
+    return found.triangle >= 0 ? t0 + found.t * (t1 - t0) : -1;
+  }
   const double middle = (t0 + t1) / 2, most = distance + (t1 - t0) / 2;
   Vector3d x = origin;
   x[axis] += middle;
@@ -44,6 +72,13 @@ double findDip(const CoverTree& tree, double distance, const Vector3d& origin, i
   if (gap <= 0) return middle;
   const double below = findDip(tree, distance, origin, axis, t0, gap0, middle, gap);
   return below >= 0 ? below : findDip(tree, distance, origin, axis, middle, gap, t1, gap1);
+}
+
+/// Unit normal of the side that the way comes from; against the way where there is no area.
+Vector3d normalAgainst(const Vector3d& way, const CoverTriangle& t) {
+  const Vector3d normal = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
+  if (!(normal.norm() > 0)) return -way.normalized();
+  return normal.normalized() * (normal.dot(way) > 0 ? -1 : 1);
 }
 
 float timeAt(const CoverTriangle& t, const Vector3d& p) {
@@ -144,6 +179,12 @@ Crossing offsetCrossing(const CoverTree& tree, double distance, int axis, std::i
   Vector3d normal = -way.normalized();
   Crossing crossing;
   std::int32_t last = -1;
+  if (distance < kApart) {
+    const Entry first = firstEntry(tree, distance, origin, way);
+    t = first.t;
+    last = first.triangle >= 0 ? first.triangle : found.triangle;
+    found.triangle = -1;
+  }
   for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
     const CoverTriangle& triangle = tree.triangle(found.triangle);
     const double at = entry(origin, way, triangle, distance + triangle.slack);
@@ -156,7 +197,11 @@ Crossing offsetCrossing(const CoverTree& tree, double distance, int axis, std::i
   if (last >= 0) {
     const CoverTriangle& triangle = tree.triangle(last);
     const Vector3d foot = nearestOnTriangle(x, triangle);
-    if ((x - foot).norm() > 1e-9) normal = (x - foot).normalized();
+    if (distance < kFlat) {
+      normal = normalAgainst(way, triangle);
+    } else if ((x - foot).norm() > 1e-9) {
+      normal = (x - foot).normalized();
+    }
     crossing.timeSeconds = timeAt(triangle, foot);
   }
   crossing.normal = normal.cast<float>();
