@@ -119,7 +119,7 @@ TEST(Offset, StillFandisk) {
 
 TEST(Offset, BoxHasTheVolumeOfItsRoundedBox) {
   const double a = 10, b = 6, c = 3;
-  for (const double d : {0.05, 0.3, 2.0}) {
+  for (const double d : {1e-13, 1e-10, 1e-7, 1e-4, 0.05, 0.3, 2.0}) {
     const Result result = grown(makeBox({0, 0, 0}, {a, b, c}), still(), d, 0.1);
     const double exact = a * b * c + 2 * d * (a * b + b * c + c * a) + kPi * d * d * (a + b + c) +
                          4.0 / 3 * kPi * d * d * d;

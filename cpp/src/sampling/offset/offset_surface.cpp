@@ -57,7 +57,7 @@ Entry firstEntry(const CoverTree& tree, double distance, const Vector3d& origin,
 /// A point of the edge at which the gap is 0 or less, or -1.
 double findDip(const CoverTree& tree, double distance, const Vector3d& origin, int axis, double t0,
                double gap0, double t1, double gap1) {
-  if (gap0 + gap1 >= t1 - t0) return -1;
+  if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;
   if (t1 - t0 < kShortest) {
     if (distance >= kThin) return -1;
     Vector3d from = origin;
@@ -133,7 +133,7 @@ class LayerMarker {
     double inside = -1;
     if ((low > 0) != (high > 0)) {
       inside = low > 0 ? 1 : 0;
-    } else if (low > 0 && low + high < 1 && field_.distance() < kDipsBelow) {
+    } else if (low > 0 && low + high < 1 + kRounding && field_.distance() < kDipsBelow) {
       inside = findDip(tree_, field_.distance(), Vector3d(i_, j, k), axis, 0, low, 1, high);
     }
     if (inside < 0) return;
