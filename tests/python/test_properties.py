@@ -141,8 +141,13 @@ def test_motion_cut_in_two_is_the_union_of_its_parts(body, motion):
     assert whole.report["volume"] <= total + BAR * cell * areas
 
 
+def orders(low, high):
+    """Numbers from 10^low to 10^high, each order as likely as the others."""
+    return st.floats(low, high).map(lambda x: 10**x)
+
+
 @cases
-@given(bodies, motions(), st.sampled_from([1e-9, 1e-4, 0.01, 0.1, 0.4, 2]))
+@given(bodies, motions(), orders(-12, 0.4))
 def test_offset_grows(body, motion, cells):
     plain = sweep(body, motion)
     cell = plain.report["cell"]
@@ -152,3 +157,22 @@ def test_offset_grows(body, motion, cells):
     if cells < 0.05:
         most = (cells + BAR) * cell * plain.report["area"]
         assert grown.report["volume"] <= plain.report["volume"] + most
+
+
+#: Options that cost accuracy, from next to nothing to a cell: name, in cells of length or as they are.
+COSTS = st.one_of(
+    st.tuples(st.sampled_from(["tolerance", "position_filter"]), orders(-12, 0)),
+    st.tuples(st.just("chord"), orders(-4, 0)),
+    st.tuples(st.just("weld"), orders(-12, -4)),
+)
+
+
+@cases
+@given(bodies, motions(), COSTS)
+def test_options_cost_no_more_than_they_say(body, motion, cost):
+    plain = sweep(body, motion)
+    name, value = cost
+    cell = plain.report["cell"]
+    lengths = {"tolerance", "position_filter"}
+    option = {name: value * cell if name in lengths else value}
+    assert abs(gap(sweep(body, motion, cell=cell, **option), plain)) <= BAR + value

@@ -27,12 +27,13 @@ double secondsSince(Clock::time_point start) {
 }
 
 void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
-  if (std::isfinite(value) && value >= 0 && value < kLargestLength && (mayBeZero || value > 0))
+  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
     return;
-  char text[200];
-  std::snprintf(text, sizeof text, "%s%s is %g mm; allowed: %s up to 1e9 mm", owner.c_str(), name,
-                value, mayBeZero ? "0" : "more than 0");
-  throw Error(Status::InvalidInput, "BadOption", text);
+  char number[40];
+  std::snprintf(number, sizeof number, "%.12g", value);
+  throw Error(Status::InvalidInput, "BadOption",
+              owner + name + " is " + number +
+                  " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
 }
 
 void checkClearanceOptions(const ClearanceOptions& o,

@@ -85,9 +85,16 @@ bool samePlacement(const Pose& a, const Pose& b) {
   return p == q || p == -q;
 }
 
+/// With enough digits to tell it from the limit that it breaks.
+std::string exactly(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
 [[noreturn]] void badOption(const char* name, double value, const char* allowed) {
   throw Error(Status::InvalidInput, "BadOption",
-              std::string("option ") + name + " = " + number(value) + "; allowed: " + allowed);
+              std::string("option ") + name + " = " + exactly(value) + "; allowed: " + allowed);
 }
 
 void requireLength(const char* name, double value) {
