@@ -188,6 +188,20 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   }
 }
 
+// Within a tolerance as large as the body its surface may turn inside out: then half of it.
+template <class Work>
+auto uprightWithin(double& tolerance, const Work& work) {
+  constexpr int kHalvings = 8;
+  for (int n = 0;; ++n) {
+    try {
+      return work();
+    } catch (const Error& error) {
+      if (error.code() != "InvertedShell" || n == kHalvings) throw;
+      tolerance /= 2;
+    }
+  }
+}
+
 void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOptions& options) {
   std::int64_t outer = 0;
   for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s) {
@@ -234,7 +248,14 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
   KernelSession kernel;
   try {
     OCC_CATCH_SIGNALS
-    const Built built = buildWithinLimits(mesh, options, format, kernel, run);
+    const double asked = options.tolerance;
+    const Built built = uprightWithin(
+        options.tolerance, [&] { return buildWithinLimits(mesh, options, format, kernel, run); });
+    if (options.tolerance < asked) {
+      report.note = "within a tolerance of " + number("%.3g", asked) +
+                    " mm the surface would turn inside out; it was made within " +
+                    number("%.3g", options.tolerance) + " mm";
+    }
     report.secondsBuild = watch.lap();
     const std::string name = utf8FromPath(pathFromUtf8(file.target()).filename());
     if (format == Format::Brep) {
@@ -302,8 +323,9 @@ SolidEstimate estimateChecked(const TriMesh& mesh, const StepOptions& options, R
     return estimate;
   }
   if (options.tolerance > 0) {
-    estimate.faces =
-        static_cast<std::int64_t>(thinOut(whole, options.tolerance, run).triangles.size());
+    double tolerance = options.tolerance;
+    estimate.faces = static_cast<std::int64_t>(
+        uprightWithin(tolerance, [&] { return thinOut(whole, tolerance, run); }).triangles.size());
   } else {
     Partition partition;
     partition.patchOf.assign(whole.triangles.size(), -1);

@@ -289,6 +289,22 @@ def test_trajectory_file_to_arrays(tmp_path):
 
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_solid_within_a_tolerance_as_large_as_the_body(box, tmp_path):
+    body = box[0] / np.ptp(box[0], axis=0) * [1, 1.5, 0.7], box[1]
+    steps, axis = np.arange(4.0), np.array([1, 2, 3]) / np.sqrt(14)
+    half = 0.35 * steps[:, None]
+    turns = np.hstack([np.sin(half) * axis, np.cos(half)])
+    ways = np.column_stack([1.1 * steps, 0.5 * steps, 0.3 * steps**2])
+    envelope = _swept.compute(*body, (steps, turns, ways), "screw", resolution=32)
+    size = float(np.ptp(envelope.vertices, axis=0).max())
+    mesh = envelope.vertices, envelope.triangles
+    report = _swept.write_solid(tmp_path / "envelope.step", *mesh, tolerance=size)
+    assert report["valid"] and report["volume"] > 0 and report["tolerance"] < size
+    assert "would turn inside out; it was made within" in report["note"]
+    assert _swept.estimate_solid(*mesh, tolerance=size)["faces"] >= 4
+
+
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_solid_of_a_box(tmp_path, box):
     report = _swept.write_solid(tmp_path / "box.step", *box)
     assert report["valid"] and report["solids"] == 1 and report["faces"] == 6
