@@ -13,7 +13,7 @@
 namespace swept::fuzz {
 namespace {
 
-constexpr int kMostCheckpoints = 1000;  ///< about a second
+constexpr int kMostCheckpoints = 150;  ///< some tenths of a second
 
 ClearanceOptions options(ByteSource& bytes) {
   ClearanceOptions options;
