@@ -14,10 +14,11 @@ using Eigen::Vector3d;
 constexpr double kRounding = 1e-6;      // cells: gaps are stored as floats
 constexpr double kFromPoint = 1e-3;     // cells that crossings keep from lattice points
 constexpr double kDipsBelow = 2;        // cells: dips are shallower than 1 / (8 distance)
-constexpr double kShortest = 1.0 / 32;  // of an edge: shorter dips are not looked for, but for
-constexpr double kApart = 0.5;  // cells: an edge may cross two walls of bodies grown by less
-constexpr double kThin = kShortest / 2;  // cells: walls of bodies grown by less
-constexpr double kFlat = 1e-3;           // cells: bodies grown by less have the cover's normals
+constexpr double kShortest = 1.0 / 32;  // of an edge: shorter dips are not looked for
+// In cells, of bodies that are grown by less than this:
+constexpr double kApart = 0.5;           // an edge may cross two walls that are apart
+constexpr double kThin = kShortest / 2;  // walls are shorter dips, which must not be lost
+constexpr double kFlat = 1e-3;           // normals are those of the cover
 
 /// Where the ray origin + t * way, t in [0, 1], enters the rounded triangle; 1 if never found.
 double entry(const Vector3d& origin, const Vector3d& way, const CoverTriangle& triangle,
@@ -72,6 +73,25 @@ double findDip(const CoverTree& tree, double distance, const Vector3d& origin, i
   if (gap <= 0) return middle;
   const double below = findDip(tree, distance, origin, axis, t0, gap0, middle, gap);
   return below >= 0 ? below : findDip(tree, distance, origin, axis, middle, gap, t1, gap1);
+}
+
+/// Where the way enters what has grown, if its end lies inside.
+Entry entryOf(const CoverTree& tree, double distance, const Vector3d& origin, const Vector3d& way) {
+  CoverTree::Nearest found = tree.nearest(origin + way, distance + kRounding);
+  if (distance < kApart) {
+    Entry first = firstEntry(tree, distance, origin, way);
+    if (first.triangle < 0) first.triangle = found.triangle;
+    return first;
+  }
+  Entry first;
+  for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
+    const CoverTriangle& triangle = tree.triangle(found.triangle);
+    const double at = entry(origin, way, triangle, distance + triangle.slack);
+    if (round > 0 && !(at < first.t - 1e-9)) break;
+    first = {at, found.triangle};
+    found = tree.nearest(origin + at * way, distance - 1e-7, found.triangle);
+  }
+  return first;
 }
 
 /// Unit normal of the side that the way comes from; against the way where there is no area.
@@ -174,28 +194,12 @@ Crossing offsetCrossing(const CoverTree& tree, double distance, int axis, std::i
     origin[axis] += 1;
     way[axis] = inside - 1;
   }
-  double t = 1;
-  CoverTree::Nearest found = tree.nearest(origin + way, distance + kRounding);
+  const Entry first = entryOf(tree, distance, origin, way);
+  const Vector3d x = origin + first.t * way;
   Vector3d normal = -way.normalized();
   Crossing crossing;
-  std::int32_t last = -1;
-  if (distance < kApart) {
-    const Entry first = firstEntry(tree, distance, origin, way);
-    t = first.t;
-    last = first.triangle >= 0 ? first.triangle : found.triangle;
-    found.triangle = -1;
-  }
-  for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
-    const CoverTriangle& triangle = tree.triangle(found.triangle);
-    const double at = entry(origin, way, triangle, distance + triangle.slack);
-    if (round > 0 && !(at < t - 1e-9)) break;
-    t = at;
-    last = found.triangle;
-    found = tree.nearest(origin + t * way, distance - 1e-7, last);
-  }
-  const Vector3d x = origin + t * way;
-  if (last >= 0) {
-    const CoverTriangle& triangle = tree.triangle(last);
+  if (first.triangle >= 0) {
+    const CoverTriangle& triangle = tree.triangle(first.triangle);
     const Vector3d foot = nearestOnTriangle(x, triangle);
     if (distance < kFlat) {
       normal = normalAgainst(way, triangle);
