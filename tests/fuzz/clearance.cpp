@@ -109,7 +109,7 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   RunContext run;
   limit(run);
   // Parts of kilometres to a hundredth of a millimetre: as good as without end, but cancelled.
-  run.cancelAtCheckpoint = bytes.chance(16) ? bytes.byte() : kMostCheckpoints;
+  run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMostCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
   const ClearanceReport report = checkClearance(mesh, way, parts, chosen, run);
