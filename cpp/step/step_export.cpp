@@ -18,6 +18,7 @@
 #include <optional>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "base/safe_file.h"
 #include "base/threads.h"
@@ -59,7 +60,8 @@ std::string number(const char* format, double value) {
 
 void requireLength(const char* name, double value) {
   if (value >= 0 && value <= kLargestLength) return;
-  badOption(std::string(name) + " is " + number("%g", value) + " mm; allowed: 0 to 1e9 mm");
+  badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
+            " mm; allowed: 0 to 1e9 mm");
 }
 
 // The kernel, and so most programs, gives up on longer ones.
@@ -79,7 +81,8 @@ void checkOptions(const StepOptions& options) {
   requireName("the organization", options.organization);
   for (const double part : options.colour) {
     if (!(part >= 0 && part <= 1))
-      badOption("a part of the colour is " + number("%g", part) + "; allowed: 0 to 1");
+      badOption("a part of the colour is " + numberText(part, kTellingDigits) +
+                "; allowed: 0 to 1");
   }
   if (options.exact && options.tolerance > 0) {
     badOption("an exact solid has a tolerance of 0 mm");

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "base/threads.h"
 #include "clearance/penetration.h"
 #include "input/body_check.h"
@@ -29,10 +30,8 @@ double secondsSince(Clock::time_point start) {
 void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
   if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
     return;
-  char number[40];
-  std::snprintf(number, sizeof number, "%.12g", value);
   throw Error(Status::InvalidInput, "BadOption",
-              owner + name + " is " + number +
+              owner + name + " is " + numberText(value, kTellingDigits) +
                   " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
 }
 

@@ -3,21 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "input/body_orientation.h"
 #include "input/body_weld.h"
 
 namespace swept {
 namespace {
-
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 std::string list(const std::vector<std::int64_t>& items) {
   std::string text;
@@ -69,7 +63,7 @@ void refuseBadVertices(const TriMesh& body) {
   }
   if (largest > kLargestLength) {
     throw Error(Status::InvalidInput, "OutOfRange",
-                "the body reaches " + number(largest) +
+                "the body reaches " + numberText(largest) +
                     " mm from the origin; the limit is 1e9 mm; check the unit, or move it nearer");
   }
 }
@@ -103,8 +97,8 @@ void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, Cle
   if (after.open >= edges.open) return;
   add(result, "WeldedWithinTolerance", moved,
       std::to_string(moved) + " vertices on open edges were joined with a neighbour within " +
-          number(tolerance) + " mm (open edges before " + std::to_string(edges.open) + ", after " +
-          std::to_string(after.open) + ")");
+          numberText(tolerance) + " mm (open edges before " + std::to_string(edges.open) +
+          ", after " + std::to_string(after.open) + ")");
   result.mesh = std::move(welded);
   table = std::move(weldedTable);
   edges = std::move(after);

@@ -2,10 +2,10 @@
 #include "input/trajectory_check.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 
 namespace swept {
 namespace {
@@ -14,12 +14,6 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kRigidLimit = 1e-4;  // largest |q| - 1 that is taken for rounding of the source
 constexpr double kMendNote = 1e-9;    // below: not worth a note
 constexpr double kAmbiguousDegrees = 1.0;
-
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 std::string poseName(std::size_t index) { return "pose " + std::to_string(index); }
 
@@ -36,7 +30,7 @@ void checkFinite(const Pose& pose, std::size_t index) {
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
     throw Error(Status::InvalidInput, "BadPose",
                 poseName(index) + ": translation of " +
-                    number(pose.translation.cwiseAbs().maxCoeff()) +
+                    numberText(pose.translation.cwiseAbs().maxCoeff()) +
                     " mm is above the limit of 1e9 mm; check the unit of the motion");
   }
 }
@@ -53,8 +47,8 @@ double checkNorm(const Pose& pose, std::size_t index) {
   const double deviation = std::abs(norm - 1);
   if (deviation > kRigidLimit) {
     throw Error(Status::InvalidInput, "NotRigid",
-                poseName(index) + ": the rotation quaternion has length " + number(norm) +
-                    " (limit: 1 within 1e-4), that is a scale of " + number(norm * norm) +
+                poseName(index) + ": the rotation quaternion has length " + numberText(norm) +
+                    " (limit: 1 within 1e-4), that is a scale of " + numberText(norm * norm) +
                     "; export placements without scale");
   }
   return deviation;
@@ -67,7 +61,7 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
   if (degrees > 180 - kAmbiguousDegrees) {
     throw Error(Status::InvalidInput, "AmbiguousTurn",
                 "between " + poseName(index - 1) + " and " + poseName(index) +
-                    " the body turns by " + number(degrees) +
+                    " the body turns by " + numberText(degrees) +
                     " degrees: within 1 degree of 180 no way round is the shorter one; insert a "
                     "pose between them, or choose interpolation none");
   }
@@ -85,16 +79,10 @@ bool samePlacement(const Pose& a, const Pose& b) {
   return p == q || p == -q;
 }
 
-/// With enough digits to tell it from the limit that it breaks.
-std::string exactly(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
-}
-
 [[noreturn]] void badOption(const char* name, double value, const char* allowed) {
   throw Error(Status::InvalidInput, "BadOption",
-              std::string("option ") + name + " = " + exactly(value) + "; allowed: " + allowed);
+              std::string("option ") + name + " = " + numberText(value, kTellingDigits) +
+                  "; allowed: " + allowed);
 }
 
 void requireLength(const char* name, double value) {
@@ -126,8 +114,8 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
     if (deviation > kMendNote) addFirst(mended, i);
     if (i > 0 && !(pose.timeSeconds > trajectory.poses[i - 1].timeSeconds)) {
       throw Error(Status::InvalidInput, "BadPose",
-                  poseName(i) + ": time " + number(pose.timeSeconds) + " s does not come after " +
-                      number(trajectory.poses[i - 1].timeSeconds) +
+                  poseName(i) + ": time " + numberText(pose.timeSeconds) +
+                      " s does not come after " + numberText(trajectory.poses[i - 1].timeSeconds) +
                       " s of the pose before; times must increase (the order is not guessed)");
     }
     pose.rotation.normalize();
@@ -145,7 +133,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
   if (mended.count > 0) {
     mended.text = std::to_string(mended.count) +
                   " poses had a rotation slightly off a unit quaternion (by up to " +
-                  number(largest) + "); the nearest rotation was taken";
+                  numberText(largest) + "); the nearest rotation was taken";
     result.findings.push_back(mended);
   }
   if (repeated.count > 0) {

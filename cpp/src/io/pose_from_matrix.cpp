@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/number_text.h"
 #include "swept/io.h"
 
 namespace swept {
@@ -19,14 +20,6 @@ constexpr double kRigidLimit = 1e-4;
   throw Error(Status::InvalidInput, "NotRigid", text.str());
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(4);
-  text << value;
-  return text.str();
-}
-
 // Says what a linear part that is no rotation does instead.
 std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const Eigen::Vector3d lengths = m.colwise().norm();
@@ -35,14 +28,14 @@ std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const double skew = (unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(lengths.minCoeff() > 0)) return "a column of the rotation part is zero";
   if (skew > kRigidLimit) {
-    return "shear: the axes are not square to one another by " + number(skew);
+    return "shear: the axes are not square to one another by " + numberText(skew, 4);
   }
   if (spread > kRigidLimit) {
-    return "scale: the axes are stretched by " + number(lengths[0]) + ", " + number(lengths[1]) +
-           ", " + number(lengths[2]);
+    return "scale: the axes are stretched by " + numberText(lengths[0], 4) + ", " +
+           numberText(lengths[1], 4) + ", " + numberText(lengths[2], 4);
   }
-  return "scale: everything is stretched by " + number(lengths.mean()) +
-         ", which leaves the rotation part off by " + number(deviation);
+  return "scale: everything is stretched by " + numberText(lengths.mean(), 4) +
+         ", which leaves the rotation part off by " + numberText(deviation, 4);
 }
 
 }  // namespace
@@ -59,8 +52,9 @@ Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t in
   const Eigen::RowVector4d last = full.row(3);
   if ((last - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {
     const bool transposed = full.col(3).head<3>().isZero() && last[3] == 1.0;
-    notRigid(index, "the last row is " + number(last[0]) + " " + number(last[1]) + " " +
-                        number(last[2]) + " " + number(last[3]) + " instead of 0 0 0 1" +
+    notRigid(index, "the last row is " + numberText(last[0], 4) + " " + numberText(last[1], 4) +
+                        " " + numberText(last[2], 4) + " " + numberText(last[3], 4) +
+                        " instead of 0 0 0 1" +
                         (transposed ? "; the matrix seems to be stored by columns" : ""));
   }
   const Eigen::Matrix3d rotation = full.topLeftCorner<3, 3>();
@@ -69,8 +63,8 @@ Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t in
   if (deviation != nullptr) *deviation = off;
   if (off > kRigidLimit) notRigid(index, describe(rotation, off));
   if (rotation.determinant() < 0) {
-    notRigid(index,
-             "mirror: the determinant of the rotation part is " + number(rotation.determinant()));
+    notRigid(index, "mirror: the determinant of the rotation part is " +
+                        numberText(rotation.determinant(), 4));
   }
   // Nearest rotation in the least-squares sense: the orthogonal factor of the polar decomposition.
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotation, Eigen::ComputeFullU | Eigen::ComputeFullV);

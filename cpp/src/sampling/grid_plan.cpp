@@ -3,20 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
+#include "base/number_text.h"
 #include "base/parallel.h"
 
 namespace swept {
 namespace {
-
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
-}
 
 /// Vertices that can be the farthest along a world axis at any placement. With d the axis in the
 /// body's frame: all d lie within `turn` of the first one's, so a vertex that falls behind there by
@@ -121,29 +114,31 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
   plan.cell = plannedCell(box, options);
   if (plan.cell > bodyBox.sizes().maxCoeff()) {
     throw Error(Status::InvalidInput, "CellTooLarge",
-                "the cell of " + number(plan.cell) + " mm is larger than the whole body (" +
-                    number(bodyBox.sizes().maxCoeff()) + " mm); use at most " +
-                    number(bodyBox.sizes().maxCoeff() / 4) + " mm");
+                "the cell of " + numberText(plan.cell, 4) + " mm is larger than the whole body (" +
+                    numberText(bodyBox.sizes().maxCoeff(), 4) + " mm); use at most " +
+                    numberText(bodyBox.sizes().maxCoeff() / 4, 4) + " mm");
   }
   const double farthest =
       std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   const double precision = farthest * 0x1p-52;
   if (precision > plan.cell / 8) {
     throw Error(Status::InvalidInput, "PrecisionTooCoarse",
-                "the body stands up to " + number(farthest) +
+                "the body stands up to " + numberText(farthest, 4) +
                     " mm from the origin, where numbers "
                     "are " +
-                    number(precision) + " mm apart; the cell is " + number(plan.cell) +
+                    numberText(precision, 4) + " mm apart; the cell is " +
+                    numberText(plan.cell, 4) +
                     " mm: move the body closer to the origin or use a cell above " +
-                    number(8 * precision) + " mm");
+                    numberText(8 * precision, 4) + " mm");
   }
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(box.sizes()[axis] / plan.cell + 2 * kGridMarginCells - 1e-9);
     if (!(cells + 1 <= kMaxPointsPerSide)) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
-                  "the grid would have " + number(cells) + " cells along one side, the limit is " +
+                  "the grid would have " + numberText(cells, 4) +
+                      " cells along one side, the limit is " +
                       std::to_string(kMaxPointsPerSide - 1) + "; the smallest cell that fits is " +
-                      number(box.sizes().maxCoeff() / (kMaxPointsPerSide - 4)) + " mm");
+                      numberText(box.sizes().maxCoeff() / (kMaxPointsPerSide - 4), 4) + " mm");
     }
     plan.points[axis] = static_cast<std::int32_t>(cells) + 1;
     const double spare = cells - box.sizes()[axis] / plan.cell;

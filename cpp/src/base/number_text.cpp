@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/number_text.h"
+
+#include <charconv>
+
+namespace swept {
+
+std::string numberText(double value, int digits) {
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+  return {text, end};
+}
+
+}  // namespace swept
