@@ -77,13 +77,13 @@ double findDip(const CoverTree& tree, double distance, const Vector3d& origin, i
 
 /// Where the way enters what has grown, if its end lies inside.
 Entry entryOf(const CoverTree& tree, double distance, const Vector3d& origin, const Vector3d& way) {
-  CoverTree::Nearest found = tree.nearest(origin + way, distance + kRounding);
+  const auto atEnd = [&] { return tree.nearest(origin + way, distance + kRounding); };
   if (distance < kApart) {
-    Entry first = firstEntry(tree, distance, origin, way);
-    if (first.triangle < 0) first.triangle = found.triangle;
-    return first;
+    const Entry first = firstEntry(tree, distance, origin, way);
+    return first.triangle >= 0 ? first : Entry{1, atEnd().triangle};
   }
   Entry first;
+  CoverTree::Nearest found = atEnd();
   for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
     const CoverTriangle& triangle = tree.triangle(found.triangle);
     const double at = entry(origin, way, triangle, distance + triangle.slack);
