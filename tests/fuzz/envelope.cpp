@@ -80,11 +80,10 @@ void requireOk(const Result& result, const Options& options, double tolerance) {
 }
 
 /// What is grown holds what is not, but for what a cell cannot tell.
-void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& way, Options options,
-                  const RunContext& given) {
+void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& way,
+                  Options options) {
   RunContext run;
-  run.threads = given.threads;
-  run.memoryLimitBytes = given.memoryLimitBytes;
+  limit(run);
   options.offset = 0;
   options.conservative = false;
   options.cellSize = grown.report.cellSize;
@@ -123,7 +122,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
   }
   requireOk(result, chosen, chosen.tolerance);
   if (chosen.tolerance == 0 && (chosen.offset > 0 || chosen.conservative))
-    requireGrown(result, mesh, way, chosen, run);
+    requireGrown(result, mesh, way, chosen);
   if (result.kept == nullptr) return;
   double tolerance = std::abs(bytes.number());
   try {

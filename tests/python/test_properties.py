@@ -159,11 +159,11 @@ def test_offset_grows(body, motion, cells):
         assert grown.report["volume"] <= plain.report["volume"] + most
 
 
-#: Options that cost accuracy, from next to nothing to a cell: name, in cells of length or as they are.
+#: Options that cost accuracy, from next to nothing to a cell: name, value, whether that is in cells.
 COSTS = st.one_of(
-    st.tuples(st.sampled_from(["tolerance", "position_filter"]), orders(-12, 0)),
-    st.tuples(st.just("chord"), orders(-4, 0)),
-    st.tuples(st.just("weld"), orders(-12, -4)),
+    st.tuples(st.sampled_from(["tolerance", "position_filter"]), orders(-12, 0), st.just(True)),
+    st.tuples(st.just("chord"), orders(-4, 0), st.just(False)),
+    st.tuples(st.just("weld"), orders(-12, -4), st.just(False)),
 )
 
 
@@ -171,8 +171,7 @@ COSTS = st.one_of(
 @given(bodies, motions(), COSTS)
 def test_options_cost_no_more_than_they_say(body, motion, cost):
     plain = sweep(body, motion)
-    name, value = cost
+    name, value, in_cells = cost
     cell = plain.report["cell"]
-    lengths = {"tolerance", "position_filter"}
-    option = {name: value * cell if name in lengths else value}
-    assert abs(gap(sweep(body, motion, cell=cell, **option), plain)) <= BAR + value
+    costly = sweep(body, motion, cell=cell, **{name: value * cell if in_cells else value})
+    assert abs(gap(costly, plain)) <= BAR + value

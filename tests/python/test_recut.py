@@ -38,7 +38,7 @@ def test_recut_is_refused_by_name(box):
 
 
 @pytest.mark.parametrize("tolerance", [-1, 1.1e9, 1e150, np.inf, np.nan])
-def test_recut_takes_the_tolerances_that_compute_takes(box, tolerance):
+def test_recut_refuses_the_tolerances_that_compute_refuses(box, tolerance):
     kept = _swept.compute(*box, slide(), resolution=24, tolerance=0.1)
     with pytest.raises(_swept.InvalidInput) as caught:
         kept.recut(tolerance)

@@ -29,6 +29,14 @@ Trajectory straight(const V3& way) {
   return {{Pose{}, end}, Interpolation::Linear};
 }
 
+Trajectory turning() {
+  Pose end;
+  end.timeSeconds = 2;
+  end.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, V3(1, 2, 3).normalized()));
+  end.translation = V3(2, 5, -3);
+  return {{Pose{}, end}, Interpolation::Linear};
+}
+
 Result grown(const TriMesh& body, const Trajectory& motion, double offset, double cell) {
   Options options;
   options.cellSize = cell;
@@ -173,11 +181,7 @@ TEST(Offset, BallOnALineIsALargerCapsule) {
 
 TEST(Offset, TurningBoxAgreesWithTheDistanceOverTime) {
   const TriMesh box = makeBox({1, -2, -1}, {6, 2, 1});
-  Pose end;
-  end.timeSeconds = 2;
-  end.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, V3(1, 2, 3).normalized()));
-  end.translation = V3(2, 5, -3);
-  const Trajectory motion{{Pose{}, end}, Interpolation::Linear};
+  const Trajectory motion = turning();
   const double cell = 0.1;
   const SweptDistance truth(box, motion, 0.01 * cell);
   for (const double d : {0.15, 0.8}) {
@@ -194,13 +198,8 @@ TEST(Offset, TurningBoxAgreesWithTheDistanceOverTime) {
 TEST(Offset, OfAsLittleAsNothingKeepsTheSweptVolume) {
   const TriMesh box =
       transformed(makeBox({1, -2, -1}, {6, 2, 1}), placement({1, 2, 3}, 20, {0, 0, 0}));
-  Pose end;
-  end.timeSeconds = 2;
-  end.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, V3(1, 2, 3).normalized()));
-  end.translation = V3(2, 5, -3);
   const double cell = 0.1;
-  for (const Trajectory& motion :
-       {still(), straight({3.01, 4.02, 5.03}), Trajectory{{Pose{}, end}, Interpolation::Linear}}) {
+  for (const Trajectory& motion : {still(), straight({3.01, 4.02, 5.03}), turning()}) {
     const Result plain = grown(box, motion, 0, cell);
     const SweptDistance truth(box, motion, 0.01 * cell);
     for (const double cells : {1e-9, 1e-5, 1e-3, 0.01, 0.03, 0.1, 0.3}) {
