@@ -202,6 +202,15 @@ def click(button):
         QtWidgets.QApplication.sendEvent(button, event)
 
 
+def check_wrappers():
+    """PySide would hand out the wrapper of a deleted widget for whatever comes to stand at its address."""
+    from sweptvolume.panels.widgets import shiboken
+
+    known = [w for w in shiboken.getAllValidWrappers() if isinstance(w, QtWidgets.QWidget)]
+    dead = [type(widget).__name__ for widget in known if not shiboken.isValid(widget)]
+    assert known and not dead, "wrappers of deleted widgets: " + ", ".join(dead)
+
+
 def no_panel():
     return not Gui.Control.activeDialog()
 
@@ -235,6 +244,10 @@ def run(scenario):
                 pause = int(wanted * 1000)
             QtCore.QTimer.singleShot(pause, tick)
         except StopIteration:
+            try:
+                check_wrappers()
+            except AssertionError:
+                fail()
             say("passed")
             os._exit(0)
         except BaseException:

@@ -21,6 +21,7 @@ class StartPanel:
 
     def modifyStandardButtons(self, box):
         """FreeCAD hands over the buttons of the open panel."""
+        widgets.forget_with(box)
         self.buttons = [
             box.button(getattr(QtWidgets.QDialogButtonBox, name)) for name in self.STARTERS
         ]

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Small pieces that every panel uses, built from FreeCAD's own widgets."""
+import importlib
+
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
@@ -11,6 +13,9 @@ except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
 
 from .. import icon
 from ..texts import mark, translate
+
+#: The half of PySide that keeps its wrappers: shiboken2 or shiboken6.
+shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
 
 
 #: Left, top, right, bottom inside a titled box: the title stands on the upper border.
@@ -57,14 +62,22 @@ def _quantity(unit, value, minimum, step):
     return field
 
 
+def forget_with(widget):
+    """PySide finds wrappers by address and forgets those of deleted widgets, but not those that FreeCAD
+    makes: while anybody holds one, whatever comes to stand at that address gets it, of whatever kind.
+    """
+    widget.destroyed.connect(lambda: shiboken.invalidate(widget))
+    return widget
+
+
 def _quantity_field():
-    """A field that Python can use. PySide finds its wrapper by the address: where that was a field's which
-    went with its panel while somebody still held the wrapper, it hands out the dead one."""
+    """A field that Python can use: not one with the dead wrapper of another that stood at its address,
+    which another workbench may still hold (forget_with)."""
     for attempt in range(10):
         field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         try:
             field.objectName()
-            return field
+            return forget_with(field)
         except RuntimeError:  # it stays, unused, so that the next one gets another address
             if attempt == 9:
                 raise
