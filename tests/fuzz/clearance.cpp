@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "fuzz/inputs.h"
 #include "fuzz/promise.h"
@@ -72,6 +75,18 @@ void requireRow(const NeighbourClearance& row, const Trajectory& motion) {
   }
 }
 
+/// Every edge runs as often one way as the other: what is inside needs no mending to be known.
+bool closed(const TriMesh& mesh) {
+  std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
+  for (const auto& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t from = t[i], to = t[(i + 1) % 3];
+      uses[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0; });
+}
+
 // The body's corners at the poses given: no nearer than the result says, no deeper inside.
 void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Trajectory& motion,
                     const TriMesh& part, const ClearanceOptions& options) {
@@ -85,6 +100,7 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
   const double rounding = 1e-3 + 1e-9 * size;  // 1e-3: poses may be off by a drift of 1e-4
   const double touch = options.tolerance + row.chordError + rounding;
   const test::MeshDistance surface(part);
+  const bool partIsClosed = closed(part);
   for (const Pose& pose : motion.poses) {
     const Eigen::Matrix3d rotation = pose.rotation.normalized().toRotationMatrix();
     for (const auto& t : body.triangles) {
@@ -92,7 +108,7 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
       const double distance = surface.distance(corner);
       require(distance >= row.distance - options.tolerance - rounding,
               "a corner is " + std::to_string(distance) + " mm away", row);
-      if (!row.closed || distance <= touch || !surface.inside(corner)) continue;
+      if (!partIsClosed || distance <= touch || !surface.inside(corner)) continue;
       require(row.verdict == ClearanceVerdict::Clash, "a corner lies inside", row);
       require(!row.penetration.known || distance <= row.penetration.depthBound + touch,
               "a corner lies deeper inside", row);
@@ -112,6 +128,12 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMostCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
+  if (wantsToSee()) {
+    std::printf("tolerance %g\n", chosen.tolerance);
+    show(way);
+    show(mesh);
+    for (const ClearanceNeighbour& part : parts) show(part.mesh);
+  }
   const ClearanceReport report = checkClearance(mesh, way, parts, chosen, run);
   if (report.status != Status::Ok) {
     requireNamed("a clearance", report.status, report.code, report.message);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "fuzz/inputs.h"
 #include "fuzz/promise.h"
@@ -36,22 +35,14 @@ Options options(ByteSource& bytes) {
   return options;
 }
 
-/// On demand (SWEPT_FUZZ_SHOW=1) the input in words, to see what an input of bytes means.
 void show(const TriMesh& mesh, const Trajectory& motion, const Options& o) {
   std::printf("resolution %d cell %g components %s tolerance %g cavities %d cull %d offset %g\n",
               o.resolution, o.cellSize, componentMethodName(o.components), o.tolerance,
               o.keepCavities, o.cull, o.offset);
   std::printf("conservative %d filter %g chord %g weld %g\n", o.conservative, o.positionFilter,
               o.chordTolerance, o.weldTolerance);
-  std::printf("%s\n", interpolationName(motion.interpolation));
-  for (const Pose& p : motion.poses) {
-    std::printf("pose %g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", p.timeSeconds,
-                p.translation.x(), p.translation.y(), p.translation.z(), p.rotation.x(),
-                p.rotation.y(), p.rotation.z(), p.rotation.w());
-  }
-  for (const auto& v : mesh.vertices) std::printf("v %.17g %.17g %.17g\n", v.x(), v.y(), v.z());
-  for (const auto& t : mesh.triangles) std::printf("f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
-  std::fflush(stdout);
+  fuzz::show(motion);
+  fuzz::show(mesh);
 }
 
 void require(bool holds, const std::string& what, const Report& report) {
@@ -114,7 +105,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
   limit(run);
   if (bytes.chance(16)) run.cancelAtCheckpoint = bytes.byte();
   const TriMesh mesh = body(bytes);
-  if (std::getenv("SWEPT_FUZZ_SHOW") != nullptr) show(mesh, way, chosen);
+  if (wantsToSee()) show(mesh, way, chosen);
   Result result = compute(mesh, way, chosen, run);
   if (result.report.status != Status::Ok) {
     requireFailure(result);
@@ -148,7 +139,7 @@ void preview(const std::uint8_t* data, std::size_t size) {
       RunContext call;
       limit(call);
       if (bytes.chance(16)) call.cancelAtCheckpoint = bytes.byte();
-      if (std::getenv("SWEPT_FUZZ_SHOW") != nullptr) show(mesh, way, chosen);
+      if (wantsToSee()) show(mesh, way, chosen);
       const Result result = session.compute(way, call);
       result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);
       // What a hand on a gizmo does: one pose moves, another comes or goes.

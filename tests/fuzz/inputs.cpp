@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fuzz/inputs.h"
 
+#include <cstdio>
+#include <cstdlib>
+
 #include "support/shapes.h"
 
 namespace swept::fuzz {
@@ -124,6 +127,23 @@ Trajectory motion(ByteSource& bytes) {
     motion.poses.push_back(pose);
   }
   return motion;
+}
+
+bool wantsToSee() { return std::getenv("SWEPT_FUZZ_SHOW") != nullptr; }
+
+void show(const Trajectory& motion) {
+  std::printf("%s\n", interpolationName(motion.interpolation));
+  for (const Pose& p : motion.poses) {
+    std::printf("pose %g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", p.timeSeconds,
+                p.translation.x(), p.translation.y(), p.translation.z(), p.rotation.x(),
+                p.rotation.y(), p.rotation.z(), p.rotation.w());
+  }
+}
+
+void show(const TriMesh& mesh) {
+  for (const auto& v : mesh.vertices) std::printf("v %.17g %.17g %.17g\n", v.x(), v.y(), v.z());
+  for (const auto& t : mesh.triangles) std::printf("f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  std::fflush(stdout);
 }
 
 }  // namespace swept::fuzz

@@ -12,4 +12,9 @@ TriMesh body(ByteSource& bytes);
 /// 0 to 6 poses.
 Trajectory motion(ByteSource& bytes);
 
+/// SWEPT_FUZZ_SHOW=1: inputs are printed in words, to see what an input of bytes means.
+bool wantsToSee();
+void show(const Trajectory& motion);
+void show(const TriMesh& mesh);
+
 }  // namespace swept::fuzz

@@ -205,9 +205,8 @@ std::vector<std::int32_t> nestedShells(const std::vector<Shell>& shells, RunCont
 }
 
 /// Shells that lie in an even number of others bound material from outside, the rest a cavity.
-bool shellsOriented(const TriMesh& mesh, const MeshTopology& topology, RunContext& run) {
-  const std::vector<Shell> shells = measureShells(mesh, topology);
-  run.checkpoint(Phase::Check);
+std::vector<std::uint8_t> findCavities(const TriMesh& mesh, const MeshTopology& topology,
+                                       const std::vector<Shell>& shells, RunContext& run) {
   const std::vector<std::int32_t> nested = nestedShells(shells, run);
   std::vector<std::uint8_t> cavity(shells.size(), 0);
   if (!nested.empty()) {
@@ -223,10 +222,7 @@ bool shellsOriented(const TriMesh& mesh, const MeshTopology& topology, RunContex
       cavity[s] = sure && depth % 2 == 1;
     }
   }
-  for (std::size_t s = 0; s < shells.size(); ++s) {
-    if (cavity[s] != 0 ? !(shells[s].volume < 0) : !(shells[s].volume > 0)) return false;
-  }
-  return true;
+  return cavity;
 }
 
 MeshCheck checkInArena(const TriMesh& mesh, MeshTopology& topology, SelfIntersections* found,
@@ -254,7 +250,7 @@ MeshCheck checkInArena(const TriMesh& mesh, MeshTopology& topology, SelfIntersec
   check.area = sums.area;
   check.degenerateTriangles = sums.degenerate;
   check.oriented =
-      check.misorientedEdges == 0 && check.closed && shellsOriented(mesh, topology, run);
+      check.misorientedEdges == 0 && check.closed && shellsInsideOut(mesh, topology, run).empty();
   if (found == nullptr) return check;
 
   *found = findSelfIntersections(mesh, topology.entangled, run);
@@ -287,5 +283,19 @@ MeshCheck checkMesh(const TriMesh& mesh, MeshTopology& topology, RunContext& run
 }
 
 MeshCheck checkMesh(const TriMesh& mesh, RunContext& run) { return checkMesh(mesh, true, run); }
+
+std::vector<InsideOutShell> shellsInsideOut(const TriMesh& mesh, const MeshTopology& topology,
+                                            RunContext& run) {
+  const std::vector<Shell> shells = measureShells(mesh, topology);
+  run.checkpoint(Phase::Check);
+  const std::vector<std::uint8_t> cavity = findCavities(mesh, topology, shells, run);
+  std::vector<InsideOutShell> found;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    const Shell& shell = shells[s];
+    if (cavity[s] != 0 ? shell.volume < 0 : shell.volume > 0) continue;
+    found.push_back({static_cast<std::int32_t>(s), (shell.high - shell.low).norm()});
+  }
+  return found;
+}
 
 }  // namespace swept

@@ -9,6 +9,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "check/mesh_topology.h"
 #include "check/self_intersections.h"
 #include "swept/report.h"
@@ -26,5 +29,14 @@ MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& r
 
 /// Everything but self-intersections (-1), and how the mesh hangs together.
 MeshCheck checkMesh(const TriMesh& mesh, MeshTopology& topology, RunContext& run);
+
+struct InsideOutShell {
+  std::int32_t shell = -1;
+  double size = 0;  ///< mm, diagonal of its box
+};
+
+/// Shells that do not face away from their material, of a closed mesh without misoriented edges.
+std::vector<InsideOutShell> shellsInsideOut(const TriMesh& mesh, const MeshTopology& topology,
+                                            RunContext& run);
 
 }  // namespace swept

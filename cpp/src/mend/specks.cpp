@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "base/raw_array.h"
 #include "base/union_find.h"
+#include "check/mesh_check.h"
 
 namespace swept {
 namespace {
@@ -214,20 +215,18 @@ Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersec
   return found;
 }
 
-std::int64_t turnInsideOut(Surface& surface, double cell, RunContext& run) {
-  TriMesh& mesh = surface.mesh;
-  const std::vector<std::int32_t> shellOf = shellsOf(mesh, run);
-  std::vector<bool> small(mesh.vertices.size());
-  for (const Shell& shell : boxesOf(mesh, shellOf)) {
-    small[shell.first] = shell.box.diagonal().norm() < kMostTurned * cell;
+std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, double cell,
+                           RunContext& run) {
+  std::vector<bool> turned(static_cast<std::size_t>(topology.shells));
+  for (const InsideOutShell& found : shellsInsideOut(surface.mesh, topology, run)) {
+    if (found.size < kMostTurned * cell) turned[found.shell] = true;
   }
-  const std::unordered_map<std::int32_t, double> volumes = volumesOf(mesh, shellOf, small);
-  for (auto& [a, b, c] : mesh.triangles) {
-    const auto volume = volumes.find(shellOf[a]);
-    if (volume != volumes.end() && volume->second < 0) std::swap(b, c);
+  for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
+    if (!turned[topology.shellOf[t]]) continue;
+    auto& [a, b, c] = surface.mesh.triangles[t];
+    std::swap(b, c);
   }
-  return std::count_if(volumes.begin(), volumes.end(),
-                       [](const auto& shell) { return shell.second < 0; });
+  return std::count(turned.begin(), turned.end(), true);
 }
 
 }  // namespace swept

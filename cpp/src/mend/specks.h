@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "check/mesh_topology.h"
 #include "check/self_intersections.h"
 #include "contour/surface.h"
 #include "swept/run_context.h"
@@ -32,8 +33,8 @@ Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersec
                   RunContext& run);
 
 /// Turns over shells less than 4 cells across that came out inside out, as a sheet thinner than the
-/// rounding of its vertices may: where no hollow spaces are kept, all shells face outward. Returns
-/// how many.
-std::int64_t turnInsideOut(Surface& surface, double cell, RunContext& run);
+/// rounding of its vertices may; the mesh is closed, without misoriented edges. Returns how many.
+std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, double cell,
+                           RunContext& run);
 
 }  // namespace swept

@@ -27,9 +27,11 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
   report.warnings.push_back({"SpecksDropped", specks.count, {}, text.str()});
 }
 
-bool turnInsideOut(Surface& surface, const Finishing& with, Report& report) {
-  if (with.options.keepCavities) return false;
-  const std::int64_t count = swept::turnInsideOut(surface, with.prepared.grid.cell, with.run);
+bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishing& with,
+                   Report& report) {
+  if (!report.check.closed || report.check.misorientedEdges > 0) return false;
+  const std::int64_t count =
+      swept::turnInsideOut(surface, topology, with.prepared.grid.cell, with.run);
   if (count == 0) return false;
   report.warnings.push_back({"ShellsTurned",
                              count,
@@ -61,7 +63,7 @@ MeshTopology mendAll(Surface& surface, const HermiteGrid& hermite, const Finishi
   if (pairs.count > 0) mend(surface, hermite, pairs, with, report);
   dropSpecks(surface, pairs, with, report);
   report.check = checkMesh(surface.mesh, topology, with.run);
-  if (!report.check.oriented && turnInsideOut(surface, with, report)) {
+  if (!report.check.oriented && turnInsideOut(surface, topology, with, report)) {
     report.check = checkMesh(surface.mesh, topology, with.run);
   }
   report.check.selfIntersections = pairs.count;

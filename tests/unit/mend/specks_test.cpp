@@ -72,19 +72,32 @@ TEST(Specks, WhereSmallPartsStayAShellWithoutVolumeGoes) {
   EXPECT_TRUE(checkMesh(surface.mesh, false, run).oriented);
 }
 
+TriMesh turnedOver(TriMesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+std::int64_t turn(Surface& surface) {
+  RunContext run;
+  MeshTopology topology;
+  checkMesh(surface.mesh, topology, run);
+  return turnInsideOut(surface, topology, 1, run);
+}
+
 TEST(Specks, SmallShellsInsideOutAreTurnedAndNoOthers) {
   Surface surface;
   append(surface, makeBox({0, 0, 0}, {9, 9, 9}), 0);
-  TriMesh small = makeBox({20, 0, 0}, {20.1, 0.1, 1e-5});
-  append(surface, small, 1);
-  for (auto& t : small.triangles) std::swap(t[1], t[2]);
-  for (auto& v : small.vertices) v.y() += 5;
-  append(surface, small, 2);
+  append(surface, turnedOver(makeBox({4, 4, 4}, {5, 5, 5})), 0);  // a hollow space as it should be
+  append(surface, makeBox({20, 0, 0}, {20.1, 0.1, 1e-5}), 1);
+  append(surface, turnedOver(makeBox({20, 5, 0}, {20.1, 5.1, 1e-5})), 2);
+  append(surface, makeBox({2, 2, 2}, {2.1, 2.1, 2.1}), 2);  // a hollow space inside out
   RunContext run;
   ASSERT_FALSE(checkMesh(surface.mesh, false, run).oriented);
-  EXPECT_EQ(turnInsideOut(surface, 1, run), 1);
+  EXPECT_EQ(turn(surface), 2);
   EXPECT_TRUE(checkMesh(surface.mesh, false, run).oriented);
-  EXPECT_EQ(turnInsideOut(surface, 1, run), 0);
+  EXPECT_EQ(turn(surface), 0);
+  append(surface, turnedOver(makeBox({30, 0, 0}, {39, 9, 9})), 3);  // too large: a fault
+  EXPECT_EQ(turn(surface), 0);
 }
 
 }  // namespace
