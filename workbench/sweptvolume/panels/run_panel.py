@@ -28,8 +28,7 @@ class StartPanel:
         self._button_box = box  # keeps the wrappers of the buttons alive
 
     def close_dialog(self):
-        """The buttons go with the dialog. PySide finds a wrapper by its address and would hand out one
-        that is kept for whatever comes to stand there."""
+        """The buttons go with the dialog."""
         self.buttons, self._button_box = [], None
         Gui.Control.closeDialog()
 

@@ -17,7 +17,6 @@ from ..texts import mark, translate
 #: The half of PySide that keeps its wrappers: shiboken2 or shiboken6.
 shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
 
-
 #: Left, top, right, bottom inside a titled box: the title stands on the upper border.
 MARGINS = (6, 10, 6, 6)
 
