@@ -52,9 +52,9 @@ Format formatOf(const std::string& path) {
   throw Error(Status::ExportFailed, "BadOption", text);
 }
 
-std::string number(const char* format, double value) {
+std::string withOneDecimal(double value) {
   char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
+  std::snprintf(buffer, sizeof buffer, "%.1f", value);
   return buffer;
 }
 
@@ -125,15 +125,16 @@ bool isWithinLimits(std::int64_t faces, const StepOptions& options, const Writin
 [[noreturn]] void refuseTooMany(std::int64_t faces, const StepOptions& options,
                                 const Writing& writing) {
   std::string limit = "the limit is " + std::to_string(options.maxFaces) + " faces";
-  if (options.maxMegabytes > 0) limit += " and " + number("%.3g", options.maxMegabytes) + " MB";
-  throw Error(Status::ExportFailed, "TooManyFaces",
-              "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
-                  number("%.3g", options.tolerance) + " mm; " + limit +
-                  "; the file would take about " + number("%.1f", megabytesOf(faces, writing)) +
-                  " MB and " +
-                  number("%.0f", std::ceil(kSecondsPerFace * static_cast<double>(faces))) +
-                  " s. Allow a larger tolerance, raise the limit, or export a mesh file: PLY, STL, "
-                  "OBJ, OFF or 3MF hold it easily");
+  if (options.maxMegabytes > 0) limit += " and " + numberText(options.maxMegabytes, 3) + " MB";
+  throw Error(
+      Status::ExportFailed, "TooManyFaces",
+      "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
+          numberText(options.tolerance, 3) + " mm; " + limit + "; the file would take about " +
+          withOneDecimal(megabytesOf(faces, writing)) + " MB and " +
+          std::to_string(
+              static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)))) +
+          " s. Allow a larger tolerance, raise the limit, or export a mesh file: PLY, STL, "
+          "OBJ, OFF or 3MF hold it easily");
 }
 
 class Stopwatch {
@@ -221,9 +222,8 @@ void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOption
            " shells instead of " + std::to_string(outer) + " with " +
            std::to_string(mesh.shellOwner.size());
   } else if (!(std::abs(check.volume - mesh.volume) <= allowed)) {
-    what = "volume " + number("%.9g", check.volume) + " mm^3 instead of " +
-           number("%.9g", mesh.volume) + " mm^3 (allowed difference " + number("%.3g", allowed) +
-           ")";
+    what = "volume " + numberText(check.volume, 9) + " mm^3 instead of " +
+           numberText(mesh.volume, 9) + " mm^3 (allowed difference " + numberText(allowed, 3) + ")";
   }
   if (!what.empty()) {
     throw Error(Status::ExportFailed, "RereadDiffers",
@@ -255,9 +255,9 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     const Built built = uprightWithin(
         options.tolerance, [&] { return buildWithinLimits(mesh, options, format, kernel, run); });
     if (options.tolerance < asked) {
-      report.note = "within a tolerance of " + number("%.3g", asked) +
+      report.note = "within a tolerance of " + numberText(asked, 3) +
                     " mm the surface would turn inside out; it was made within " +
-                    number("%.3g", options.tolerance) + " mm";
+                    numberText(options.tolerance, 3) + " mm";
     }
     report.secondsBuild = watch.lap();
     const std::string name = utf8FromPath(pathFromUtf8(file.target()).filename());

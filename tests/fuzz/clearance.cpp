@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <string>
-#include <utility>
 
 #include "fuzz/inputs.h"
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 #include "support/mesh_distance.h"
+#include "swept/compute.h"
 
 namespace swept::fuzz {
 namespace {
@@ -75,16 +74,11 @@ void requireRow(const NeighbourClearance& row, const Trajectory& motion) {
   }
 }
 
-/// Every edge runs as often one way as the other: what is inside needs no mending to be known.
-bool closed(const TriMesh& mesh) {
-  std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
-  for (const auto& t : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t from = t[i], to = t[(i + 1) % 3];
-      uses[std::minmax(from, to)] += from < to ? 1 : -1;
-    }
-  }
-  return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0; });
+/// What is inside needs no mending to be known.
+bool isClosed(const TriMesh& mesh) {
+  RunContext run;
+  const MeshCheck check = checkMesh(mesh, run);
+  return check.closed && check.misorientedEdges == 0;
 }
 
 // The body's corners at the poses given: no nearer than the result says, no deeper inside.
@@ -100,7 +94,7 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
   const double rounding = 1e-3 + 1e-9 * size;  // 1e-3: poses may be off by a drift of 1e-4
   const double touch = options.tolerance + row.chordError + rounding;
   const test::MeshDistance surface(part);
-  const bool partIsClosed = closed(part);
+  const bool partIsClosed = isClosed(part);
   for (const Pose& pose : motion.poses) {
     const Eigen::Matrix3d rotation = pose.rotation.normalized().toRotationMatrix();
     for (const auto& t : body.triangles) {

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "base/limits.h"
@@ -187,22 +186,17 @@ void summarise(ClearanceReport& report) {
       report.smallest = static_cast<int>(i);
   }
   const NeighbourClearance& row = report.neighbours[report.smallest];
-  char text[160];
-  std::snprintf(text, sizeof text, "%zu checked", report.neighbours.size());
-  report.summary = text;
+  report.summary = std::to_string(report.neighbours.size()) + " checked";
   const auto add = [&](int count, const char* what) {
     if (count > 0) report.summary += ", " + std::to_string(count) + " " + what;
   };
   add(clashes, clashes == 1 ? "clash" : "clashes");
   add(contacts, contacts == 1 ? "contact" : "contacts");
   add(below, "below required");
-  if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
-    std::snprintf(text, sizeof text, ", deepest %.4g mm at t = %.6g s", row.penetration.depth,
-                  row.timeSeconds);
-  else
-    std::snprintf(text, sizeof text, ", smallest %.4g mm at t = %.6g s",
-                  std::max(0.0, row.distance - row.chordError), row.timeSeconds);
-  report.summary += text;
+  const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
+  const double length = deep ? row.penetration.depth : std::max(0.0, row.distance - row.chordError);
+  report.summary += std::string(deep ? ", deepest " : ", smallest ") + numberText(length, 4) +
+                    " mm at t = " + numberText(row.timeSeconds) + " s";
   if (!row.name.empty()) report.summary += " (" + row.name + ")";
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "base/number_text.h"
 #include "io/exact_numbers.h"
 #include "io/line_source.h"
 #include "swept/io.h"
@@ -195,11 +196,10 @@ class CsvReader {
     pose.rotation = Eigen::Quaterniond(v[7], v[4], v[5], v[6]);
     const double length = pose.rotation.norm();
     if (std::abs(length - 1) > kRigidLimit) {
-      char text[64];
-      std::snprintf(text, sizeof text, "%.6g", length);
       throw Error(Status::InvalidInput, "NotRigid",
                   "'" + path_ + "', line " + std::to_string(lines_.number()) + ", pose " +
-                      std::to_string(poses_.size()) + ": the quaternion has length " + text +
+                      std::to_string(poses_.size()) + ": the quaternion has length " +
+                      numberText(length) +
                       " instead of 1 (limit 1e-4 off); write unit quaternions with at least 5 "
                       "decimals, order qx,qy,qz,qw");
     }
