@@ -1,4 +1,4 @@
-// Corner of a swept element -> the fine lattice, exactly as sampling/snap.h does it.
+// Corner of a swept element -> the fine lattice, exactly as grid/snap.h does it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Four corners an element. A face: its three vertices at its placement. A side patch of edge (a, b):

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "arrays.h"
-#include "base/edge_table.h"
+#include "geometry/edge_table.h"
 
 namespace swept::python {
 namespace {

@@ -17,7 +17,7 @@
 #include "swept/compute.h"
 #include "swept/io.h"
 #include "swept/preview.h"
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 #include "swept/step_export.h"
 #endif
 #include "warm_memory.h"
@@ -233,7 +233,7 @@ py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
   return trajectoryToArrays(trajectory);
 }
 
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 StepOptions solidOptions(const py::dict& keywords) {
   StepOptions options;
   for (const auto& [key, value] : keywords) {
@@ -394,7 +394,7 @@ void bindFunctions(py::module_& module) {
              py::arg("triangles"));
   module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),
              py::arg("unit") = "mm");
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"), py::arg("run") = py::none());
   module.def("estimate_solid", &pyEstimateSolid, kEstimateSolidDoc, py::arg("vertices"),
@@ -412,7 +412,7 @@ PYBIND11_MODULE(_swept, module) {
   using namespace swept::python;
   module.doc() = kModuleDoc;
   module.attr("__version__") = SWEPT_VERSION;
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   module.attr("HAS_SOLIDS") = true;
 #else
   module.attr("HAS_SOLIDS") = false;

@@ -2,87 +2,111 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Who may include whom: prints each breach as file:line and ends with 1 if there is any.
 
-    base <- data <- stages <- pipeline <- { python, tools }
+    base <- geometry <- motion <- grid <- stages <- pipeline <- { python, tools }
 
-Stages never include one another; they meet in data/. Each third party is seen by one part only.
+A room is a folder below cpp/src (or one of the folders beside it); a room inside a room is named by
+both ("solid/mesh"). Each room lists the rooms that it may include besides itself and the public
+headers. The list has no circle, which is checked as well. Each third party is seen by one part only.
 Usage: include_rules.py [ROOT]
 """
+import graphlib
 import pathlib
 import re
 import sys
 
-STAGES = {"input", "sampling", "octree", "contour", "simplify", "check"}
+BELOW = {"base", "geometry", "motion", "grid"}  # what every stage may use
+STAGES = set("input sampling signs crossings offset cavities contour simplify check".split())
+SAMPLERS = {"sampling/cpu", "sampling/gl", "sampling/dense"}
 
-# Part of the source tree -> parts whose headers it may include (besides its own and swept/).
 MAY_INCLUDE = {
     "base": set(),
-    "data": {"base"},
-    **{stage: {"base", "data"} for stage in STAGES},
-    "io": {"base", "data"},
-    # The loop between the two: contours again where the checker found an intersection.
-    "mend": {"base", "data", "contour", "check"},
-    # A consumer beside the pipeline: it checks its own inputs with the same two functions.
-    "clearance": {"base", "data", "input"},
-    "pipeline": {"base", "data", "mend"} | STAGES,
-    "step": {"base", "data", "simplify"},
-    "python": {"base", "io"},
+    "geometry": {"base"},
+    "motion": {"base", "geometry"},
+    "grid": {"base", "geometry", "motion"},
+    "io": {"base", "geometry"},
+    "input": BELOW,
+    "signs": BELOW,
+    "sampling": BELOW | {"signs"},
+    "sampling/culling": BELOW | {"signs", "sampling"},
+    # Two samplers ask on the way which lattice points the outside reaches.
+    **{sampler: BELOW | {"signs", "sampling", "sampling/culling"} for sampler in SAMPLERS},
+    # Exact crossings are computed from the elements that a sampler was given.
+    "crossings": BELOW | {"signs", "sampling", "sampling/culling"},
+    # The second pipeline covers the sweep with the elements that culling leaves.
+    "offset": BELOW | {"signs", "sampling", "sampling/culling"},
+    # Hollow spaces are told from solid ones by distances to the covered body.
+    "cavities": BELOW | {"signs", "sampling", "offset"},
+    "contour": BELOW,
+    # Contouring's second half compares and moves what the first has made.
+    "contour/mend": BELOW | {"contour", "check"},
+    "simplify": BELOW,
+    "check": BELOW,
+    # A consumer beside the pipeline: it checks its own inputs as the pipeline does.
+    "clearance": BELOW | {"input"},
+    "solid/carrier": BELOW,
+    "solid/mesh": BELOW | {"solid/carrier"},
+    "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
+    "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
+    "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
+    "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
+    "solid": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
+    "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
+    "python": {"base", "geometry", "io"},
     "tools": {"base", "io"},
     "include": set(),
     # Benchmarks time single stages.
-    "bench": {"base", "data", "mend", "io", "support"} | STAGES,
+    "bench": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend", "io", "support"},
     "support": set(),  # tests/support
 }
 
-# Third party -> parts that may see it.
-EVERYWHERE = set(MAY_INCLUDE)
+# Third party -> parts that may see it; a part names its rooms too.
+EVERYWHERE = {room.split("/")[0] for room in MAY_INCLUDE}
 THIRD_PARTIES = [
     (re.compile(r"Eigen/"), EVERYWHERE, "Eigen"),
     (re.compile(r"tbb/|oneapi/"), EVERYWHERE - {"include", "python", "tools"}, "TBB"),
-    (re.compile(r"OpenMesh/"), {"io", "simplify"}, "OpenMesh"),
+    (re.compile(r"OpenMesh/"), {"io", "geometry", "simplify"}, "OpenMesh"),
     (re.compile(r"zlib\.h|lzma\.h"), {"io"}, "zlib and lzma"),
     (re.compile(r"pybind11/"), {"python"}, "pybind11"),
     (re.compile(r"fcl/"), {"clearance"}, "FCL"),
     (re.compile(r"EGL/|GL/|glm/"), {"sampling/gl"}, "OpenGL"),
-    (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"step"}, "OpenCASCADE"),
+    (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"solid", "solid/kernel"}, "OpenCASCADE"),
 ]
-BACKENDS = ("gl", "cpu", "fake")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def part_of(path, root):
-    """'contour' for cpp/src/contour/..., 'tools' for cpp/tools/..., None outside of cpp."""
+def room_of(folders):
+    """'solid/mesh' for ('solid', 'mesh'), 'contour' for ('contour', 'qef.h'), whether known or not."""
+    inner = "/".join(folders[:2])
+    return inner if inner in MAY_INCLUDE else folders[0]
+
+
+def room_of_file(path, root):
+    """'contour' for cpp/src/contour/..., 'tools' for cpp/tools/..."""
     parts = path.relative_to(root).parts
-    if parts[0] != "cpp" or len(parts) < 3:
-        return None
-    return parts[2] if parts[1] == "src" else parts[1]
+    return room_of(parts[2:] if parts[1] == "src" else parts[1:])
 
 
 def breach(path, root, quoted, header):
     """What is wrong with one include, or None."""
-    part = part_of(path, root)
-    if part not in MAY_INCLUDE:
-        return f"{part}/ is no known part; add it to tests/tools/include_rules.py"
+    room = room_of_file(path, root)
+    unknown = "/ is no known room; add it to tests/tools/include_rules.py"
+    if room not in MAY_INCLUDE:
+        return room + unknown
     for pattern, allowed, name in THIRD_PARTIES:
-        if not pattern.match(header):
-            continue
-        inner = "/".join(path.relative_to(root).parts[2:4])
-        if part in allowed or inner in allowed:
-            return None
-        return f"{name} is not for {part}/"
-    first = header.split("/")[0]
-    if not quoted or "/" not in header or first in ("swept", part):
-        backend = re.match(r"sampling/(\w+)/", header)
-        own = path.relative_to(root).parts[3:4]
-        if backend and backend[1] in BACKENDS and own != (backend[1],):
-            return f"a backend ({header}) is known to itself and to pipeline/ only"
+        if pattern.match(header):
+            # OpenCASCADE is for the files of solid/ and for solid/kernel/, not for its other rooms.
+            part = room if name == "OpenCASCADE" else room.split("/")[0]
+            return None if {part, room} & allowed else f"{name} is not for {room}/"
+    if not quoted or "/" not in header or header.startswith("swept/"):
         return None
-    if part == "include":
+    if room == "include":
         return "public headers include only swept/ headers and Eigen"
-    if first not in MAY_INCLUDE:
-        return f"{first}/ is no known part; add it to tests/tools/include_rules.py"
-    if first not in MAY_INCLUDE[part]:
-        return f"{part}/ may not include {first}/"
-    return None
+    target = room_of(header.split("/"))
+    if target not in MAY_INCLUDE:
+        return target + unknown
+    if target == room or target in MAY_INCLUDE[room]:
+        return None
+    return f"{room}/ may not include {target}/"
 
 
 def breaches(root):
@@ -100,7 +124,19 @@ def breaches(root):
     return found
 
 
+def circle(rooms):
+    """A circle of rooms that may include one another, or None."""
+    try:
+        graphlib.TopologicalSorter(rooms).prepare()
+    except graphlib.CycleError as error:
+        return " -> ".join(error.args[1])
+    return None
+
+
 def main():
+    if circle(MAY_INCLUDE):
+        print(f"include rules: a circle of rooms, {circle(MAY_INCLUDE)}")
+        return 1
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     found = breaches(root)
     for path, number, text in found:

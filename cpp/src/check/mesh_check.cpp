@@ -11,11 +11,11 @@
 #include <string>
 #include <unordered_map>
 
-#include "base/exact_predicates.h"
-#include "base/ray_columns.h"
 #include "base/threads.h"
 #include "check/mesh_topology.h"
 #include "check/self_intersections.h"
+#include "geometry/exact_predicates.h"
+#include "geometry/ray_columns.h"
 #include "swept/compute.h"
 
 namespace swept {

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/edge_table.h"
 #include "base/raw_array.h"
+#include "geometry/edge_table.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 

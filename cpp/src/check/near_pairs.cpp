@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "check/certainly_apart.h"
 #include "check/triangle_pairs.h"
+#include "geometry/certainly_apart.h"
 
 namespace swept {
 namespace {

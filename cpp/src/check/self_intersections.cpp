@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_predicates.h"
-#include "check/box_tree.h"
-#include "check/certainly_apart.h"
 #include "check/triangle_pairs.h"
+#include "geometry/box_tree.h"
+#include "geometry/certainly_apart.h"
+#include "geometry/exact_predicates.h"
 
 namespace swept {
 namespace {

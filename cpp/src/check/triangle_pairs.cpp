@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check/triangle_pairs.h"
 
-#include "base/exact_predicates.h"
+#include "geometry/exact_predicates.h"
 
 namespace swept {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clearance/triangle_distance.h"
+#include "geometry/triangle_distance.h"
 #include "swept/types.h"
 
 namespace swept::clearance {

@@ -11,7 +11,7 @@
 #include <array>
 #include <cstdint>
 
-#include "data/hermite_grid.h"
+#include "grid/hermite_grid.h"
 
 namespace swept {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "data/hermite_grid.h"
-#include "data/surface_probe.h"
+#include "grid/hermite_grid.h"
+#include "grid/surface_probe.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "contour/dual_surface.h"
-#include "data/hermite_grid.h"
+#include "grid/hermite_grid.h"
 
 namespace swept {
 

@@ -11,8 +11,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "data/hermite_grid.h"
-#include "data/surface_probe.h"
+#include "grid/hermite_grid.h"
+#include "grid/surface_probe.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 

@@ -10,7 +10,7 @@
 
 #include "contour/components.h"
 #include "contour/qef.h"
-#include "data/surface_probe.h"
+#include "grid/surface_probe.h"
 
 namespace swept {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/ray_columns.h"
+#include "geometry/ray_columns.h"
 
 namespace swept {
 namespace {

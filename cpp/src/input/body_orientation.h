@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/edge_table.h"
+#include "geometry/edge_table.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 

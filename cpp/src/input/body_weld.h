@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/edge_table.h"
+#include "geometry/edge_table.h"
 #include "swept/types.h"
 
 namespace swept {

@@ -7,9 +7,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "data/hermite_grid.h"
+#include "cavities/cavities.h"
+#include "grid/hermite_grid.h"
 #include "pipeline/plan.h"
-#include "sampling/cavities.h"
 #include "sampling/sampler.h"
 
 namespace swept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/envelope_run.h"
 
+#include "crossings/element_probe.h"
+#include "crossings/hermite.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
 #include "pipeline/backend.h"
@@ -8,8 +10,6 @@
 #include "pipeline/finish_surface.h"
 #include "pipeline/kept_surface.h"
 #include "pipeline/pilot.h"
-#include "sampling/element_probe.h"
-#include "sampling/hermite.h"
 #include "simplify/feature_edges.h"
 #include "simplify/simplify.h"
 

@@ -11,11 +11,11 @@
 #include "base/timer.h"
 #include "check/mesh_check.h"
 #include "contour/surface.h"
+#include "geometry/body_topology.h"
 #include "pipeline/grown_sweep.h"
 #include "pipeline/plan.h"
-#include "sampling/body_topology.h"
 #include "sampling/cpu/sample_cache.h"
-#include "sampling/face_clusters.h"
+#include "sampling/culling/face_clusters.h"
 #include "sampling/sampler.h"
 
 namespace swept {

@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "mend/mend.h"
-#include "mend/specks.h"
-#include "mend/surface_intersections.h"
+#include "contour/mend/mend.h"
+#include "contour/mend/specks.h"
+#include "contour/mend/surface_intersections.h"
 #include "pipeline/require_passed.h"
 
 namespace swept {

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "sampling/hermite.h"
-#include "sampling/offset/offset_surface.h"
+#include "crossings/hermite.h"
+#include "offset/offset_surface.h"
 
 namespace swept {
 

@@ -1,14 +1,14 @@
 // A swept volume grown by a length: safety distance, conservative envelope.
 //
-// In:    a cover of the swept volume (sampling/offset). Out: Hermite grids at any distance from it,
+// In:    a cover of the swept volume (offset/). Out: Hermite grids at any distance from it,
 //        the proof that a mesh made from one holds the swept volume, and what the report says.
-// Units: cells. Cost: see sampling/offset.
+// Units: cells. Cost: see offset/.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "data/hermite_grid.h"
-#include "sampling/cavities.h"
-#include "sampling/offset/containment.h"
+#include "cavities/cavities.h"
+#include "grid/hermite_grid.h"
+#include "offset/containment.h"
 #include "swept/report.h"
 
 namespace swept {

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "sampling/contributing_edges.h"
 #include "sampling/sampler.h"
-#include "sampling/signs.h"
+#include "signs/contributing_edges.h"
+#include "signs/signs.h"
 
 namespace swept {
 namespace {

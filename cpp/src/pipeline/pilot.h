@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "geometry/body_topology.h"
 #include "pipeline/plan.h"
-#include "sampling/body_topology.h"
 
 namespace swept {
 

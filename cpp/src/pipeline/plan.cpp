@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "base/memory.h"
-#include "input/position_filter.h"
+#include "grid/plan_grid.h"
+#include "motion/position_filter.h"
+#include "motion/refine_motion.h"
+#include "motion/split_edges.h"
 #include "sampling/dense/dense_sampler.h"
-#include "sampling/grid_plan.h"
-#include "sampling/refine_motion.h"
-#include "sampling/split_edges.h"
 
 namespace swept {
 namespace {
@@ -47,7 +47,7 @@ Motion refined(const Prepared& p, const Options& options, double cell, std::size
   if (!(options.offset > 0 || options.conservative)) {
     return refineMotion(p.body.mesh, trajectory, options.chordTolerance * cell, triangles, run);
   }
-  // The cover (sampling/offset) flattens side patches by itself: only points need to be followed.
+  // The cover (offset/) flattens side patches by itself: only points need to be followed.
   // Offsets are measured from the chords, envelopes from the true motion beside them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;

@@ -9,10 +9,10 @@
 #include <array>
 #include <cstddef>
 
-#include "data/grid_plan.h"
-#include "data/motion.h"
+#include "grid/grid_plan.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
+#include "motion/motion.h"
 #include "swept/compute.h"
 
 namespace swept {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sampling/rasterise.h"
+#include "grid/rasterise.h"
 #include "sampling/sampler.h"
 
 namespace swept {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sampling/sampler.h"
-#include "sampling/signs.h"
+#include "signs/signs.h"
 #include "swept/report.h"
 
 namespace swept {

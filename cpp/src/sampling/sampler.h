@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "data/grid_plan.h"
-#include "data/marked_edges.h"
-#include "data/motion.h"
-#include "sampling/body_topology.h"
+#include "geometry/body_topology.h"
+#include "grid/grid_plan.h"
+#include "grid/marked_edges.h"
+#include "motion/motion.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "simplify/spread_points.h"
+#include "geometry/spread_points.h"
 
 namespace swept {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simplify/nearest_triangle.h"
+#include "geometry/nearest_triangle.h"
 
 namespace swept {
 

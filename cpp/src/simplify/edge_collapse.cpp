@@ -7,7 +7,7 @@
 #include <queue>
 
 #include "base/parallel.h"
-#include "simplify/spread_points.h"
+#include "geometry/spread_points.h"
 
 namespace swept {
 namespace {

@@ -16,8 +16,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "simplify/nearest_triangle.h"
-#include "simplify/quadric.h"
+#include "geometry/nearest_triangle.h"
+#include "geometry/quadric.h"
 #include "swept/run_context.h"
 
 namespace swept {

@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "base/edge_table.h"
 #include "base/lists_by_key.h"
 #include "base/parallel.h"
-#include "simplify/quadric.h"
+#include "geometry/edge_table.h"
+#include "geometry/quadric.h"
 
 namespace swept {
 namespace {

@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-#include "data/grid_plan.h"
-#include "simplify/nearest_triangle.h"
+#include "geometry/nearest_triangle.h"
+#include "grid/grid_plan.h"
 #include "simplify/vertex_tree.h"
 #include "swept/run_context.h"
 #include "swept/types.h"

@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "base/edge_table.h"
 #include "base/parallel.h"
+#include "geometry/edge_table.h"
 #include "simplify/vertex_tree.h"
 
 namespace swept {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/edge_table.h"
 #include "base/parallel.h"
-#include "simplify/morton.h"
+#include "geometry/edge_table.h"
+#include "geometry/morton.h"
 
 namespace swept {
 namespace {

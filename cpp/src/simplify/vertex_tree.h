@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simplify/quadric.h"
+#include "geometry/quadric.h"
 #include "swept/run_context.h"
 
 namespace swept {

@@ -13,7 +13,7 @@
 #include "runner.h"
 #include "swept/clearance.h"
 #include "swept/io.h"
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 #include "swept/step_import.h"
 #endif
 
@@ -106,7 +106,7 @@ void readNeighbours(const std::string& path, const ClearanceJob& job,
                     [[maybe_unused]] RunContext& run, std::vector<ClearanceNeighbour>& out) {
   const std::string suffix = suffixOf(path);
   if (suffix == "step" || suffix == "stp" || suffix == "brep" || suffix == "brp") {
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
     for (ImportedSolid& solid : readSolids(path, job.deflection, 0.2, run))
       out.push_back({solid.name, std::move(solid.mesh), job.deflection});
     return;

@@ -14,7 +14,7 @@
 #include "runner.h"
 #include "swept/compute.h"
 #include "swept/io.h"
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 #include "solid_options.h"
 #endif
 
@@ -61,7 +61,7 @@ struct EnvelopeJob {
   std::int64_t threads = 0;
   std::int64_t memoryLimitMegabytes = 0;
   bool quiet = false;
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   StepOptions solid;
 #endif
 };
@@ -97,7 +97,7 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
   a.integer("--threads", job.threads, 0, kMostThreads);
   a.integer("--memory-limit", job.memoryLimitMegabytes, 1, kMostMegabytes);
   a.flag("--quiet", job.quiet);
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   addSolidOptions(a, job.solid);
 #endif
   const std::vector<std::string> positional = a.parse(words);
@@ -116,7 +116,7 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
   if (a.wasGiven("--cell") && !(job.options.cellSize > 0)) {
     bad("--cell must be greater than 0 mm");
   }
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   if (job.options.conservative && job.solid.tolerance > 0) {
     bad("--solid-tolerance would let the solid cut into a conservative envelope; leave it out");
   }
@@ -138,7 +138,7 @@ void checkTargets(const EnvelopeJob& job) {
                 "'" + job.outputPath + "': unknown format '" + suffix +
                     "'; known are ply, stl, obj, off, 3mf, step, stp, brep, brp");
   }
-#ifndef HAVE_SWEPT_STEP
+#ifndef HAVE_SWEPT_SOLID
   if (!mesh) {
     throw Error(Status::ExportFailed, "BadFormat",
                 "this program was built without OpenCASCADE and cannot write solids; choose ply, "
@@ -157,7 +157,7 @@ void addStage(Report& report, const std::string& stage, double seconds) {
   report.seconds.insert(total, {stage, seconds});
 }
 
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 using SolidResult = std::optional<StepReport>;
 #else
 using SolidResult = std::optional<int>;
@@ -165,7 +165,7 @@ using SolidResult = std::optional<int>;
 
 SolidResult writeOutput(const TriMesh& mesh, const EnvelopeJob& job, RunContext& run) {
   run.checkpoint(Phase::Export);
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   if (isSolidSuffix(suffixOf(job.outputPath)))
     return writeSolid(mesh, job.outputPath, job.solid, run);
 #endif
@@ -231,13 +231,13 @@ int envelopeCommand(const std::vector<std::string>& words) {
   if (!ok) printError(report.status, report.code, report.message);
   writeReport(report, job.reportPath, [&](JsonWriter& json) {
     json.field("output", ok ? job.outputPath : std::string());
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
     if (solid) writeSolidFields(*solid, json);
 #endif
   });
   if (ok && !job.quiet && job.reportPath != "-") {
     printSummary(report, job.outputPath);
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
     if (solid) printSolid(*solid, job.outputPath);
 #endif
   }

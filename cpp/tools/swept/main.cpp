@@ -7,7 +7,7 @@
 
 #include "commands.h"
 #include "runner.h"
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 #include "solid_options.h"
 #endif
 #include "swept/types.h"
@@ -28,7 +28,7 @@ struct Command {
 constexpr Command kCommands[] = {
     {"envelope", envelopeCommand, &kEnvelopeHelp},
     {"check", checkCommand, &kCheckHelp},
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
     {"solid", solidCommand, &kSolidHelp},
 #endif
 #ifdef HAVE_SWEPT_CLEARANCE
@@ -39,7 +39,7 @@ constexpr Command kCommands[] = {
 void printHelp() {
   std::puts("swept: envelopes of moving bodies\n\nusage: swept COMMAND ...\n");
   for (const Command& command : kCommands) std::puts(*command.help);
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
   std::printf("options of solids (swept envelope to a step or brep file, swept solid)\n%s\n",
               kSolidOptionsHelp);
 #endif

@@ -1,6 +1,6 @@
 // swept solid MESH --output FILE: a closed mesh becomes a STEP or BREP file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 #include "base/limits.h"
 #include "commands.h"
 #include "report_file.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "data/hermite_grid.h"
+#include "grid/hermite_grid.h"
 #include "swept/types.h"
 
 namespace swept::test {

@@ -35,7 +35,7 @@ TEST(FuzzCases, Preview) { runAll("preview", fuzz::preview); }
 TEST(FuzzCases, MotionFile) { runAll("motionFile", fuzz::motionFile); }
 TEST(FuzzCases, MeshFile) { runAll("meshFile", fuzz::meshFile); }
 TEST(FuzzCases, Clearance) { runAll("clearance", fuzz::clearance); }
-#ifdef HAVE_SWEPT_STEP
+#ifdef HAVE_SWEPT_SOLID
 TEST(FuzzCases, Solid) { runAll("solid", fuzz::solid); }
 #endif
 

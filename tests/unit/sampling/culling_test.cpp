@@ -5,15 +5,15 @@
 
 #include <random>
 
-#include "base/ray_columns.h"
+#include "geometry/body_topology.h"
+#include "geometry/ray_columns.h"
+#include "grid/plan_grid.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
-#include "sampling/body_topology.h"
-#include "sampling/contributing_edges.h"
-#include "sampling/grid_plan.h"
-#include "sampling/refine_motion.h"
+#include "motion/refine_motion.h"
 #include "sampling/sampler.h"
-#include "sampling/signs.h"
+#include "signs/contributing_edges.h"
+#include "signs/signs.h"
 #include "support/random_case.h"
 
 namespace swept::test {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "simplify/nearest_triangle.h"
-#include "simplify/quadric.h"
+#include "geometry/nearest_triangle.h"
+#include "geometry/quadric.h"
 #include "simplify/vertex_tree.h"
 #include "support/shapes.h"
 #include "swept/compute.h"

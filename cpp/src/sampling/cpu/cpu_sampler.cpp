@@ -7,12 +7,12 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "grid/crossing_records.h"
+#include "grid/rasterise.h"
+#include "grid/snap.h"
 #include "sampling/cpu/sample_cache.h"
-#include "sampling/crossing_records.h"
-#include "sampling/kept_elements.h"
-#include "sampling/rasterise.h"
+#include "sampling/culling/kept_elements.h"
 #include "sampling/sampler.h"
-#include "sampling/snap.h"
 
 namespace swept {
 namespace {

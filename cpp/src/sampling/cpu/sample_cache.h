@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "sampling/crossing_records.h"
+#include "grid/crossing_records.h"
 #include "sampling/sampler.h"
 
 namespace swept {

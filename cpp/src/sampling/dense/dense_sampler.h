@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sampling/sampler.h"
-#include "sampling/signs.h"
+#include "signs/signs.h"
 #include "swept/report.h"
 
 namespace swept::dense {

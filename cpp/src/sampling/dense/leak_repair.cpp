@@ -6,9 +6,9 @@
 #include <unordered_map>
 
 #include "base/parallel.h"
-#include "base/ray_columns.h"
-#include "sampling/contributing_edges.h"
+#include "geometry/ray_columns.h"
 #include "sampling/dense/segment_grid.h"
+#include "signs/contributing_edges.h"
 
 namespace swept::dense {
 namespace {

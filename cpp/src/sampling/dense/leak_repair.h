@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "data/marked_edges.h"
+#include "grid/marked_edges.h"
 #include "sampling/dense/placement_space.h"
 #include "sampling/sampler.h"
-#include "sampling/signs.h"
+#include "signs/signs.h"
 
 namespace swept::dense {
 

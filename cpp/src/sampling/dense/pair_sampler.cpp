@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "sampling/rasterise.h"
-#include "sampling/snap.h"
+#include "grid/rasterise.h"
+#include "grid/snap.h"
 
 namespace swept::dense {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/crossing_records.h"
+#include "grid/crossing_records.h"
 #include "sampling/sampler.h"
 
 namespace swept::dense {

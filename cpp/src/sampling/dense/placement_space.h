@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "data/motion.h"
+#include "motion/motion.h"
 #include "swept/types.h"
 
 namespace swept::dense {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "data/grid_plan.h"
+#include "grid/grid_plan.h"
 #include "sampling/gl/gl_context.h"
 
 namespace swept::gl {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "sampling/kept_elements.h"
+#include "sampling/culling/kept_elements.h"
 
 namespace swept::gl {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "sampling/contributing_edges.h"
-#include "sampling/crossing_records.h"
+#include "grid/crossing_records.h"
+#include "signs/contributing_edges.h"
 #include "swept/types.h"
 
 namespace swept::gl {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "sampling/gl/gl_passes.h"
-#include "sampling/signs.h"
+#include "signs/signs.h"
 
 namespace swept::gl {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <sstream>
 
-#include "sampling/contributing_edges.h"
-#include "sampling/crossing_records.h"
+#include "grid/crossing_records.h"
 #include "sampling/exact_element.h"
+#include "signs/contributing_edges.h"
 #include "swept/types.h"
 
 namespace swept::gl {

@@ -9,7 +9,7 @@
 
 #include "sampling/gl/element_source.h"
 #include "sampling/gl/gl_sampler.h"
-#include "sampling/signs.h"
+#include "signs/signs.h"
 
 namespace swept::gl {
 

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/mend/surface_intersections.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "check/near_pairs.h"
+#include "contour/mend/crowded_cells.h"
+#include "contour/mend/polygons.h"
+#include "contour/mend/region.h"
+
+namespace swept {
+namespace {
+
+constexpr double kOnEdge = 1e-9;  ///< cells
+using Triangle = std::array<std::int32_t, 3>;
+
+/// The lattice edge (axis, i, j, k) that a polygon goes round.
+struct Place {
+  int axis;
+  Eigen::Vector3i low;
+};
+
+class PolygonSorter {
+ public:
+  PolygonSorter(const Surface& surface, const HermiteGrid& grid)
+      : surface_(surface), grid_(grid), polygons_(surface, grid.crossings.size()) {}
+
+  const Polygons& polygons() const { return polygons_; }
+
+  /// use(place, crossing) for the polygons of one lattice layer.
+  template <class Use>
+  void forLayer(std::size_t i, const Use& use) const {
+    const HermiteLayer& layer = grid_.layers[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t j = 0; j + 1 < layer.columnStart[axis].size(); ++j) {
+        for (std::uint32_t e = layer.columnStart[axis][j]; e < layer.columnStart[axis][j + 1];
+             ++e) {
+          const HermiteEdge& edge = layer.edges[axis][e];
+          const Place place{axis, {static_cast<int>(i), static_cast<int>(j), edge.k}};
+          for (std::uint32_t c = edge.first; c < edge.first + (edge.sides == 3 ? 2 : 1); ++c) {
+            if (polygons_.has(c)) use(place, c);
+          }
+        }
+      }
+    }
+  }
+
+  /// True only if the polygon certainly lies in the tetrahedra of its own lattice edge.
+  bool lies(const Place& place, std::uint32_t crossing) const {
+    const Polygon polygon = polygons_.of(crossing);
+    return polygon.count == 2 ? quadLies(place, polygons_.triangles(polygon))
+                              : fanLies(place, polygon);
+  }
+
+ private:
+  bool inside(std::int32_t v) const { return (surface_.lodgingOf(v) & Surface::kInside) != 0; }
+  /// A fan about a point of the lattice edge.
+  bool fanLies(const Place& place, const Polygon& polygon) const {
+    const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
+    const Eigen::Vector3d centre = local(place, triangles[0][0]);
+    if (centre.head<2>().cwiseAbs().maxCoeff() > kOnEdge) return false;
+    if (centre[2] < kRounding || centre[2] > 1 - kRounding) return false;
+    for (std::uint32_t t = 0; t < polygon.count; ++t) {
+      if (triangles[t][0] != triangles[0][0]) return false;
+      const int from = quadrant(place, triangles[t][1]), to = quadrant(place, triangles[t][2]);
+      if (from < 0 || to < 0 || ((from ^ to) != 1 && (from ^ to) != 2)) return false;
+    }
+    return true;
+  }
+
+  bool quadLies(const Place& place, const Triangle* triangles) const {
+    // The diagonal runs between the corners that both triangles have.
+    const Triangle &p = triangles[0], &q = triangles[1];
+    int third = 0;
+    while (third < 3 && std::find(q.begin(), q.end(), p[third]) != q.end()) ++third;
+    int fourth = 0;
+    while (fourth < 3 && std::find(p.begin(), p.end(), q[fourth]) != p.end()) ++fourth;
+    if (third == 3 || fourth == 3) return false;
+    const std::int32_t a = p[(third + 1) % 3], c = p[(third + 2) % 3];
+    const int qa = quadrant(place, a), qc = quadrant(place, c);
+    const int qb = quadrant(place, p[third]), qd = quadrant(place, q[fourth]);
+    if (std::min({qa, qb, qc, qd}) < 0 || (qa ^ qc) != 3 || (qb ^ qd) != 3 || qa == qb || qa == qd)
+      return false;
+    const Eigen::Vector3d from = local(place, a), to = local(place, c);
+    const Passage b = passage(from, to, local(place, p[third]));
+    const Passage d = passage(from, to, local(place, q[fourth]));
+    // A diagonal that as good as meets the lattice edge passes it on one of the two sides.
+    return b.inside || d.inside || (b.atEdge && d.atEdge);
+  }
+
+  /// Which of the four cells round the edge holds this vertex, if it is that cell's; or -1.
+  int quadrant(const Place& place, std::int32_t v) const {
+    if (!inside(v)) return -1;
+    const Eigen::Vector3d x = local(place, v);
+    const bool near = std::abs(x[0]) < 1 - kRounding && std::abs(x[1]) < 1 - kRounding &&
+                      x[2] > kRounding && x[2] < 1 - kRounding;
+    return near ? (x[0] > 0 ? 1 : 0) + (x[1] > 0 ? 2 : 0) : -1;
+  }
+
+  /// Position from the low end of the lattice edge, in cells; the last coordinate is along it.
+  Eigen::Vector3d local(const Place& place, std::int32_t v) const {
+    const Eigen::Vector3d g = (surface_.mesh.vertices[v] - grid_.plan.origin) / grid_.plan.cell -
+                              place.low.cast<double>();
+    return {g[(place.axis + 1) % 3], g[(place.axis + 2) % 3], g[place.axis]};
+  }
+
+  /// How a segment passes the triangle of the lattice edge and s.
+  struct Passage {
+    bool inside = false, atEdge = false;
+  };
+  static Passage passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                         const Eigen::Vector3d& s) {
+    const double f = s[0] * from[1] - s[1] * from[0], t = s[0] * to[1] - s[1] * to[0];
+    if (!(f * t < 0)) return {};
+    const Eigen::Vector3d x = from + (to - from) * (f / (f - t));
+    const double along = x.head<2>().dot(s.head<2>()) / s.head<2>().squaredNorm();
+    constexpr double kNearEdge = 1e-5;
+    return {along > kRounding && along < 1 - kRounding && x[2] > along * s[2] + kRounding &&
+                x[2] < along * s[2] + (1 - along) - kRounding,
+            std::abs(along) < kNearEdge && x[2] > 2 * kNearEdge && x[2] < 1 - 2 * kNearEdge};
+  }
+
+  const Surface& surface_;
+  const HermiteGrid& grid_;
+  Polygons polygons_;
+};
+
+void append(std::vector<std::int32_t>& to, const std::vector<std::vector<std::int32_t>>& parts) {
+  for (const auto& part : parts) to.insert(to.end(), part.begin(), part.end());
+}
+
+/// Is any of the four cells round a lattice edge reached by a member?
+bool reached(const NearPairs& near, const Place& place) {
+  const int b = (place.axis + 1) % 3, c = (place.axis + 2) % 3;
+  for (int corner = 0; corner < 4; ++corner) {
+    Eigen::Vector3i cell = place.low;
+    cell[b] -= corner & 1;
+    cell[c] -= corner >> 1;
+    if (near.reaches(cell[0], cell[1], cell[2])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SelfIntersections findSurfaceIntersections(const Surface& surface, const HermiteGrid& grid,
+                                           RunContext& run, std::int64_t* unsure) {
+  const PolygonSorter sorter(surface, grid);
+  const std::size_t layers = grid.layers.size();
+  const auto addTo = [&](std::vector<std::int32_t>& list, std::uint32_t crossing) {
+    const Polygon polygon = sorter.polygons().of(crossing);
+    for (std::uint32_t n = 0; n < polygon.count; ++n) {
+      list.push_back(static_cast<std::int32_t>(polygon.first + n));
+    }
+  };
+  std::vector<std::uint8_t> settled(grid.crossings.size(), 0);
+  parallelFor(layers, [&](std::size_t i) {
+    run.checkpoint(Phase::Check);
+    sorter.forLayer(i, [&](const Place& place, std::uint32_t crossing) {
+      settled[crossing] = sorter.lies(place, crossing);
+    });
+  });
+  const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
+  std::vector<std::vector<std::int32_t>> bad(layers + 1);
+  parallelFor(layers, [&](std::size_t i) {
+    sorter.forLayer(i, [&](const Place&, std::uint32_t crossing) {
+      if (settled[crossing] == 0) addTo(bad[i], crossing);
+    });
+  });
+  for (std::size_t t = 0; t < surface.crossingOf.size(); ++t) {
+    if (surface.crossingOf[t] == Surface::kNoCrossing) {
+      bad[layers].push_back(static_cast<std::int32_t>(t));
+    }
+  }
+  std::vector<std::int32_t> members;
+  append(members, bad);
+  if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
+
+  const NearPairs near(surface.mesh, {grid.plan.origin, grid.plan.cell}, members, run);
+  std::vector<std::vector<std::int32_t>> good(layers);
+  parallelFor(layers, [&](std::size_t i) {
+    run.checkpoint(Phase::Check);
+    sorter.forLayer(i, [&](const Place& place, std::uint32_t crossing) {
+      if (settled[crossing] != 0 && reached(near, place)) addTo(good[i], crossing);
+    });
+  });
+  append(members, good);
+  SelfIntersections found = near.find(members);
+  const auto more = gather<std::pair<std::int32_t, std::int32_t>>(
+      entangled.size(), [&](std::size_t n, auto& part) {
+        const Polygon p = sorter.polygons().of(entangled[n].first);
+        const Polygon q = sorter.polygons().of(entangled[n].second);
+        for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
+          for (std::uint32_t u = q.first; u < q.first + q.count; ++u) {
+            const auto low = static_cast<std::int32_t>(std::min(t, u));
+            const auto high = static_cast<std::int32_t>(std::max(t, u));
+            if (meetWrongly(surface.mesh, low, high)) part.emplace_back(low, high);
+          }
+        }
+      });
+  found.pairs.insert(found.pairs.end(), more.begin(), more.end());
+  tbb::parallel_sort(found.pairs.begin(), found.pairs.end());
+  found.count = static_cast<std::int64_t>(found.pairs.size());
+  return found;
+}
+
+}  // namespace swept

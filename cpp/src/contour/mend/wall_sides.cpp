@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contour/mend/wall_sides.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <unordered_set>
+
+#include "base/parallel.h"
+#include "contour/mend/home_cell.h"
+
+namespace swept {
+namespace {
+
+constexpr double kLeastHalf = 2e-4;  ///< cells between a side and the middle of the wall
+constexpr int kTurns = 200;          ///< steps towards a direction that all triangles agree with
+
+using Vec3 = Eigen::Vector3d;
+
+bool sameCell(const Surface& surface, std::int32_t a, std::int32_t b) {
+  if (a > b) std::swap(a, b);
+  for (std::int32_t v = a; v < b; ++v) {
+    if ((surface.lodging[v] & Surface::kWithAfter) == 0) return false;
+  }
+  return true;
+}
+
+/// The direction whose least product with the normals is largest: the middle of the smallest ball
+/// round their ends (Badoiu and Clarkson 2003).
+Vec3 directionAmong(const std::vector<Vec3>& normals) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& n : normals) middle += n;
+  middle /= static_cast<double>(normals.size());
+  for (int turn = 1; turn <= kTurns; ++turn) {
+    const Vec3* farthest = nullptr;
+    double most = 0;
+    for (const Vec3& n : normals) {
+      const double distance = (n - middle).squaredNorm();
+      if (distance <= most) continue;
+      most = distance;
+      farthest = &n;
+    }
+    if (farthest == nullptr || (turn == 1 && most < 0.5)) break;
+    middle += (*farthest - middle) / (turn + 1);
+  }
+  return middle.normalized();
+}
+
+/// A lattice edge through the wall.
+struct Through {
+  Vec3 middle, across;  // in cells; `across` leads from the side of a to that of b
+};
+
+class Layer {
+ public:
+  Layer(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
+      : surface_(surface), grid_(grid), around_(around) {}
+
+  /// None where the wall is thicker than that along one of them, in cells.
+  std::vector<Through> throughWall(const FacingSides& sides, double thickest) const {
+    const std::vector<std::uint32_t> ofA = crossingsOf(sides.a), ofB = crossingsOf(sides.b);
+    std::vector<Through> out;
+    for (const std::uint32_t c : ofA) {
+      for (const int step : {1, -1}) {
+        const std::uint32_t other = c + static_cast<std::uint32_t>(step);
+        if (!std::binary_search(ofB.begin(), ofB.end(), other)) continue;
+        const CrossingPlace p = findCrossing(grid_, c), q = findCrossing(grid_, other);
+        if (std::tie(p.axis, p.i, p.j, p.k) != std::tie(q.axis, q.i, q.j, q.k)) continue;
+        const double from = grid_.crossings[c].fraction, to = grid_.crossings[other].fraction;
+        Through edge;
+        edge.middle = Vec3(p.i, p.j, p.k);
+        edge.middle[p.axis] += (from + to) / 2;
+        edge.across = Vec3::Unit(p.axis) * (to - from);
+        if (std::abs(to - from) > thickest) return {};
+        out.push_back(edge);
+      }
+    }
+    return out;
+  }
+
+  Vec3 place(const FacingSides& sides, const std::vector<Through>& edges) const {
+    const auto& x = surface_.mesh.vertices;
+    const Vec3 now = ((x[sides.a] + x[sides.b]) / 2 - grid_.plan.origin) / grid_.plan.cell;
+    Vec3 mass = Vec3::Zero();
+    for (const Through& edge : edges) mass += edge.middle;
+    mass /= static_cast<double>(edges.size());
+    return intoCell(now, homeCell(now, mass));
+  }
+
+  /// Half the way from a to b, in cells, once both lie on the place between them.
+  Vec3 half(const FacingSides& sides, const std::vector<Through>& edges) const {
+    std::vector<Vec3> normals;  // into the wall from the side of a
+    addNormals(sides.a, -1, normals);
+    addNormals(sides.b, 1, normals);
+    if (normals.empty()) return Vec3::Zero();
+    const Vec3 direction = directionAmong(normals);
+    double thickness = 0;
+    for (const Through& edge : edges) thickness += std::abs(direction.dot(edge.across));
+    thickness /= static_cast<double>(edges.size());
+    return direction * std::min(std::max(thickness / 2, kLeastHalf), roomAt(sides));
+  }
+
+ private:
+  /// Of the place between two sides, half its distance from the walls of its cell.
+  double roomAt(const FacingSides& sides) const {
+    const Vec3 at = (surface_.mesh.vertices[sides.a] - grid_.plan.origin) / grid_.plan.cell;
+    const Vec3 local = at.array() - at.array().floor();
+    return std::min(local.minCoeff(), 1 - local.maxCoeff()) / 2;
+  }
+  TrianglesAround::const_iterator firstAt(std::int32_t v) const {
+    return std::lower_bound(around_.begin(), around_.end(), std::pair(v, std::int32_t{-1}));
+  }
+  std::vector<std::uint32_t> crossingsOf(std::int32_t v) const {
+    std::vector<std::uint32_t> out;
+    for (auto at = firstAt(v); at != around_.end() && at->first == v; ++at) {
+      out.push_back(surface_.crossingOf[at->second]);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+  void addNormals(std::int32_t v, double sign, std::vector<Vec3>& out) const {
+    for (auto at = firstAt(v); at != around_.end() && at->first == v; ++at) {
+      const auto& [p, q, r] = surface_.mesh.triangles[at->second];
+      const auto& x = surface_.mesh.vertices;
+      const Vec3 n = (x[q] - x[p]).cross(x[r] - x[p]);
+      const double length = n.norm();
+      if (length > 1e-12 * grid_.plan.cell * grid_.plan.cell) out.push_back(sign / length * n);
+    }
+  }
+
+  const Surface& surface_;
+  const HermiteGrid& grid_;
+  const TrianglesAround& around_;
+};
+
+}  // namespace
+
+std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersections& pairs) {
+  const auto& triangles = surface.mesh.triangles;
+  const auto crowded = [&](std::int32_t v) {
+    return (surface.lodgingOf(v) & Surface::kCrowded) != 0;
+  };
+  std::vector<std::pair<std::int32_t, std::int32_t>> found;
+  for (const auto& [t, u] : pairs.pairs) {
+    for (const std::int32_t v : triangles[t]) {
+      if (!crowded(v)) continue;
+      for (const std::int32_t w : triangles[u]) {
+        if (v == w || !crowded(w) || std::abs(v - w) > 12 || !sameCell(surface, v, w)) continue;
+        found.emplace_back(std::min(v, w), std::max(v, w));
+      }
+    }
+  }
+  tbb::parallel_sort(found.begin(), found.end());
+  std::vector<FacingSides> out;
+  std::unordered_set<std::int32_t> taken;
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    if (n > 0 && found[n] == found[n - 1]) continue;
+    const auto [a, b] = found[n];
+    if (taken.contains(a) || taken.contains(b)) continue;
+    taken.insert(a);
+    taken.insert(b);
+    out.push_back({a, b});
+  }
+  return out;
+}
+
+void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
+                 const TrianglesAround& around, double thickest) {
+  const Layer layer(surface, grid, around);
+  auto& x = surface.mesh.vertices;
+  constexpr std::size_t kBlock = 64;
+  const auto forAll = [&](const auto& use) {
+    parallelBlocks(sides.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) use(n);
+    });
+  };
+  std::vector<std::vector<Through>> edges(sides.size());
+  forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n], thickest); });
+  forAll([&](std::size_t n) {
+    if (edges[n].empty()) return;
+    x[sides[n].a] = x[sides[n].b] =
+        grid.plan.origin + grid.plan.cell * layer.place(sides[n], edges[n]);
+  });
+  std::vector<Vec3> half(sides.size(), Vec3::Zero());
+  forAll([&](std::size_t n) {
+    if (!edges[n].empty()) half[n] = grid.plan.cell * layer.half(sides[n], edges[n]);
+  });
+  forAll([&](std::size_t n) {
+    x[sides[n].a] -= half[n];
+    x[sides[n].b] += half[n];
+  });
+}
+
+}  // namespace swept

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "crossings/crossing_refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swept {
+namespace {
+/// Cells that crossings keep from lattice points: those of three edges at one point stay apart.
+constexpr double kFromPoint = 1e-3;
+}  // namespace
+
+CrossingRefiner::CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked)
+    : input_(input), marked_(marked) {
+  placements_.reserve(input.motion.placements.size());
+  for (const Placement& p : input.motion.placements) placements_.push_back(input.grid.toGrid(p));
+  for (std::size_t k = 0; k < input.motion.steps(); ++k) {
+    const Placement mid = input.grid.toGrid(input.motion.midpoints[k]);
+    const Placement &p = placements_[k], &q = placements_[k + 1];
+    bulges_.push_back({mid.rotation - (p.rotation + q.rotation) / 2,
+                       mid.translation - (p.translation + q.translation) / 2, mid.timeSeconds});
+  }
+}
+
+CrossingRefiner::Hit CrossingRefiner::onFace(const SweptElement& element, int axis,
+                                             const Eigen::Vector3d& line) const {
+  const Placement& p = placements_[element.placement];
+  const auto& t = input_.body.triangles[element.index()];
+  const Eigen::Vector3d a = p.apply(input_.body.vertices[t[0]]);
+  const Eigen::Vector3d b = p.apply(input_.body.vertices[t[1]]);
+  const Eigen::Vector3d c = p.apply(input_.body.vertices[t[2]]);
+  const Eigen::Vector3d n = (b - a).cross(c - a);
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  return {a[axis] + (n[u] * (a[u] - line[u]) + n[v] * (a[v] - line[v])) / n[axis], n,
+          p.timeSeconds};
+}
+
+CrossingRefiner::Hit CrossingRefiner::onPatch(const SweptElement& element, int axis,
+                                              const Eigen::Vector3d& line) const {
+  const Placement &p = placements_[element.placement], &q = placements_[element.placement + 1];
+  const Placement& m = bulges_[element.placement];
+  const BodyEdge& edge = input_.topology.edges[element.index()];
+  const Eigen::Vector3d &va = input_.body.vertices[edge.a], &vb = input_.body.vertices[edge.b];
+  // x(r, s) = A(s) + r B(s): A the path of vertex a, B the edge vector
+  const Eigen::Vector3d a0 = p.apply(va), a1 = q.apply(va) - a0, a2 = 4 * m.apply(va);
+  const Eigen::Vector3d d = vb - va;
+  const Eigen::Vector3d b0 = p.rotation * d, b1 = q.rotation * d - b0, b2 = 4 * (m.rotation * d);
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  double r = 0.5, s = 0.5;
+  Eigen::Vector3d alongEdge = b0, alongTime = a1;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const double bulge = s * (1 - s), bulgeSpeed = 1 - 2 * s;
+    alongEdge = b0 + s * b1 + bulge * b2;
+    const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
+    alongTime = a1 + bulgeSpeed * a2 + r * (b1 + bulgeSpeed * b2);
+    const double det = alongEdge[u] * alongTime[v] - alongEdge[v] * alongTime[u];
+    if (std::abs(det) < 1e-14) break;
+    const double fu = line[u] - x[u], fv = line[v] - x[v];
+    const double dr = (fu * alongTime[v] - fv * alongTime[u]) / det;
+    const double ds = (alongEdge[u] * fv - alongEdge[v] * fu) / det;
+    r = std::clamp(r + dr, -0.5, 1.5);
+    s = std::clamp(s + ds, -0.5, 1.5);
+    if (std::abs(dr) + std::abs(ds) < 1e-7) break;
+  }
+  r = std::clamp(r, 0.0, 1.0);
+  s = std::clamp(s, 0.0, 1.0);
+  const double bulge = s * (1 - s);
+  alongEdge = b0 + s * b1 + bulge * b2;
+  alongTime = a1 + (1 - 2 * s) * a2 + r * (b1 + (1 - 2 * s) * b2);
+  const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
+  const Eigen::Vector3d n = alongEdge.cross(alongTime);
+  // What is left of the miss across the line is paid along the line by the tangent plane.
+  double along = x[axis];
+  if (std::abs(n[axis]) > 0.1 * n.norm()) {
+    along += (n[u] * (x[u] - line[u]) + n[v] * (x[v] - line[v])) / n[axis];
+  }
+  return {along, n, p.timeSeconds + s * (q.timeSeconds - p.timeSeconds)};
+}
+
+Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k,
+                                 float fraction, std::uint32_t elementIndex, bool low) const {
+  const Eigen::Vector3d line(i, j, k);
+  const SweptElement& element = marked_.elements[elementIndex];
+  const Hit hit = element.isPatch() ? onPatch(element, axis, line) : onFace(element, axis, line);
+  Crossing crossing;
+  crossing.timeSeconds = static_cast<float>(hit.timeSeconds);
+  const double exact = hit.along - line[axis];
+  // A grazing face or a degenerate patch has no good intersection: keep what the sampler saw.
+  constexpr double kTrusted = 0.25;
+  const double position =
+      std::isfinite(exact) && std::abs(exact - fraction) < kTrusted ? exact : fraction;
+  crossing.fraction = static_cast<float>(std::clamp(position, kFromPoint, 1 - kFromPoint));
+  const double length = hit.normal.norm();
+  if (length > 0) {
+    const bool towardsHigh = hit.normal[axis] > 0;
+    crossing.normal = (hit.normal / (towardsHigh == low ? -length : length)).cast<float>();
+  } else {
+    crossing.normal[axis] = low ? -1.0f : 1.0f;
+  }
+  return crossing;
+}
+
+}  // namespace swept

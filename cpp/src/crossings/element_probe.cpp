@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "crossings/element_probe.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+namespace swept {
+namespace {
+
+/// More pieces than this in one cell say nothing about a single wall any more.
+constexpr std::size_t kMostPieces = 20000;
+/// Cells: pieces this close to the cell count as met, so that the search can go round its corners.
+constexpr double kAround = 0.05;
+
+constexpr double kSlack = 1e-7;  ///< on an edge: both triangles are met rather than none
+
+/// Where a line meets a triangle, as the share of the line and the triangle's coordinates.
+struct Meeting {
+  double along, u, v;
+};
+
+bool meets(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+           const Eigen::Vector3d& c, Meeting& out) {
+  const Eigen::Vector3d d = line.to - line.from, ab = b - a, ac = c - a;
+  const Eigen::Vector3d p = d.cross(ac);
+  const double det = ab.dot(p);
+  if (std::abs(det) < 1e-14) return false;
+  const Eigen::Vector3d s = line.from - a;
+  out.u = s.dot(p) / det;
+  if (out.u < -kSlack || out.u > 1 + kSlack) return false;
+  const Eigen::Vector3d q = s.cross(ab);
+  out.v = d.dot(q) / det;
+  if (out.v < -kSlack || out.u + out.v > 1 + kSlack) return false;
+  out.along = ac.dot(q) / det;
+  return out.along >= 0 && out.along <= 1;
+}
+
+/// Separating axes of a triangle and the box of half sides `half` about the origin (Akenine-Moeller
+/// 2001).
+bool meetsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+              const Eigen::Vector3d& half) {
+  const auto beyond = [](double x, double y, double z, double reach) {
+    return std::min({x, y, z}) > reach || std::max({x, y, z}) < -reach;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    if (beyond(a[axis], b[axis], c[axis], half[axis])) return false;
+  }
+  const std::array<Eigen::Vector3d, 3> side{b - a, c - b, a - c};
+  const Eigen::Vector3d n = side[0].cross(side[1]);
+  if (beyond(n.dot(a), n.dot(b), n.dot(c), half.dot(n.cwiseAbs()))) return false;
+  for (const Eigen::Vector3d& s : side) {
+    for (int axis = 0; axis < 3; ++axis) {  // s across the axis
+      const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+      const auto along = [&](const Eigen::Vector3d& x) { return s[p] * x[q] - s[q] * x[p]; };
+      if (beyond(along(a), along(b), along(c),
+                 half[q] * std::abs(s[p]) + half[p] * std::abs(s[q]))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The same of a segment.
+bool meetsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& half) {
+  const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
+  const Eigen::Vector3d reach = way.cwiseAbs();
+  if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double across = middle[u] * way[v] - middle[v] * way[u];
+    if (std::abs(across) > half[u] * reach[v] + half[v] * reach[u]) return false;
+  }
+  return true;
+}
+
+/// Set of elements, made for a few dozen of them.
+class SeenElements {
+ public:
+  void clear() {
+    constexpr std::size_t kMostKept = 4096;
+    if (slots_.size() > kMostKept) slots_.clear();
+    std::fill(slots_.begin(), slots_.end(), kFree);
+    count_ = 0;
+  }
+  /// False if it was in before.
+  bool insert(const SweptElement& element) {
+    if (2 * count_ >= slots_.size()) grow();
+    const auto key = static_cast<std::uint64_t>(element.code) << 32 | element.placement;
+    return put(key);
+  }
+
+ private:
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // no step has this number
+  bool put(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
+    while (slots_[at] != kFree && slots_[at] != key) at = (at + 1) & mask;
+    if (slots_[at] == key) return false;
+    slots_[at] = key;
+    ++count_;
+    return true;
+  }
+  void grow() {
+    std::vector<std::uint64_t> old(std::max<std::size_t>(128, 4 * slots_.size()), kFree);
+    old.swap(slots_);
+    count_ = 0;
+    for (const std::uint64_t key : old) {
+      if (key != kFree) put(key);
+    }
+  }
+
+  std::vector<std::uint64_t> slots_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+ElementProbe::ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
+                           const std::vector<std::uint32_t>& winner)
+    : input_(input), elements_(elements), winner_(winner) {
+  placements_.reserve(input.motion.placements.size());
+  for (const Placement& p : input.motion.placements) placements_.push_back(input.grid.toGrid(p));
+  faceEdges_.assign(input.body.triangles.size(), {-1, -1, -1});
+  const auto& edges = input.topology.edges;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    for (const std::int32_t face : {edges[e].left, edges[e].right}) {
+      if (face < 0) continue;
+      for (std::int32_t& slot : faceEdges_[face]) {
+        if (slot >= 0) continue;
+        slot = static_cast<std::int32_t>(e);
+        break;
+      }
+    }
+  }
+}
+
+ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
+  Piece piece;
+  piece.isPatch = element.isPatch();
+  const Placement& p = placements_[element.placement];
+  piece.start = piece.end = p.timeSeconds;
+  const auto& x = input_.body.vertices;
+  if (piece.isPatch) {
+    const Placement& q = placements_[element.placement + 1];
+    const BodyEdge& e = input_.topology.edges[element.index()];
+    piece.corner = {p.apply(x[e.a]), p.apply(x[e.b]), q.apply(x[e.b]), q.apply(x[e.a])};
+    piece.end = q.timeSeconds;
+  } else {
+    const auto& t = input_.body.triangles[element.index()];
+    piece.corner = {p.apply(x[t[0]]), p.apply(x[t[1]]), p.apply(x[t[2]]), p.apply(x[t[2]])};
+  }
+  return piece;
+}
+
+// Only what two pieces share leads from the one to the other: it has to pass through the box.
+template <class Inside, class Use>
+void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
+                                 const Inside& inside, const Use& use) const {
+  const std::uint32_t k = element.placement;
+  const std::size_t steps = input_.motion.steps();
+  const auto patch = [&](std::int32_t edge, std::uint32_t step) {
+    use(SweptElement{static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit, step});
+  };
+  const auto face = [&](std::int32_t f, std::uint32_t placement) {
+    if (f >= 0) use(SweptElement{static_cast<std::uint32_t>(f), placement});
+  };
+  if (!element.isPatch()) {
+    const auto& t = input_.body.triangles[element.index()];
+    const auto cornerOf = [&](std::int32_t v) -> const Eigen::Vector3d& {
+      return piece.corner[v == t[0] ? 0 : v == t[1] ? 1 : 2];
+    };
+    for (const std::int32_t e : faceEdges_[element.index()]) {
+      if (e < 0) continue;
+      const BodyEdge& edge = input_.topology.edges[e];
+      if (!inside(cornerOf(edge.a), cornerOf(edge.b))) continue;
+      if (k < steps) patch(e, k);
+      if (k > 0 && k - 1 < steps) patch(e, k - 1);
+      face(edge.left, k);
+      face(edge.right, k);
+    }
+    const auto f = static_cast<std::int32_t>(element.index());
+    if (k < steps) face(f, k + 1);
+    if (k > 0 && k - 1 < steps) face(f, k - 1);
+    return;
+  }
+  const auto e = static_cast<std::int32_t>(element.index());
+  const BodyEdge& edge = input_.topology.edges[e];
+  const auto& [a, b, c, d] = piece.corner;
+  const bool atStart = inside(a, b), atEnd = inside(c, d), pathA = inside(a, d),
+             pathB = inside(b, c);
+  if (atStart && k > 0) patch(e, k - 1);
+  if (atEnd && k + 1 < steps) patch(e, k + 1);
+  for (const std::int32_t f : {edge.left, edge.right}) {
+    if (f < 0) continue;
+    if (atStart) face(f, k);
+    if (atEnd) face(f, k + 1);
+    if (!pathA && !pathB) continue;
+    for (const std::int32_t other : faceEdges_[f]) {
+      if (other < 0 || other == e) continue;
+      const BodyEdge& beside = input_.topology.edges[other];
+      const bool sharesA = beside.a == edge.a || beside.b == edge.a;
+      if (sharesA ? pathA : pathB) patch(other, k);
+    }
+  }
+}
+
+void ElementProbe::gather(const Eigen::AlignedBox3d& region,
+                          const std::vector<std::uint32_t>& crossings,
+                          std::vector<Piece>& pieces) const {
+  const Eigen::Vector3d centre = region.center();
+  const Eigen::Vector3d half = region.sizes().array() / 2 + kAround;
+  // Kept: asked for every end of a wall. With the number of the element's piece.
+  thread_local std::vector<std::pair<SweptElement, std::size_t>> waiting;
+  thread_local SeenElements seen;
+  pieces.clear();
+  waiting.clear();
+  seen.clear();
+  const auto visit = [&](const SweptElement& element) {
+    if (!seen.insert(element)) return;
+    const Piece piece = pieceOf(element);
+    const auto& [a, b, c, d] = piece.corner;
+    if (!meetsBox(a - centre, b - centre, c - centre, half) &&
+        (!piece.isPatch || !meetsBox(a - centre, c - centre, d - centre, half))) {
+      return;
+    }
+    waiting.emplace_back(element, pieces.size());
+    pieces.push_back(piece);
+  };
+  for (const std::uint32_t crossing : crossings) visit(elements_[winner_[crossing]]);
+  const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    return meetsBox(p - centre, q - centre, half);
+  };
+  while (!waiting.empty() && pieces.size() <= kMostPieces) {
+    const auto [element, at] = waiting.back();
+    waiting.pop_back();
+    const Piece piece = pieces[at];
+    forNeighbours(element, piece, inside, visit);
+  }
+  if (pieces.size() > kMostPieces) pieces.clear();
+}
+
+void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
+  const auto &a = piece.corner[0], &b = piece.corner[1], &c = piece.corner[2],
+             &d = piece.corner[3];  // older compilers cannot capture bindings
+  const auto take = [&](const Meeting& at, double r, double s) {
+    if (at.along >= first) return;
+    first = at.along;
+    line.hit = true;
+    // The side patch is bilinear: its normal turns with the place.
+    const Eigen::Vector3d n =
+        piece.isPatch ? ((1 - s) * (b - a) + s * (c - d)).cross((1 - r) * (d - a) + r * (c - b))
+                      : (b - a).cross(c - a);
+    line.normal = n.normalized();
+    line.timeSeconds = piece.start + s * (piece.end - piece.start);
+  };
+  Meeting at{};
+  if (meets(line, a, b, c, at)) take(at, at.u + at.v, at.v);
+  if (piece.isPatch && meets(line, a, c, d, at)) take(at, at.u, at.u + at.v);
+}
+
+void ElementProbe::cast(const Eigen::AlignedBox3d& region,
+                        const std::vector<std::uint32_t>& crossings,
+                        std::vector<ProbeLine>& lines) const {
+  thread_local std::vector<Piece> pieces;
+  gather(region, crossings, pieces);
+  thread_local std::vector<double> first;  // share of the line
+  first.assign(lines.size(), 2);
+  for (const Piece& piece : pieces) {
+    const auto& [a, b, c, d] = piece.corner;
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    // Sides of the plane of the first triangle; a patch reaches beyond it by its fourth corner.
+    const double fourth = n.dot(d - a);
+    const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
+    const double slack = kSlack * n.norm();
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const double from = n.dot(lines[l].from - a), to = n.dot(lines[l].to - a);
+      if (std::min(from, to) > high + slack || std::max(from, to) < low - slack) continue;
+      castOne(piece, lines[l], first[l]);
+    }
+  }
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    ProbeLine& line = lines[l];
+    if (!line.hit) continue;
+    const Eigen::Vector3d d = line.to - line.from;
+    line.point = line.from + first[l] * d;
+    if (line.normal.dot(d) > 0) line.normal = -line.normal;
+  }
+}
+
+}  // namespace swept

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/certainly_apart.h"
+
+#include "geometry/exact_predicates.h"
+
+namespace swept {
+namespace {
+
+/// Sine of the least angle that counts; rounding stays below 1e-15.
+constexpr double kSine = 1e-9;
+
+/// As SeenTriangle, but with each direction computed only when it is tried.
+struct TriedTriangle {
+  std::array<Eigen::Vector3d, 3> corner, edge;
+  Eigen::Vector3d normal;
+  double size;
+
+  TriedTriangle(const TriMesh& mesh, std::int32_t t) {
+    const auto& tri = mesh.triangles[t];
+    for (int i = 0; i < 3; ++i) corner[i] = mesh.vertices[tri[i]];
+    edge = {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
+    normal = edge[0].cross(edge[1]);
+    size = std::max({edge[0].cwiseAbs().maxCoeff(), edge[1].cwiseAbs().maxCoeff(),
+                     edge[2].cwiseAbs().maxCoeff()});
+  }
+  bool partedByNormal(const TriedTriangle& q) const { return parted(normal, 0, true, q); }
+  bool partedByEdge(const TriedTriangle& q) const {
+    for (int i = 0; i < 3; ++i) {
+      if (parted(edge[i].cross(normal), i, false, q)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool parted(const Eigen::Vector3d& axis, int origin, bool bothWays,
+              const TriedTriangle& q) const {
+    double least = HUGE_VAL, most = -HUGE_VAL, reach = size;
+    for (const auto& point : q.corner) {
+      const Eigen::Vector3d d = point - corner[origin];
+      const double value = axis.dot(d);
+      least = std::min(least, value);
+      most = std::max(most, value);
+      reach = std::max(reach, d.cwiseAbs().maxCoeff());
+    }
+    const double margin = SeenTriangle::kMargin * axis.cwiseAbs().sum() * reach;
+    return least > margin || (bothWays && most < -margin);
+  }
+};
+
+/// Does x lead to the side of w, by more than rounding can do?
+bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
+  const double along = w.dot(x);
+  return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
+}
+
+/// Triangles (v, a, b) and (v, c, d), all relative to v: does a plane through v part them? Tried
+/// are the planes on either edge of the first one across its own plane, and the one across its
+/// middle line.
+bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                    const Eigen::Vector3d& d) {
+  const Eigen::Vector3d normal = a.cross(b);
+  const double a2 = a.squaredNorm(), b2 = b.squaredNorm();
+  if (!(normal.squaredNorm() > kSine * kSine * a2 * b2)) return false;
+  const auto parts = [&](const Eigen::Vector3d& w) { return leadsTo(w, c) && leadsTo(w, d); };
+  return parts(a.cross(normal)) || parts(normal.cross(b)) ||
+         parts(-(std::sqrt(b2) * a + std::sqrt(a2) * b));
+}
+
+/// Triangles over the edge from the origin to e with third corners p and q: do they lead away from
+/// the edge to different sides?
+bool partedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  return leadsTo(e.cross(p), -e.cross(q));
+}
+
+}  // namespace
+
+bool hasNoArea(const TriMesh& mesh, std::int32_t t) {
+  const auto& tri = mesh.triangles[t];
+  return tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0] ||
+         collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);
+}
+
+bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
+  const auto &p = mesh.triangles[first], &q = mesh.triangles[second];
+  const auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return mesh.vertices[v]; };
+  int common = 0, i = 0, j = 0;  // the last common corner, as seen from both
+  for (int m = 0; m < 3; ++m) {
+    for (int n = 0; n < 3; ++n) {
+      if (p[m] != q[n]) continue;
+      ++common;
+      i = m;
+      j = n;
+    }
+  }
+  if (common == 0) {
+    // Sheets that lie on one another are parted by a normal, neighbours in a sheet by an edge.
+    const TriedTriangle a(mesh, first), b(mesh, second);
+    return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
+  }
+  const Eigen::Vector3d& v = at(p[i]);
+  const Eigen::Vector3d a = at(p[(i + 1) % 3]) - v, b = at(p[(i + 2) % 3]) - v;
+  const Eigen::Vector3d c = at(q[(j + 1) % 3]) - v, d = at(q[(j + 2) % 3]) - v;
+  if (common == 1) return partedAtVertex(a, b, c, d) || partedAtVertex(c, d, a, b);
+  if (common == 3) return false;
+  for (int m = 1; m < 3; ++m) {
+    for (int n = 1; n < 3; ++n) {
+      if (p[(i + m) % 3] == q[(j + n) % 3]) {
+        return partedAtEdge(m == 1 ? a : b, m == 1 ? b : a, n == 1 ? d : c);
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace swept

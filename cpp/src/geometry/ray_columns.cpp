@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/ray_columns.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace swept {
+namespace {
+
+/// +1 / -1 if the segment a-b, seen in (y, z), passes the horizontal line of `p` on the side of +y.
+/// Half-open in z, so each corner belongs to one of its two segments; the segment is always
+/// evaluated from its lower end, so both triangles of an edge get the same answer.
+int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
+  const bool aboveA = a.z() > z;
+  const bool aboveB = b.z() > z;
+  if (aboveA == aboveB) return 0;
+  const Eigen::Vector3d& low = aboveB ? a : b;
+  const Eigen::Vector3d& high = aboveB ? b : a;
+  const long double side =
+      (static_cast<long double>(high.y()) - low.y()) * (static_cast<long double>(z) - low.z()) -
+      (static_cast<long double>(high.z()) - low.z()) * (static_cast<long double>(y) - low.y());
+  if (!(side > 0)) return 0;
+  return aboveB ? 1 : -1;
+}
+
+}  // namespace
+
+RayColumns::RayColumns(const TriMesh& mesh) : mesh_(mesh) {
+  low_.setConstant(0);
+  high_.setConstant(0);
+  if (!mesh.vertices.empty()) low_ = high_ = mesh.vertices[0];
+  for (const auto& v : mesh.vertices) {
+    low_ = low_.cwiseMin(v);
+    high_ = high_.cwiseMax(v);
+  }
+  build();
+}
+
+RayColumns::RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+    : mesh_(mesh), low_(low), high_(high) {
+  build();
+}
+
+bool RayColumns::cellsOf(std::size_t triangle, Cells& cells) const {
+  const auto& tri = mesh_.triangles[triangle];
+  const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]], &c = mesh_.vertices[tri[2]];
+  const double y0 = std::min({a.y(), b.y(), c.y()}), y1 = std::max({a.y(), b.y(), c.y()});
+  const double z0 = std::min({a.z(), b.z(), c.z()}), z1 = std::max({a.z(), b.z(), c.z()});
+  if (y1 < low_.y() || y0 > high_.y() || z1 < low_.z() || z0 > high_.z()) return false;
+  cells = {column(y0, 1), column(y1, 1), column(z0, 2), column(z1, 2)};
+  return true;
+}
+
+void RayColumns::build() {
+  columns_ = std::clamp(
+      static_cast<std::int32_t>(std::sqrt(static_cast<double>(mesh_.triangles.size()))), 1, 128);
+  const auto cells = static_cast<std::size_t>(columns_) * columns_;
+  start_.assign(cells + 1, 0);
+  auto forEachCell = [&](auto&& visit) {
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, mesh_.triangles.size(), 1 << 13), [&](const Range& range) {
+      Cells under{};
+      for (std::size_t t = range.begin(); t != range.end(); ++t) {
+        if (!cellsOf(t, under)) continue;
+        for (std::int32_t z = under.z0; z <= under.z1; ++z) {
+          for (std::int32_t y = under.y0; y <= under.y1; ++y) {
+            visit(start_[static_cast<std::size_t>(z) * columns_ + y], static_cast<std::int32_t>(t));
+          }
+        }
+      }
+    });
+  };
+  // Atomic counters: the order within a column varies, the sorted crossings of a line do not.
+  forEachCell([](std::uint32_t& count, std::int32_t) {
+    std::atomic_ref<std::uint32_t>(count).fetch_add(1, std::memory_order_relaxed);
+  });
+  std::uint32_t sum = 0;
+  for (auto& value : start_) {
+    sum += value;
+    value = sum;
+  }
+  items_.resize(sum);
+  forEachCell([&](std::uint32_t& end, std::int32_t t) {
+    items_[std::atomic_ref<std::uint32_t>(end).fetch_sub(1, std::memory_order_relaxed) - 1] = t;
+  });
+}
+
+std::int32_t RayColumns::column(double value, int axis) const {
+  const double extent = high_[axis] - low_[axis];
+  if (!(extent > 0)) return 0;
+  const double part = (value - low_[axis]) / extent * columns_;
+  return std::clamp(static_cast<std::int32_t>(part), 0, columns_ - 1);
+}
+
+void RayColumns::crossings(double y, double z, std::vector<Crossing>& out) const {
+  out.clear();
+  const std::size_t cell = static_cast<std::size_t>(column(z, 2)) * columns_ + column(y, 1);
+  for (std::uint32_t i = start_[cell]; i < start_[cell + 1]; ++i) {
+    const auto& tri = mesh_.triangles[items_[i]];
+    const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
+               &c = mesh_.vertices[tri[2]];
+    const int winding = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
+    if (winding == 0) continue;
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    const double low = std::min({a.x(), b.x(), c.x()});
+    const double high = std::max({a.x(), b.x(), c.x()});
+    double x = low;
+    if (n.x() != 0) x = a.x() - (n.y() * (y - a.y()) + n.z() * (z - a.z())) / n.x();
+    out.push_back({std::clamp(x, low, high), items_[i], winding > 0 ? -1 : 1});
+  }
+  std::sort(out.begin(), out.end(), [](const Crossing& p, const Crossing& q) {
+    return p.x != q.x ? p.x < q.x : p.triangle < q.triangle;
+  });
+}
+
+}  // namespace swept

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "grid/crossing_records.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/parallel.h"
+#include "swept/types.h"
+
+namespace swept {
+namespace {
+
+/// The crossings next to either end of each lattice edge of one column, found without sorting: the
+/// edges that are crossed are marked in a bit set.
+class ColumnEnds {
+ public:
+  explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
+
+  void add(const CrossingRecord& r) {
+    Ends& ends = ends_[r.k()];
+    std::uint64_t& word = crossed_[r.k() >> 6];
+    const std::uint64_t bit = std::uint64_t{1} << (r.k() & 63);
+    if ((word & bit) == 0) {
+      word |= bit;
+      ends = {r, r};
+      return;
+    }
+    // Of equal positions the first element is taken, at both ends.
+    const auto firstOf = [&](const CrossingRecord& other) {
+      return r.key == other.key && r.element < other.element;
+    };
+    if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
+    if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
+  }
+  /// use(k, low, high) for the crossed edges in rising order, which are forgotten.
+  template <class Use>
+  void take(const Use& use) {
+    for (std::size_t w = 0; w < crossed_.size(); ++w) {
+      for (; crossed_[w] != 0; crossed_[w] &= crossed_[w] - 1) {
+        const std::size_t k = w << 6 | static_cast<std::size_t>(std::countr_zero(crossed_[w]));
+        use(k, ends_[k].low, ends_[k].high);
+      }
+    }
+  }
+  /// Appends the crossed edges.
+  void moveTo(std::vector<MarkedEdge>& edges) {
+    take([&](std::size_t k, const CrossingRecord& low, const CrossingRecord& high) {
+      MarkedEdge edge;
+      edge.k = static_cast<std::uint16_t>(k);
+      edge.lowElement = low.element;
+      edge.lowFraction = low.fraction();
+      edge.highElement = high.element;
+      edge.highFraction = high.fraction();
+      edges.push_back(edge);
+    });
+  }
+
+ private:
+  struct Ends {
+    CrossingRecord low, high;
+  };
+  std::vector<Ends> ends_;
+  std::vector<std::uint64_t> crossed_;
+};
+
+/// Parts the records of one layer by axis and column and keeps of every lattice edge the crossing
+/// next to either end.
+void reduceLayer(const std::vector<RecordChunk>& chunks,
+                 const std::vector<std::uint32_t>& elementBase, std::size_t i,
+                 std::vector<CrossingRecord>& scratch, ColumnEnds& ends, std::uint32_t columns,
+                 LayerEdges& layer) {
+  const auto bucketOf = [&](const CrossingRecord& r) { return r.axis() * columns + r.column(); };
+  const auto forRecords = [&](const auto& use) {
+    for (std::size_t c = 0; c < chunks.size(); ++c) {
+      const RecordChunk& chunk = chunks[c];
+      for (std::uint32_t n = chunk.layerStart[i]; n < chunk.layerStart[i + 1]; ++n) {
+        use(chunk.records[n], elementBase[c]);
+      }
+    }
+  };
+  std::vector<std::uint32_t> start(3 * columns + 1, 0);
+  forRecords([&](const CrossingRecord& r, std::uint32_t) { ++start[bucketOf(r)]; });
+  const std::uint32_t count = exclusiveScan(start);
+  if (scratch.size() < count) scratch.resize(count);
+  {
+    std::vector<std::uint32_t> next(start);
+    forRecords([&](const CrossingRecord& r, std::uint32_t base) {
+      scratch[next[bucketOf(r)]++] = {r.key, r.element + base};
+    });
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    auto& edges = layer.edges[axis];
+    auto& columnStart = layer.columnStart[axis];
+    columnStart.resize(columns + 1);
+    edges.reserve((start[(axis + 1) * columns] - start[axis * columns]) / 2 + 16);
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      columnStart[j] = static_cast<std::uint32_t>(edges.size());
+      const std::uint32_t bucket = axis * columns + j;
+      for (std::uint32_t r = start[bucket]; r < start[bucket + 1]; ++r) ends.add(scratch[r]);
+      ends.moveTo(edges);
+    }
+    columnStart[columns] = static_cast<std::uint32_t>(edges.size());
+    edges.shrink_to_fit();
+  }
+}
+
+}  // namespace
+
+void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
+  const auto columns = static_cast<std::size_t>(grid.points[1]);
+  const auto bucketOf = [&](const CrossingRecord& r) {
+    return (r.layer() * std::size_t{3} + r.axis()) * columns + r.column();
+  };
+  std::vector<std::uint32_t> start(static_cast<std::size_t>(grid.points[0]) * 3 * columns + 1, 0);
+  for (const auto& r : records) ++start[bucketOf(r)];
+  exclusiveScan(start);
+  std::vector<CrossingRecord> sorted(records.size());
+  {
+    std::vector<std::uint32_t> next(start);
+    for (const auto& r : records) sorted[next[bucketOf(r)]++] = r;
+  }
+  records.clear();
+  ColumnEnds ends(static_cast<std::size_t>(grid.points[2]));
+  for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
+    if (start[bucket] == start[bucket + 1]) continue;
+    for (std::uint32_t r = start[bucket]; r < start[bucket + 1]; ++r) ends.add(sorted[r]);
+    ends.take([&](std::size_t, const CrossingRecord& low, const CrossingRecord& high) {
+      records.push_back(low);
+      if (high.key != low.key) records.push_back(high);
+    });
+  }
+}
+
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room) {
+  const auto layers = static_cast<std::size_t>(grid.points[0]);
+  chunk.layerStart.assign(layers + 1, 0);
+  for (const CrossingRecord& r : chunk.records) ++chunk.layerStart[r.layer()];
+  exclusiveScan(chunk.layerStart);
+  room.swap(chunk.records);
+  chunk.records = std::vector<CrossingRecord>(room.size());
+  std::vector<std::uint32_t> next(chunk.layerStart);
+  for (const CrossingRecord& r : room) chunk.records[next[r.layer()]++] = r;
+  room.clear();
+}
+
+MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run) {
+  const auto layers = static_cast<std::size_t>(grid.points[0]);
+  MarkedEdges out;
+  out.layers.resize(layers);
+
+  std::vector<std::uint32_t> elementBase(chunks.size());
+  std::size_t elementCount = 0;
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    elementBase[c] = static_cast<std::uint32_t>(elementCount);
+    elementCount += chunks[c].elements.size();
+  }
+  if (elementCount > 0xffffffffu) {
+    throw Error(Status::ResourceLimit, "ResourceLimit",
+                "the sweep has " + std::to_string(elementCount) +
+                    " surface elements, the limit is 4294967295; use fewer placements");
+  }
+  out.elements.resize(elementCount);
+  parallelFor(chunks.size(), [&](std::size_t c) {
+    RecordChunk& chunk = chunks[c];
+    std::vector<CrossingRecord> room;
+    if (chunk.layerStart.empty()) orderByLayer(chunk, grid, room);
+    std::copy(chunk.elements.begin(), chunk.elements.end(), out.elements.begin() + elementBase[c]);
+    std::vector<SweptElement>().swap(chunk.elements);
+  });
+  run.checkpoint(Phase::Sampling, 9, 10);
+  const auto columns = static_cast<std::uint32_t>(grid.points[1]);
+  parallelBlocks(layers, 4, [&](std::size_t begin, std::size_t end) {
+    std::vector<CrossingRecord> scratch;
+    ColumnEnds ends(static_cast<std::size_t>(grid.points[2]));
+    for (std::size_t layer = begin; layer < end; ++layer) {
+      reduceLayer(chunks, elementBase, layer, scratch, ends, columns, out.layers[layer]);
+    }
+  });
+  return out;
+}
+
+}  // namespace swept

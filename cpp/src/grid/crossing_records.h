@@ -1,0 +1,57 @@
+// Raw crossings of any sampler -> marked edges, sorted layer by layer.
+// Cost: O(crossings); 12 bytes a crossing, and once more what one work item holds.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "grid/grid_plan.h"
+#include "grid/marked_edges.h"
+#include "swept/run_context.h"
+
+namespace swept {
+
+/// One crossing. key = i:13 | axis:2 | j:13 | k:13 | fraction:23, from the highest bit down.
+struct __attribute__((packed, aligned(4))) CrossingRecord {
+  std::uint64_t key;
+  std::uint32_t element;
+
+  static constexpr int kFractionBits = 23;
+  static CrossingRecord make(int axis, std::int32_t i, std::int32_t j, std::int32_t k,
+                             double fraction, std::uint32_t element) {
+    const auto f = static_cast<std::uint64_t>(fraction * ((1 << kFractionBits) - 1));
+    return {static_cast<std::uint64_t>(i) << 51 | static_cast<std::uint64_t>(axis) << 49 |
+                static_cast<std::uint64_t>(j) << 36 | static_cast<std::uint64_t>(k) << 23 | f,
+            element};
+  }
+  std::uint32_t layer() const { return static_cast<std::uint32_t>(key >> 51); }
+  std::uint32_t axis() const { return static_cast<std::uint32_t>(key >> 49) & 3u; }
+  std::uint32_t column() const { return static_cast<std::uint32_t>(key >> 36) & 0x1fffu; }
+  std::uint32_t k() const { return static_cast<std::uint32_t>(key >> 23) & 0x1fffu; }
+  float fraction() const {
+    return static_cast<float>(static_cast<std::uint32_t>(key) & 0x7fffffu) /
+           ((1 << kFractionBits) - 1);
+  }
+};
+static_assert(sizeof(CrossingRecord) == 12);
+
+/// One work item's crossings and the elements that they point to (by index within the item).
+struct RecordChunk {
+  std::vector<CrossingRecord> records;
+  std::vector<SweptElement> elements;
+  std::vector<std::uint32_t> layerStart;  ///< once ordered: per layer its first record, and the end
+};
+
+/// Orders the records by layer, in an array of just their number; `room` receives the array that
+/// they were in, emptied, for the next chunk.
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
+
+/// Leaves of every lattice edge only the crossings that sortRecords() would take of these; the
+/// order of what is left is another.
+void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid);
+
+/// Consumes the chunks. The result depends on their contents only, not on who made them.
+MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run);
+
+}  // namespace swept

@@ -1,0 +1,29 @@
+// The sampling grid: lattice points g = (i, j, k), 0 <= i < points[0] ..., at origin + cell * g.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "motion/motion.h"
+
+namespace swept {
+
+constexpr int kMaxPointsPerSide = 8191;  ///< 13 bits an index, 17 bits of a cell: 30 bits in all
+
+struct GridPlan {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< mm
+  double cell = 1;                                   ///< mm
+  std::array<std::int32_t, 3> points{0, 0, 0};
+
+  std::array<std::int64_t, 3> cells() const {
+    return {points[0] - 1, points[1] - 1, points[2] - 1};
+  }
+  /// The placement with its result in cells from the origin instead of mm.
+  Placement toGrid(const Placement& p) const {
+    return {p.rotation / cell, (p.translation - origin) / cell, p.timeSeconds};
+  }
+};
+
+}  // namespace swept

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "grid/plan_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/parallel.h"
+
+namespace swept {
+namespace {
+
+/// Vertices that can be the farthest along a world axis at any placement. With d the axis in the
+/// body's frame: all d lie within `turn` of the first one's, so a vertex that falls behind there by
+/// more than twice what a turn can make up is never in front.
+std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
+                                   const Motion& motion, int axis, double side) {
+  const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
+  double turn = 0, radius = 0, most = -HUGE_VAL;
+  for (const Placement& p : motion.placements) {
+    turn = std::max(turn, (side * p.rotation.row(axis) - d).norm());
+  }
+  for (const auto& v : body.vertices) {
+    radius = std::max(radius, (v - centre).norm());
+    most = std::max(most, d.dot(v - centre));
+  }
+  std::vector<std::int32_t> out;
+  for (std::size_t v = 0; v < body.vertices.size(); ++v) {
+    if (d.dot(body.vertices[v] - centre) >= most - 2 * radius * turn - 1e-9 * radius) {
+      out.push_back(static_cast<std::int32_t>(v));
+    }
+  }
+  return out;
+}
+
+/// The box of very many placements that differ little; an empty one if they differ much.
+Eigen::AlignedBox3d boxOfLikePlacements(const TriMesh& body, const Eigen::Vector3d& centre,
+                                        const Motion& motion) {
+  Eigen::AlignedBox3d box;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const std::vector<std::int32_t> front = foremost(body, centre, motion, axis, side);
+      if (front.size() > body.vertices.size() / 16) return {};
+      constexpr std::size_t kBlock = 4096;
+      const std::size_t n = motion.placements.size();
+      std::vector<double> parts(n / kBlock + 1, -HUGE_VAL);
+      parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+        double& most = parts[begin / kBlock];
+        for (std::size_t k = begin; k < end; ++k) {
+          for (const std::int32_t v : front) {
+            most = std::max(most, side * motion.placements[k].apply(body.vertices[v])[axis]);
+          }
+        }
+      });
+      const double most = side * *std::max_element(parts.begin(), parts.end());
+      (side < 0 ? box.min() : box.max())[axis] = most;
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run) {
+  Eigen::AlignedBox3d bodyBox;
+  for (const auto& v : body.vertices) bodyBox.extend(v);
+  const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
+  Eigen::AlignedBox3d box;
+  // Placements in order of their own centre's extremes would prune more; a stride order is enough.
+  const std::size_t n = motion.placements.size();
+  constexpr std::size_t kMany = 1024;
+  if (n >= kMany) {
+    box = boxOfLikePlacements(body, centre, motion);
+    if (!box.isEmpty()) return box;
+  }
+  const std::size_t stride = n > 64 ? n / 64 : 1;
+  const auto add = [&](const Placement& p) {
+    const Eigen::Vector3d c = p.apply(centre), reach = p.rotation.cwiseAbs() * half;
+    if (!box.isEmpty() && ((c - reach).array() >= box.min().array()).all() &&
+        ((c + reach).array() <= box.max().array()).all()) {
+      return;
+    }
+    run.checkpoint(Phase::Motion);
+    constexpr std::size_t kBlock = 4096;
+    std::vector<Eigen::AlignedBox3d> parts(body.vertices.size() / kBlock + 1);
+    parallelBlocks(body.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      Eigen::Vector3d low = c, high = c;
+      for (std::size_t v = begin; v < end; ++v) {
+        const Eigen::Vector3d x = p.apply(body.vertices[v]);
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+      }
+      parts[begin / kBlock] = {low, high};
+    });
+    for (const Eigen::AlignedBox3d& part : parts) box.extend(part);
+  };
+  for (std::size_t i = 0; i < n; i += stride) add(motion.placements[i]);
+  add(motion.placements.back());
+  if (stride > 1) {
+    for (std::size_t i = 0; i < n; ++i) add(motion.placements[i]);
+  }
+  return box;
+}
+
+double plannedCell(const Eigen::AlignedBox3d& box, const Options& options) {
+  if (options.cellSize > 0) return options.cellSize;
+  return box.sizes().maxCoeff() / (options.resolution - 2 * kGridMarginCells);
+}
+
+GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bodyBox,
+                  const Options& options) {
+  GridPlan plan;
+  plan.cell = plannedCell(box, options);
+  if (plan.cell > bodyBox.sizes().maxCoeff()) {
+    throw Error(Status::InvalidInput, "CellTooLarge",
+                "the cell of " + numberText(plan.cell, 4) + " mm is larger than the whole body (" +
+                    numberText(bodyBox.sizes().maxCoeff(), 4) + " mm); use at most " +
+                    numberText(bodyBox.sizes().maxCoeff() / 4, 4) + " mm");
+  }
+  const double farthest =
+      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double precision = farthest * 0x1p-52;
+  if (precision > plan.cell / 8) {
+    throw Error(Status::InvalidInput, "PrecisionTooCoarse",
+                "the body stands up to " + numberText(farthest, 4) +
+                    " mm from the origin, where numbers "
+                    "are " +
+                    numberText(precision, 4) + " mm apart; the cell is " +
+                    numberText(plan.cell, 4) +
+                    " mm: move the body closer to the origin or use a cell above " +
+                    numberText(8 * precision, 4) + " mm");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cells = std::ceil(box.sizes()[axis] / plan.cell + 2 * kGridMarginCells - 1e-9);
+    if (!(cells + 1 <= kMaxPointsPerSide)) {
+      throw Error(Status::ResourceLimit, "ResourceLimit",
+                  "the grid would have " + numberText(cells, 4) +
+                      " cells along one side, the limit is " +
+                      std::to_string(kMaxPointsPerSide - 1) + "; the smallest cell that fits is " +
+                      numberText(box.sizes().maxCoeff() / (kMaxPointsPerSide - 4), 4) + " mm");
+    }
+    plan.points[axis] = static_cast<std::int32_t>(cells) + 1;
+    const double spare = cells - box.sizes()[axis] / plan.cell;
+    plan.origin[axis] = box.min()[axis] - plan.cell * spare / 2;
+  }
+  return plan;
+}
+
+}  // namespace swept

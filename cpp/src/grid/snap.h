@@ -1,0 +1,34 @@
+// Vertices on the fine lattice on which all samplers decide exactly.
+// The order of the additions is written out: a shader that follows it gets the same bits.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "motion/motion.h"
+
+namespace swept {
+
+constexpr int kSubBits = 17;
+constexpr std::int32_t kSubUnits = 1 << kSubBits;
+using SnappedPoint = std::array<std::int32_t, 3>;
+
+/// Grid coordinate (cells, > 0) -> odd integer.
+inline std::int32_t snapCoordinate(double g) {
+  return 2 * static_cast<std::int32_t>(g * (kSubUnits / 2)) + 1;
+}
+
+/// p: placement with its result in cells.
+inline SnappedPoint snap(const Placement& p, const Eigen::Vector3d& x) {
+  SnappedPoint out;
+  for (int axis = 0; axis < 3; ++axis) {
+    out[axis] = snapCoordinate(
+        ((p.rotation(axis, 0) * x[0] + p.rotation(axis, 1) * x[1]) + p.rotation(axis, 2) * x[2]) +
+        p.translation[axis]);
+  }
+  return out;
+}
+
+}  // namespace swept

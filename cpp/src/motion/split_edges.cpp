@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "motion/split_edges.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "motion/step_path.h"
+
+namespace swept {
+namespace {
+
+// What sampling takes, in ns: for a copy of a face with its share of side patches, and for a
+// crossing of that copy. Only their ratio matters.
+constexpr double kFaceCost = 400, kCrossingCost = 8;
+/// Nor is a body to take more memory than the envelope does.
+constexpr double kMostTriangles = 2e6;
+/// A finer body has to be worth more than doubts about these figures.
+constexpr double kGain = 2;
+/// Where the placements are limited by what they cost, patches stay warped. Beyond so many cells
+/// the surface shows it: crossings of one patch leave the true surface by different lengths, and
+/// the sides of thin walls pass through one another. Flatter ones may cost so much more.
+constexpr double kShows = 0.1, kFlatterWorth = 1.5;
+
+struct Step {
+  double radius, angle;
+};
+
+/// A triangle's longest side, and its height over it.
+struct Extent {
+  double side, height;
+};
+
+/// What a run takes with edges of a given length.
+class SamplingCost {
+ public:
+  SamplingCost(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
+               RunContext& run)
+      : chord_(chord),
+        most_(
+            mostPiecesOf(static_cast<double>(body.triangles.size()), trajectory.poses.size() - 1)) {
+    const Sphere sphere = boundingSphere(body);
+    const auto& poses = trajectory.poses;
+    for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+      run.checkpoint(Phase::Motion, i, poses.size());
+      const StepPath path(poses[i], poses[i + 1], trajectory.interpolation);
+      steps_.push_back({path.radius(sphere), path.angle()});
+    }
+    double area = 0;
+    for (const auto& t : body.triangles) {
+      const Eigen::Vector3d &a = body.vertices[t[0]], &b = body.vertices[t[1]],
+                            &c = body.vertices[t[2]];
+      const double side = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+      const double twice = (b - a).cross(c - a).norm();
+      extents_.push_back({side, twice / side});
+      area += twice / 2;
+    }
+    constexpr double kThreeAxes = 1.5;  // crossings a cell of area, in the mean over directions
+    crossings_ = kThreeAxes * area / (cell * cell);
+  }
+
+  /// ns
+  double of(double longest) const {
+    double triangles = 0;
+    for (const Extent& e : extents_) {
+      // Halving leaves triangles of a quarter of the square of their longest edge.
+      triangles += e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
+    }
+    if (triangles > std::max(kMostTriangles, static_cast<double>(extents_.size()))) {
+      return std::numeric_limits<double>::infinity();
+    }
+    double placements = 1;
+    for (const Step& s : steps_) placements += pieces(s, longest);
+    return placements * (triangles * kFaceCost + crossings_ * kCrossingCost);
+  }
+
+  /// By how much the triangles of side patches may leave the ruled surface, mm.
+  double warp(double longest) const {
+    double most = 0;
+    for (const Step& s : steps_) {
+      most = std::max(most, warpOf(s.angle / pieces(s, longest), longest));
+    }
+    return most;
+  }
+
+ private:
+  double pieces(const Step& s, double longest) const {
+    return std::max(1.0, piecesOf(s.radius, s.angle, longest, chord_, most_));
+  }
+
+  double chord_, most_, crossings_;
+  std::vector<Step> steps_;
+  std::vector<Extent> extents_;
+};
+
+/// Vertices in the middle of edges, each made once.
+class Midpoints {
+ public:
+  explicit Midpoints(TriMesh& mesh) : mesh_(mesh) {}
+  std::int32_t of(std::int32_t a, std::int32_t b) {
+    const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+                              static_cast<std::uint32_t>(std::max(a, b));
+    const auto [at, isNew] =
+        made_.try_emplace(key, static_cast<std::int32_t>(mesh_.vertices.size()));
+    if (isNew) mesh_.vertices.emplace_back((mesh_.vertices[a] + mesh_.vertices[b]) / 2);
+    return at->second;
+  }
+
+ private:
+  TriMesh& mesh_;
+  std::unordered_map<std::uint64_t, std::int32_t> made_;
+};
+
+}  // namespace
+
+double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
+                    RunContext& run) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return kNone;
+  const double longest = longestEdge(body);
+  if (longest / 2 <= cell) return kNone;
+  const SamplingCost cost(body, trajectory, chord, cell, run);
+  double best = longest, least = cost.of(longest) / kGain;
+  for (double edge = longest / 2; edge > cell; edge /= 2) {
+    const double now = cost.of(edge);
+    if (now >= least) continue;
+    least = now;
+    best = edge;
+  }
+  const double most = kFlatterWorth * cost.of(best);
+  while (cost.warp(best) > kShows * cell && best / 2 > cell && cost.of(best / 2) <= most) {
+    best /= 2;
+  }
+  return best < longest ? best : kNone;
+}
+
+TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {
+  TriMesh mesh = body;
+  const double longest2 = longest * longest;
+  for (bool changed = true; changed;) {
+    run.checkpoint(Phase::Motion);
+    changed = false;
+    Midpoints midpoints(mesh);
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t n = 0; n < count; ++n) {
+      auto t = mesh.triangles[n];
+      const auto length2 = [&](int c) {
+        return (mesh.vertices[t[c]] - mesh.vertices[t[(c + 1) % 3]]).squaredNorm();
+      };
+      std::array<bool, 3> isLong{};
+      int split = 0;
+      for (int c = 0; c < 3; ++c) split += (isLong[c] = length2(c) > longest2) ? 1 : 0;
+      if (split == 0) continue;
+      changed = true;
+      // Turned so that the side that differs from the two others comes first.
+      while (split < 3 && isLong[0] != (split == 1)) {
+        std::rotate(t.begin(), t.begin() + 1, t.end());
+        std::rotate(isLong.begin(), isLong.begin() + 1, isLong.end());
+      }
+      const auto [a, b, c] = t;
+      const auto add = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+        mesh.triangles.push_back({x, y, z});
+      };
+      if (split == 1) {
+        const std::int32_t ab = midpoints.of(a, b);
+        mesh.triangles[n] = {a, ab, c};
+        add(ab, b, c);
+        continue;
+      }
+      const std::int32_t bc = midpoints.of(b, c), ca = midpoints.of(c, a);
+      mesh.triangles[n] = {ca, bc, c};
+      if (split == 3) {
+        const std::int32_t ab = midpoints.of(a, b);
+        add(a, ab, ca);
+        add(ab, b, bc);
+        add(ab, bc, ca);
+      } else if ((mesh.vertices[a] - mesh.vertices[bc]).squaredNorm() <=
+                 (mesh.vertices[b] - mesh.vertices[ca]).squaredNorm()) {
+        add(a, b, bc);
+        add(a, bc, ca);
+      } else {
+        add(a, b, ca);
+        add(b, bc, ca);
+      }
+    }
+  }
+  return mesh;
+}
+
+}  // namespace swept

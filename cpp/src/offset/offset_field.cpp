@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset/offset_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace swept::offset {
+namespace {
+
+const double kHalfDiagonal = std::sqrt(3.0) / 2;
+
+/// A reach from which on a search about a node need not go on: enough to call it near or, where it
+/// cannot be near as a whole, enough to call it mixed.
+double enoughFor(double distance, double radius) {
+  return distance > radius ? distance - radius : distance + radius;
+}
+
+Eigen::Vector3d middleOf(const std::array<std::int32_t, 3>& low, std::int32_t size) {
+  return Eigen::Vector3d(low[0], low[1], low[2]) + Eigen::Vector3d::Constant((size - 1) / 2.0);
+}
+
+}  // namespace
+
+OffsetField::OffsetField(const CoverTree& tree, double distance, const GridPlan& grid,
+                         RunContext& run)
+    : tree_(tree), distance_(distance), points_(grid.points) {
+  std::int32_t size = kBlock;
+  for (int axis = 0; axis < 3; ++axis) {
+    blocks_[axis] = static_cast<std::size_t>((points_[axis] + kBlock - 1) / kBlock);
+    while (size < points_[axis]) size *= 2;
+  }
+  blockOf_.assign(blocks_[0] * blocks_[1] * blocks_[2], kOutside);
+  std::vector<Node> nodes{{{0, 0, 0}, -1}};
+  for (; size >= kBlock; size /= 2) nodes = refineTo(size, nodes, run);
+  gaps_.resize(nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    setBlocks(nodes[n], kBlock, static_cast<std::int32_t>(n));
+  }
+  parallelBlocks(nodes.size(), 8, [&](std::size_t begin, std::size_t end) {
+    run.checkpoint(Phase::Sampling, begin, nodes.size());
+    for (std::size_t n = begin; n < end; ++n) fill(nodes[n], kBlock, gaps_[n]);
+  });
+}
+
+/// Looks at nodes of this size; returns what has to be looked at with half the size (at the size of
+/// a block: the blocks at the surface).
+std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
+                                                     const std::vector<Node>& nodes,
+                                                     RunContext& run) {
+  // One more cell: the edges that leave a node of one kind are then not crossed either.
+  const double radius = kHalfDiagonal * (size - 1) + 1;
+  std::vector<std::int8_t> kinds(nodes.size(), 0);
+  std::vector<std::int32_t> hints(nodes.size(), -1);
+  parallelBlocks(nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
+    run.checkpoint(Phase::Sampling);
+    for (std::size_t n = begin; n < end; ++n) {
+      const CoverTree::Nearest found =
+          tree_.nearest(middleOf(nodes[n].low, size), distance_ + radius, nodes[n].hint,
+                        enoughFor(distance_, radius));
+      hints[n] = found.triangle;
+      if (found.triangle < 0) kinds[n] = kOutside;
+      if (found.triangle >= 0 && found.reach <= distance_ - radius) kinds[n] = kNear;
+    }
+  });
+  std::vector<Node> next;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (kinds[n] != 0) {
+      if (kinds[n] == kNear) setBlocks(nodes[n], size, kNear);
+      continue;
+    }
+    if (size == kBlock) {
+      next.push_back({nodes[n].low, hints[n]});
+      continue;
+    }
+    for (int c = 0; c < 8; ++c) {
+      const std::int32_t half = size / 2;
+      const std::array<std::int32_t, 3> low{nodes[n].low[0] + (c & 1 ? half : 0),
+                                            nodes[n].low[1] + (c & 2 ? half : 0),
+                                            nodes[n].low[2] + (c & 4 ? half : 0)};
+      if (low[0] < points_[0] && low[1] < points_[1] && low[2] < points_[2]) {
+        next.push_back({low, hints[n]});
+      }
+    }
+  }
+  return next;
+}
+
+void OffsetField::setBlocks(const Node& node, std::int32_t size, std::int32_t kind) {
+  std::array<std::size_t, 3> begin, end;
+  for (int axis = 0; axis < 3; ++axis) {
+    begin[axis] = static_cast<std::size_t>(node.low[axis] / kBlock);
+    end[axis] = std::min(begin[axis] + static_cast<std::size_t>(size / kBlock), blocks_[axis]);
+  }
+  for (std::size_t i = begin[0]; i < end[0]; ++i) {
+    for (std::size_t j = begin[1]; j < end[1]; ++j) {
+      for (std::size_t k = begin[2]; k < end[2]; ++k) {
+        blockOf_[(i * blocks_[1] + j) * blocks_[2] + k] = kind;
+      }
+    }
+  }
+}
+
+/// Gaps of the points of a node within a block.
+void OffsetField::fill(const Node& node, std::int32_t size, Gaps& gaps) const {
+  const double radius = kHalfDiagonal * 2 * (size - 1) / 2;
+  Node at = node;
+  if (size < kBlock) {
+    const CoverTree::Nearest found = tree_.nearest(middleOf(node.low, size), distance_ + radius + 1,
+                                                   node.hint, enoughFor(distance_, radius));
+    at.hint = found.triangle;
+    const double gap = found.reach - distance_;
+    if (size == 1 || gap > radius || gap <= -radius) {
+      const double least = gap > 0 ? gap - radius : gap + radius;
+      for (std::int32_t i = 0; i < size; ++i) {
+        for (std::int32_t j = 0; j < size; ++j) {
+          for (std::int32_t k = 0; k < size; ++k) {
+            gaps[local(node.low[0] + i, node.low[1] + j, node.low[2] + k)] =
+                static_cast<float>(least);
+          }
+        }
+      }
+      return;
+    }
+  }
+  for (int c = 0; c < 8; ++c) {
+    const std::int32_t half = size / 2;
+    fill({{at.low[0] + (c & 1 ? half : 0), at.low[1] + (c & 2 ? half : 0),
+           at.low[2] + (c & 4 ? half : 0)},
+          at.hint},
+         half, gaps);
+  }
+}
+
+}  // namespace swept::offset

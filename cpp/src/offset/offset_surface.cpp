@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset/offset_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace swept::offset {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRounding = 1e-6;      // cells: gaps are stored as floats
+constexpr double kFromPoint = 1e-3;     // cells that crossings keep from lattice points
+constexpr double kDipsBelow = 2;        // cells: dips are shallower than 1 / (8 distance)
+constexpr double kShortest = 1.0 / 32;  // of an edge: shorter dips are not looked for
+// In cells, of bodies that are grown by less than this:
+constexpr double kApart = 0.5;           // an edge may cross two walls that are apart
+constexpr double kThin = kShortest / 2;  // walls are shorter dips, which must not be lost
+constexpr double kFlat = 1e-3;           // normals are those of the cover
+
+/// Where the ray origin + t * way, t in [0, 1], enters the rounded triangle; 1 if never found.
+double entry(const Vector3d& origin, const Vector3d& way, const CoverTriangle& triangle,
+             double radius) {
+  double t = 0;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const Vector3d x = origin + t * way;
+    const Vector3d apart = x - nearestOnTriangle(x, triangle);
+    const double distance = apart.norm(), over = distance - radius;
+    if (over <= 1e-10) break;
+    const double speed = -apart.dot(way) / distance;
+    if (!(speed > 1e-9)) return 1;  // the line passes by
+    t += over / speed;
+    if (t >= 1) return 1;
+  }
+  return t;
+}
+
+struct Entry {
+  double t = 1;  ///< of the way
+  std::int32_t triangle = -1;
+};
+
+/// Where a way along an axis enters the first rounded triangle, if there is one.
+Entry firstEntry(const CoverTree& tree, double distance, const Vector3d& origin,
+                 const Vector3d& way) {
+  Entry first;
+  const Vector3d end = origin + way;
+  tree.forNear(origin.cwiseMin(end), origin.cwiseMax(end), distance, [&](std::int32_t index) {
+    const CoverTriangle& triangle = tree.triangle(index);
+    const double t = entry(origin, way, triangle, distance + triangle.slack);
+    if (t < first.t) first = {t, index};
+  });
+  return first;
+}
+
+/// A point of the edge at which the gap is 0 or less, or -1.
+double findDip(const CoverTree& tree, double distance, const Vector3d& origin, int axis, double t0,
+               double gap0, double t1, double gap1) {
+  if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;
+  if (t1 - t0 < kShortest) {
+    if (distance >= kThin) return -1;
+    Vector3d from = origin;
+    from[axis] += t0;
+    const Entry found = firstEntry(tree, distance, from, (t1 - t0) * Vector3d::Unit(axis));
+    return found.triangle >= 0 ? t0 + found.t * (t1 - t0) : -1;
+  }
+  const double middle = (t0 + t1) / 2, most = distance + (t1 - t0) / 2;
+  Vector3d x = origin;
+  x[axis] += middle;
+  const double gap = tree.nearest(x, most).reach - distance;
+  if (gap <= 0) return middle;
+  const double below = findDip(tree, distance, origin, axis, t0, gap0, middle, gap);
+  return below >= 0 ? below : findDip(tree, distance, origin, axis, middle, gap, t1, gap1);
+}
+
+/// Where the way enters what has grown, if its end lies inside.
+Entry entryOf(const CoverTree& tree, double distance, const Vector3d& origin, const Vector3d& way) {
+  const auto atEnd = [&] { return tree.nearest(origin + way, distance + kRounding); };
+  if (distance < kApart) {
+    const Entry first = firstEntry(tree, distance, origin, way);
+    return first.triangle >= 0 ? first : Entry{1, atEnd().triangle};
+  }
+  Entry first;
+  CoverTree::Nearest found = atEnd();
+  for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
+    const CoverTriangle& triangle = tree.triangle(found.triangle);
+    const double at = entry(origin, way, triangle, distance + triangle.slack);
+    if (round > 0 && !(at < first.t - 1e-9)) break;
+    first = {at, found.triangle};
+    found = tree.nearest(origin + at * way, distance - 1e-7, found.triangle);
+  }
+  return first;
+}
+
+/// Unit normal of the side that the way comes from; against the way where there is no area.
+Vector3d normalAgainst(const Vector3d& way, const CoverTriangle& t) {
+  const Vector3d normal = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
+  if (!(normal.norm() > 0)) return -way.normalized();
+  return normal.normalized() * (normal.dot(way) > 0 ? -1 : 1);
+}
+
+float timeAt(const CoverTriangle& t, const Vector3d& p) {
+  const Vector3d u = t.corner[1] - t.corner[0], v = t.corner[2] - t.corner[0], w = p - t.corner[0];
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
+  const double det = uu * vv - uv * uv;
+  if (!(det > 1e-12 * uu * vv)) {  // a needle: along its longer side
+    const int far = uu > vv ? 1 : 2;
+    const double s = std::max(uu, vv) > 0 ? w.dot(uu > vv ? u : v) / std::max(uu, vv) : 0;
+    return static_cast<float>((1 - s) * t.timeSeconds[0] + s * t.timeSeconds[far]);
+  }
+  const double b = (vv * w.dot(u) - uv * w.dot(v)) / det, c = (uu * w.dot(v) - uv * w.dot(u)) / det;
+  return static_cast<float>((1 - b - c) * t.timeSeconds[0] + b * t.timeSeconds[1] +
+                            c * t.timeSeconds[2]);
+}
+
+/// Marks the edges of one layer.
+class LayerMarker {
+ public:
+  LayerMarker(const OffsetField& field, const CoverTree& tree, const GridPlan& grid, std::int32_t i,
+              LayerEdges& out)
+      : field_(field), tree_(tree), points_(grid.points), i_(i), out_(out) {}
+
+  void mark() {
+    for (int axis = 0; axis < 3; ++axis) {
+      out_.columnStart[axis].assign(static_cast<std::size_t>(points_[1]) + 1, 0);
+      if (axis == 0 && i_ + 1 == points_[0]) continue;
+      const std::int32_t columns = axis == 1 ? points_[1] - 1 : points_[1];
+      for (std::int32_t j = 0; j < points_[1]; ++j) {
+        out_.columnStart[axis][j] = static_cast<std::uint32_t>(out_.edges[axis].size());
+        if (j < columns) column(axis, j);
+      }
+      out_.columnStart[axis][points_[1]] = static_cast<std::uint32_t>(out_.edges[axis].size());
+    }
+  }
+
+ private:
+  void column(int axis, std::int32_t j) {
+    constexpr std::int32_t kBlock = OffsetField::kBlock;
+    const std::int32_t end = axis == 2 ? points_[2] - 1 : points_[2];
+    for (std::int32_t k = 0; k < end;) {
+      const std::int32_t next = std::min((k / kBlock + 1) * kBlock, end);
+      if (field_.isMixed(i_ / kBlock, j / kBlock, k / kBlock)) {
+        for (; k < next; ++k) edge(axis, j, k);
+      }
+      k = next;
+    }
+  }
+  void edge(int axis, std::int32_t j, std::int32_t k) {
+    const float low = field_.gap(i_, j, k);
+    const float high = field_.gap(i_ + (axis == 0), j + (axis == 1), k + (axis == 2));
+    double inside = -1;
+    if ((low > 0) != (high > 0)) {
+      inside = low > 0 ? 1 : 0;
+    } else if (low > 0 && low + high < 1 + kRounding && field_.distance() < kDipsBelow) {
+      inside = findDip(tree_, field_.distance(), Vector3d(i_, j, k), axis, 0, low, 1, high);
+    }
+    if (inside < 0) return;
+    MarkedEdge marked;
+    marked.lowFraction = marked.highFraction = static_cast<float>(inside);
+    marked.k = static_cast<std::uint16_t>(k);
+    out_.edges[axis].push_back(marked);
+  }
+
+  const OffsetField& field_;
+  const CoverTree& tree_;
+  const std::array<std::int32_t, 3> points_;
+  const std::int32_t i_;
+  LayerEdges& out_;
+};
+
+}  // namespace
+
+MarkedEdges markOffset(const OffsetField& field, const CoverTree& tree, const GridPlan& grid,
+                       RunContext& run) {
+  MarkedEdges out;
+  const auto layers = static_cast<std::size_t>(grid.points[0]);
+  out.layers.resize(layers);
+  parallelFor(layers, [&](std::size_t layer) {
+    run.checkpoint(Phase::Sampling, layer, layers);
+    LayerMarker(field, tree, grid, static_cast<std::int32_t>(layer), out.layers[layer]).mark();
+  });
+  return out;
+}
+
+Crossing offsetCrossing(const CoverTree& tree, double distance, int axis, std::int32_t i,
+                        std::int32_t j, const MarkedEdge& edge, bool fromLow) {
+  Vector3d low(i, j, edge.k), way = Vector3d::Zero();
+  const double inside = edge.lowFraction;
+  Vector3d origin = low;
+  way[axis] = inside;
+  if (!fromLow) {
+    origin[axis] += 1;
+    way[axis] = inside - 1;
+  }
+  const Entry first = entryOf(tree, distance, origin, way);
+  const Vector3d x = origin + first.t * way;
+  Vector3d normal = -way.normalized();
+  Crossing crossing;
+  if (first.triangle >= 0) {
+    const CoverTriangle& triangle = tree.triangle(first.triangle);
+    const Vector3d foot = nearestOnTriangle(x, triangle);
+    if (distance < kFlat) {
+      normal = normalAgainst(way, triangle);
+    } else if ((x - foot).norm() > 1e-9) {
+      normal = (x - foot).normalized();
+    }
+    crossing.timeSeconds = timeAt(triangle, foot);
+  }
+  crossing.normal = normal.cast<float>();
+  crossing.fraction =
+      static_cast<float>(std::clamp(x[axis] - low[axis], kFromPoint, 1 - kFromPoint));
+  return crossing;
+}
+
+}  // namespace swept::offset

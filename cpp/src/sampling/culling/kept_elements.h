@@ -1,0 +1,91 @@
+// Walks a continuous motion placement by placement over the faces and side patches that culling
+// keeps, in one fixed order: every sampler that uses it numbers the same elements the same way.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "sampling/culling/swept_elements.h"
+
+namespace swept {
+
+class KeptElements {
+ public:
+  KeptElements(const SamplerInput& input, const FaceClusters& clusters)
+      : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
+
+  void start(std::size_t placement) {
+    placement_ = placement;
+    if (placement > 0) before_.compute(placement - 1);
+    if (hasAfter()) after_.compute(placement);
+  }
+  /// To the next placement; not beyond the last.
+  void advance() {
+    std::swap(before_, after_);
+    ++placement_;
+    if (hasAfter()) after_.compute(placement_);
+  }
+
+  /// use(face) for the copies kept at this placement.
+  template <class Use>
+  void forFaces(const Use& use) const {
+    const bool hasBefore = placement_ > 0;
+    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+      const FaceCluster& cluster = clusters_.clusters[c];
+      if (enclosed(hasBefore ? before_.ofCluster(c) : 0, hasAfter() ? after_.ofCluster(c) : 0)) {
+        continue;
+      }
+      for (std::uint32_t at = cluster.firstFace; at < cluster.firstFace + cluster.faceCount; ++at) {
+        if (!enclosed(hasBefore ? before_.ofPlace(at) : 0, hasAfter() ? after_.ofPlace(at) : 0)) {
+          use(clusters_.faces[at]);
+        }
+      }
+    }
+  }
+
+  /// use(edge, ends) for the side patches kept in the step that starts here; needs a step.
+  template <class Use>
+  void forPatches(const Use& use) const {
+    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+      if (input_.cull && after_.ofCluster(c) != 0) continue;
+      const FaceCluster& cluster = clusters_.clusters[c];
+      for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
+        if (!input_.cull || !sameWay(clusters_.innerEnds[n], false))
+          use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
+      }
+    }
+    for (const FaceClusters::Border& border : clusters_.borders) {
+      const bool mayDrop = input_.cull && border.right >= 0;
+      if (mayDrop) {
+        const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
+        const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
+        if (left != 0 && left == (border.opposed ? -right : right)) continue;
+      }
+      for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
+        if (!mayDrop || !sameWay(clusters_.borderEnds[n], border.opposed)) {
+          use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
+        }
+      }
+    }
+  }
+
+ private:
+  bool hasAfter() const { return placement_ < input_.motion.steps(); }
+  /// patchIsEnclosed() for an edge with two faces.
+  bool sameWay(const FaceClusters::EdgeEnds& ends, bool opposed) const {
+    const int left = after_.ofPlace(ends.left), right = after_.ofPlace(ends.right);
+    return left != 0 && left == (opposed ? -right : right);
+  }
+  bool enclosed(int before, int after) const {
+    return input_.cull &&
+           faceIsEnclosed(before, after, placement_ > 0, hasAfter(), input_.orientable);
+  }
+
+  const SamplerInput& input_;
+  const FaceClusters& clusters_;
+  FaceDirections before_, after_;
+  std::size_t placement_ = 0;
+};
+
+}  // namespace swept

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/culling/swept_elements.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swept {
+namespace {
+
+constexpr double kSnapCells = 0x1p-17;
+constexpr double kRounding = 1e-6;  ///< of the displacement: normals are floats, with room
+
+/// Snapping turns the normal of a triangle of this height by at most about this angle.
+double snapAngle(double height, double cell) {
+  return 4 * kSnapCells * cell / std::max(height, 1e-300);
+}
+
+}  // namespace
+
+/// The step in the body's frame at its start: a point moves by bend * p + shift.
+struct FaceDirections::Step {
+  Eigen::Matrix3d bend, turnBack;
+  Eigen::Vector3d shift;
+  double angle = 0;  // rad, at least the turn of the step
+  double snap = 0;   // mm
+  Eigen::Matrix3f bendFloat, turnBackFloat;
+  Eigen::Vector3f shiftFloat;
+  float rounding = 0;  // mm: of d in float
+};
+
+FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& clusters)
+    : input_(&input),
+      clusters_(&clusters),
+      clusterDirection_(clusters.clusters.size()),
+      placeDirection_(input.body.triangles.size()) {
+  for (const FaceCluster& c : clusters.clusters) {
+    farthest_ = std::max(farthest_, c.centre.norm() + c.radius);
+  }
+}
+
+int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) const {
+  const Eigen::Vector3d d = step.bend * cluster.centre + step.shift;
+  const double length = d.norm(), spread = step.angle * cluster.radius;
+  const double travel = length + spread;
+  const double margin = spread +
+                        travel * (step.angle * step.angle + kRounding +
+                                  snapAngle(cluster.leastHeight, input_->grid.cell)) +
+                        step.snap;
+  // Smallest n . d over the cone on the side where the axis points, at either end of the step.
+  const auto side = [&](double along) {
+    const double across = std::sqrt(std::max(0.0, length * length - along * along));
+    const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
+    return least > margin ? (along > 0 ? 1 : -1) : 0;
+  };
+  const int first = side(cluster.axis.dot(d));
+  return first != 0 && first == side(cluster.axis.dot(step.turnBack * d)) ? first : 0;
+}
+
+/// The middle of the face alone: n . d changes by at most angle * radius over the ball. Most faces
+/// are decided here.
+int FaceDirections::decideBall(const FaceClusters::FaceBall& ball, const Step& step) const {
+  const Eigen::Vector3f d = step.bendFloat * ball.centre + step.shiftFloat;
+  const float first = ball.normal.dot(d), second = ball.normal.dot(step.turnBackFloat * d);
+  const auto angle = static_cast<float>(step.angle);
+  const float reach = angle * ball.radius;
+  const float travel = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) + reach;
+  const auto snap = static_cast<float>(snapAngle(ball.height, input_->grid.cell));
+  const float margin = reach + travel * (angle * angle + 1e-5f + snap) +
+                       static_cast<float>(step.snap) + step.rounding;
+  return (std::min(first, second) > margin) - (std::max(first, second) < -margin);
+}
+
+int FaceDirections::decideFace(std::size_t face, const Step& step) const {
+  const auto& t = input_->body.triangles[face];
+  const Eigen::Vector3d n = input_->topology.normals[face].cast<double>();
+  const Eigen::Vector3d turned = step.turnBack.transpose() * n;
+  double low = 1e300, high = -1e300, travel2 = 0;
+  for (const std::int32_t v : t) {
+    const Eigen::Vector3d d = step.bend * input_->body.vertices[v] + step.shift;
+    const double x = n.dot(d), y = turned.dot(d);
+    low = std::min({low, x, y});
+    high = std::max({high, x, y});
+    travel2 = std::max(travel2, d.squaredNorm());
+  }
+  const double margin =
+      std::sqrt(travel2) * (snapAngle(input_->topology.heights[face], input_->grid.cell) +
+                            step.angle * step.angle + kRounding) +
+      step.snap;
+  return (low > margin) - (high < -margin);
+}
+
+void FaceDirections::compute(std::size_t k) {
+  const Placement& p = input_->motion.placements[k];
+  const Placement& q = input_->motion.placements[k + 1];
+  Step step;
+  const Eigen::Matrix3d turn = p.rotation.transpose() * q.rotation;
+  step.bend = turn - Eigen::Matrix3d::Identity();
+  step.turnBack = turn.transpose();
+  step.shift = p.rotation.transpose() * (q.translation - p.translation);
+  // Twice the sine of half the turn, by which no vector can change more; and a little room.
+  step.angle = step.bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
+  step.snap = 4 * kSnapCells * input_->grid.cell;
+  step.bendFloat = step.bend.cast<float>();
+  step.turnBackFloat = step.turnBack.cast<float>();
+  step.shiftFloat = step.shift.cast<float>();
+  step.rounding = 1e-6f * static_cast<float>(step.shift.norm() + step.angle * farthest_);
+  for (std::size_t c = 0; c < clusterDirection_.size(); ++c) {
+    const FaceCluster& cluster = clusters_->clusters[c];
+    const auto whole = static_cast<std::int8_t>(decideCluster(cluster, step));
+    clusterDirection_[c] = whole;
+    const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
+    if (whole != 0) {
+      std::fill(placeDirection_.begin() + first, placeDirection_.begin() + end, whole);
+      continue;
+    }
+    for (std::uint32_t at = first; at < end; ++at) {
+      const int direction = decideBall(clusters_->balls[at], step);
+      placeDirection_[at] = static_cast<std::int8_t>(
+          direction != 0 ? direction : decideFace(clusters_->faces[at], step));
+    }
+  }
+}
+
+bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,
+                    bool orientable) {
+  if (hasBefore && hasAfter && directionBefore != 0 && directionBefore == directionAfter)
+    return true;
+  return orientable && ((hasAfter && directionAfter > 0) || (hasBefore && directionBefore < 0));
+}
+
+bool patchIsEnclosed(const BodyEdge& edge, const FaceDirections& directions) {
+  if (edge.right < 0) return false;
+  const int left = directions.ofFace(static_cast<std::size_t>(edge.left));
+  if (left == 0) return false;
+  const int right = directions.ofFace(static_cast<std::size_t>(edge.right));
+  return left == (edge.opposed ? -right : right);
+}
+
+}  // namespace swept

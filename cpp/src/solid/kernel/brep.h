@@ -1,0 +1,24 @@
+// Model -> kernel shape. It is assumed that the caller holds a KernelSession.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solid/model/model.h"
+#include "swept/run_context.h"
+
+namespace swept::step {
+
+struct Brep {
+  TopoDS_Shape shape;               ///< one solid, or a compound of solids
+  std::vector<TopoDS_Shape> faces;  ///< in the order of Model::faces
+  std::vector<std::int32_t>
+      failed;  ///< faces for which the kernel could not even make what they need
+};
+
+Brep buildBrep(const Model& model, RunContext& run);
+
+}  // namespace swept::step

@@ -1,0 +1,35 @@
+// Which curved faces does the kernel not read back as it was told them?
+// In: Model; the caller holds the KernelSession. Out: indices into Model::faces. The curved faces
+// are written as text and read again, in memory; they are few and cheap next to the facets.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solid/kernel/kernel.h"
+#include "solid/model/model.h"
+#include "swept/run_context.h"
+#include "swept/step_export.h"
+
+namespace swept::step {
+
+class ReadCheck {
+ public:
+  ReadCheck(const StepOptions& options, KernelSession& kernel, RunContext& run)
+      : options_(options), kernel_(kernel), run_(run) {}
+  std::vector<std::int32_t> findUnreadable(const Model& model);
+
+ private:
+  std::vector<std::int32_t> read(const std::string& text, std::size_t faces);
+
+  const StepOptions& options_;
+  KernelSession& kernel_;
+  RunContext& run_;
+  // The same faces are asked for again where only facets have changed.
+  std::string asked_;
+  std::vector<std::int32_t> answer_;
+};
+
+}  // namespace swept::step

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/kernel/shape_maker.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "geometry/nearest_triangle.h"
+#include "solid/kernel/read_check.h"
+#include "solid/kernel/shape_check.h"
+#include "solid/mesh/decimate.h"
+#include "solid/mesh/patches.h"
+#include "solid/model/deviation.h"
+#include "solid/recognise/recognise.h"
+#include "solid/recognise/tidy_patches.h"
+
+namespace swept::step {
+namespace {
+
+// Of the tolerance: for surfaces, and for facets. Where facets and the thinning before them add up
+// to more than the tolerance, the mesh gets more corners in the end.
+constexpr double kSurfaceShare = 0.83, kFaceShare = 0.95;
+
+Built describe(Model model, Brep brep, double deviation) {
+  Built built{std::move(model), std::move(brep), {}, deviation};
+  for (const ModelFace& face : built.model.faces)
+    ++built.facesByKind[surfaceKindName(face.surface.kind)];
+  return built;
+}
+
+Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
+                      const StepOptions& options, RunContext& run) {
+  Partition partition;
+  partition.patchOf.assign(mesh.triangles.size(), -1);
+  if (options.tolerance > 0 && options.recognise) {
+    recogniseSurfaces(mesh, whole, kSurfaceShare * options.tolerance, partition, run);
+  }
+  return partition;
+}
+
+// Patches that the kernel refused become open ground again. Their borders may have moved on their
+// surfaces: what is to stay near the triangles are the vertices that the mesh had there at first.
+void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
+                   const Partition& first, Decimated& now) {
+  now.attached.resize(now.mesh.triangles.size());
+  for (const std::int32_t p : patches) {
+    std::vector<std::int32_t>& members = now.partition.patches[p].triangles;
+    if (members.empty()) continue;
+    NearestTriangle::Triangles open;
+    for (const std::int32_t t : members) {
+      now.partition.patchOf[t] = -1;
+      open.push_back(now.mesh.triangles[t]);
+    }
+    std::vector<std::int32_t> vertices;
+    for (const std::int32_t t : first.patches[p].triangles)
+      vertices.insert(vertices.end(), dense.triangles[t].begin(), dense.triangles[t].end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const NearestTriangle nearest(now.mesh.points, open);
+    std::int32_t home = -1;
+    for (const std::int32_t v : vertices) {
+      nearest.query(dense.points[v], 1e300, 0, home);
+      now.attached[members[home]].push_back(dense.points[v]);
+    }
+    members.clear();
+  }
+}
+
+// The recognised patches in the fan of a half-edge's first vertex.
+void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
+                    std::vector<std::int32_t>& patches) {
+  std::int32_t h = first;
+  do {
+    const std::int32_t patch = small.partition.patchOf[h / 3];
+    if (patch < known) patches.push_back(patch);
+    h = small.mesh.opposite[HalfEdgeMesh::previous(h)];
+  } while (h != first);
+}
+
+// Faces that the kernel refuses, as patches: recognised ones lose their surface, flat regions fall
+// into facets. True if something was changed in `small` alone.
+bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
+              Decimated& small, std::vector<std::int32_t>& refused) {
+  bool again = false;
+  for (const std::int32_t face : bad) {
+    const std::int32_t patch = model.faces[face].patch;
+    if (patch < known) {
+      refused.push_back(patch);
+    } else if (small.partition.patches[patch].triangles.size() > 1) {
+      dissolvePatch(small.mesh, patch, small.partition);
+      again = true;
+    } else {
+      // A facet fails because of what its neighbours made of its corners.
+      const std::int32_t t = small.partition.patches[patch].triangles[0];
+      for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
+    }
+  }
+  std::sort(refused.begin(), refused.end());
+  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+  return again;
+}
+
+// Edges of open ground that a patch may cost for each facet that it saves: of a free form it has a
+// long jagged border, and facets without it would be fewer.
+constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
+constexpr double kSmooth = 0.85;  // cosine
+
+// Patches whose border with open ground, as simplified, costs more facets than they save.
+std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
+                                     const Decimated& now, double tolerance) {
+  const std::size_t count = first.patches.size();
+  std::vector<std::int32_t> border(count, 0), costly;
+  for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
+    const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
+    if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
+    // A crease needs its corners in any case.
+    const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
+    const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
+    if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    const Patch& patch = first.patches[p];
+    const double each = patch.surface.isPlanar() ? kBorderPerSavedByPlane : kBorderPerSaved;
+    if (border[p] > each * facetsSaved(dense, patch, tolerance))
+      costly.push_back(static_cast<std::int32_t>(p));
+  }
+  return costly;
+}
+
+std::int64_t countFaces(const Partition& partition) {
+  return std::count_if(partition.patches.begin(), partition.patches.end(),
+                       [](const Patch& patch) { return !patch.triangles.empty(); });
+}
+
+class ShapeMaker {
+ public:
+  ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
+             const std::function<bool(std::int64_t)>& fits, KernelSession& kernel, RunContext& run)
+      : whole_(whole),
+        dense_(dense),
+        options_(options),
+        fits_(fits),
+        reader_(options, kernel, run),
+        run_(run) {}
+
+  std::optional<Built> make(std::int64_t& faces) {
+    constexpr int kRounds = 5;
+    const Partition first = partitionOf(dense_, whole_, options_, run_);
+    known_ = static_cast<std::int32_t>(first.patches.size());
+    const double tolerance = kFaceShare * options_.tolerance;
+    Decimated start{dense_, first, {}, {}, 0};
+    if (known_ > 0 && worthTrial()) start = tryOut(first, tolerance);
+    for (int round = 0; round <= kRounds; ++round) {
+      const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
+      if (tolerance > 0) start = decimate(std::move(start), tolerance, run_, effort);
+      refused_.clear();
+      if (auto built = tryMesh(start, faces)) return built;
+      if (!fits_(faces)) return std::nullopt;
+      if (refused_.empty()) break;
+      forgetPatches(refused_, dense_, first, start);
+    }
+    throw Error(Status::ExportFailed, "InvalidFaces",
+                "some faces are not accepted by the kernel; the mesh may have needle triangles or "
+                "intersect itself: simplify or repair it, or export a mesh file");
+  }
+
+ private:
+  bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
+
+  // Patches that are not worth their border and those that the kernel refuses show in a rough
+  // simplification; without them the right one starts from ground that is open from the beginning.
+  Decimated tryOut(const Partition& first, double tolerance) {
+    Decimated left = decimate({dense_, first, {}, {}, 0}, tolerance, run_, Effort::Rough);
+    std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
+    Decimated rough = left;
+    addFacets(rough.mesh, rough.partition);
+    const Model model = buildModel(rough.mesh, rough.partition, options_.tolerance, run_);
+    const Brep brep = buildBrep(model, run_);
+    std::vector<std::int32_t> faces = brep.failed;
+    if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
+    const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
+    faces.insert(faces.end(), unread.begin(), unread.end());
+    for (const std::int32_t face : faces) {
+      if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
+    }
+    forgetPatches(bad, dense_, first, left);
+    return left;
+  }
+
+  // Patches with faces that the kernel does not accept, or does not read back, fall apart into
+  // facets. False if a patch has to lose its surface from the beginning.
+  bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
+    for (int trial = 0; trial < 3; ++trial) {
+      if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
+      brep = buildBrep(model, run_);
+      std::vector<std::int32_t> bad = brep.failed;
+      if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
+      if (bad.empty()) bad = reader_.findUnreadable(model);
+      if (bad.empty()) return true;
+      if (!takeBack(bad, model, known_, small, refused_) || !refused_.empty()) break;
+    }
+    return false;
+  }
+
+  // Where the mesh is left by too much it gets more corners; then the kernel is asked.
+  std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
+    const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
+    const bool exact = options_.tolerance <= 0;
+    std::vector<Eigen::Vector3d> about;  // what the last mending may have changed
+    for (int mended = 0;; ++mended) {
+      Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
+      if (options_.mergeCoplanar)
+        growPlanes(small.mesh, options_.planarTolerance, small.partition, run_);
+      addFacets(small.mesh, small.partition);
+      faces = countFaces(small.partition);
+      if (!fits_(faces)) return std::nullopt;
+      Model model = buildModel(small.mesh, small.partition, tolerance, run_);
+      Deviation off;
+      const auto mend = [&](const std::vector<Eigen::Vector3d>& points) {
+        off = measureDeviation(points, small, model.places, tolerance);
+        if (exact || off.beyond.empty() || mended == kMendings) return false;
+        about = pointsAbout(off.beyond, small, tolerance, whole_.points);
+        return putCorners(off.beyond, base, run_);
+      };
+      if (mended > 0 && mend(about)) continue;
+      if (mend(whole_.points)) continue;
+      Brep brep;
+      if (!acceptFaces(small, tolerance, model, brep)) return std::nullopt;
+      if (countFaces(small.partition) != faces && mend(whole_.points)) continue;
+      return describe(std::move(model), std::move(brep), off.largest);
+    }
+  }
+
+  static constexpr int kMendings = 16;
+  static constexpr std::size_t kWorthTrial = 20000;  // triangles
+  const HalfEdgeMesh& whole_;
+  const HalfEdgeMesh& dense_;
+  const StepOptions& options_;
+  const std::function<bool(std::int64_t)>& fits_;
+  ReadCheck reader_;
+  RunContext& run_;
+  std::int32_t known_ = 0;             // patches below this one were recognised
+  std::vector<std::int32_t> refused_;  // patches that are to lose their surface
+};
+
+}  // namespace
+
+std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
+                               const StepOptions& options,
+                               const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,
+                               std::int64_t& faces, RunContext& run) {
+  return ShapeMaker(whole, dense, options, fits, kernel, run).make(faces);
+}
+
+}  // namespace swept::step

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/kernel/solid_file.h"
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IFSelect_ReturnStatus.hxx>
+#include <Interface_HArray1OfHAsciiString.hxx>
+#include <STEPControl_Reader.hxx>
+#include <STEPControl_Writer.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepData_StepModel.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_FormatVersion.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <typeinfo>
+
+#include "solid/kernel/shape_check.h"
+#include "swept/types.h"
+
+namespace swept::step {
+namespace {
+
+[[noreturn]] void fail(const char* code, const std::string& what, const KernelSession* kernel) {
+  const std::string said = kernel != nullptr ? kernel->messages() : std::string();
+  throw Error(Status::ExportFailed, code, said.empty() ? what : what + " (kernel: " + said + ")");
+}
+
+std::string systemReason(int error) {
+  return error != 0 ? ": " + std::system_category().message(error) : std::string();
+}
+
+Handle(TCollection_HAsciiString) text(const std::string& utf8) {
+  return new TCollection_HAsciiString(utf8.c_str());
+}
+
+// Ends early when the run is cancelled. (The kernel's own way prints to the console then.)
+class CancellableInput : public std::filebuf {
+ public:
+  explicit CancellableInput(RunContext& run) : run_(run) {}
+
+ private:
+  int underflow() override {
+    return run_.isCancelled() ? traits_type::eof() : std::filebuf::underflow();
+  }
+  RunContext& run_;
+};
+
+void throwIfCancelled(RunContext& run) { run.checkpoint(Phase::Export); }
+
+void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
+                const StepOptions& options) {
+  APIHeaderSection_MakeHeader header(writer.Model());
+  header.SetName(text(targetName));
+  header.SetAuthorValue(1, text(options.author));
+  header.SetOrganizationValue(1, text(options.organization));
+  header.SetOriginatingSystem(text("Swept Volume for FreeCAD"));
+  header.SetAuthorisation(text(""));
+  header.SetDescriptionValue(1, text("Envelope of a moving body: " + options.productName));
+  // The kernel numbers its product names; ours is the whole name.
+  const Handle(StepData_StepModel) model = writer.Model();
+  for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
+    if (product.IsNull()) continue;
+    product->SetId(text(options.productName));
+    product->SetName(text(options.productName));
+  }
+}
+
+TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, RunContext& run) {
+  throwIfCancelled(run);
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.55, 0.8);
+  reader.TransferRoots(progress->Start());
+  throwIfCancelled(run);
+  const TopoDS_Shape shape = reader.OneShape();
+  if (shape.IsNull()) fail("RereadFailed", "the file just written holds no shape", &kernel);
+  return shape;
+}
+
+}  // namespace
+
+void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
+                   const std::string& targetName, const StepOptions& options, KernelSession& kernel,
+                   RunContext& run) {
+  kernel.set("write.step.schema", options.schema == StepSchema::Ap214 ? "AP214IS" : "AP242DIS");
+  kernel.set("write.step.unit", "MM");
+  kernel.set("xstep.cascade.unit", "MM");
+  kernel.set("write.step.assembly", "0");
+  kernel.set("write.surfacecurve.mode", "1");
+  kernel.set("write.precision.mode", "0");
+  STEPControl_Writer writer;
+  // A fresh model: the schema is read when it is made.
+  writer.Model(Standard_True);
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.3, 0.45);
+  const IFSelect_ReturnStatus transferred =
+      writer.Transfer(shape, STEPControl_AsIs, Standard_True, progress->Start());
+  throwIfCancelled(run);
+  if (transferred != IFSelect_RetDone) {
+    fail("KernelFailure", "the kernel could not translate the solid to STEP", &kernel);
+  }
+  fillHeader(writer, targetName, options);
+  errno = 0;
+  const IFSelect_ReturnStatus written = writer.Write(path.c_str());
+  if (written != IFSelect_RetDone) {
+    fail("WriteFailed", "writing the STEP file failed" + systemReason(errno), &kernel);
+  }
+  throwIfCancelled(run);
+}
+
+TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run) {
+  kernel.set("xstep.cascade.unit", "MM");
+  STEPControl_Reader reader;
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
+    fail("RereadFailed", "the file just written cannot be read back", &kernel);
+  }
+  return shapeOf(reader, kernel, run);
+}
+
+TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run) {
+  kernel.set("xstep.cascade.unit", "MM");
+  STEPControl_Reader reader;
+  if (reader.ReadStream("text", text) != IFSelect_RetDone) {
+    fail("RereadFailed", "the text of the faces cannot be read back", &kernel);
+  }
+  return shapeOf(reader, kernel, run);
+}
+
+TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
+                              RunContext& run) {
+  kernel.setHealing(false);
+  const TopoDS_Shape shape = readStepFile(path, kernel, run);
+  ShapeFix_ShapeTolerance().LimitTolerance(shape, tolerance);
+  kernel.setHealing(true);
+  return shape;
+}
+
+TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
+                                    RunContext& run) {
+  kernel.setHealing(false);
+  const TopoDS_Shape shape = readStepFile(path, kernel, run);
+  kernel.setHealing(true);
+  TopoDS_Compound others;
+  const BRep_Builder builder;
+  builder.MakeCompound(others);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    if (!isPlaneTriangle(TopoDS::Face(it.Current()))) builder.Add(others, it.Current());
+  }
+  const Handle(ShapeFix_Shape) mender = new ShapeFix_Shape(others);
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.8, 0.85);
+  mender->Perform(progress->Start());
+  throwIfCancelled(run);
+  return mender->Context()->Apply(shape);
+}
+
+void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run) {
+  const Handle(KernelProgress) progress = new KernelProgress(run, 0.3, 0.45);
+  try {
+    BRepTools::Write(shape, out, Standard_False, Standard_False, TopTools_FormatVersion_VERSION_1,
+                     progress->Start());
+  } catch (const std::bad_cast&) {
+    // What the library's file buffer throws into the kernel when the disk is full.
+    out.setstate(std::ios::badbit);
+  }
+  throwIfCancelled(run);
+}
+
+TopoDS_Shape readBrepFile(const std::string& path, RunContext& run) {
+  CancellableInput buffer(run);
+  TopoDS_Shape shape;
+  const BRep_Builder builder;
+  if (buffer.open(path, std::ios::in | std::ios::binary) != nullptr) {
+    std::istream stream(&buffer);
+    BRepTools::Read(shape, stream, builder);
+  }
+  throwIfCancelled(run);
+  if (shape.IsNull()) fail("RereadFailed", "the file just written cannot be read back", nullptr);
+  return shape;
+}
+
+}  // namespace swept::step

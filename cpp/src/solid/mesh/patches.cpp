@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/mesh/patches.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace swept::step {
+namespace {
+
+// A triangle turned more than this from its region's plane is a fold, unless it is a sliver.
+constexpr double kMinCosine = 0.7;
+
+// Moments of a growing point set, relative to a fixed origin to keep the digits.
+struct PlaneFit {
+  Eigen::Vector3d base = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  double count = 0;
+
+  void add(const Eigen::Vector3d& p) {
+    const Eigen::Vector3d d = p - base;
+    sum += d;
+    products += d * d.transpose();
+    count += 1;
+  }
+  // `towards` picks the side.
+  bool solve(const Eigen::Vector3d& towards, Surface& plane) const {
+    if (count < 3) return false;
+    const Eigen::Vector3d mean = sum / count;
+    const Eigen::Matrix3d covariance = products / count - mean * mean.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+    const Eigen::Vector3d values = solver.eigenvalues();
+    if (values[1] < 1e-12 * values[2]) return false;  // points on a line
+    plane.axis = solver.eigenvectors().col(0).normalized();
+    if (plane.axis.dot(towards) < 0) plane.axis = -plane.axis;
+    plane.point = base + mean;
+    return true;
+  }
+};
+
+struct PlaneGrower {
+  const HalfEdgeMesh& mesh;
+  double tolerance;
+  Partition& partition;
+  std::vector<double> height;           ///< smallest height per triangle
+  std::vector<Eigen::Vector3d> normal;  ///< unit
+  std::vector<std::int32_t> inRegion;   ///< stamp per triangle
+  std::vector<std::int32_t> pointSeen;  ///< stamp per vertex
+  std::int32_t stamp = 0;
+
+  bool accepts(std::int32_t t, const Surface& plane) const {
+    if (partition.patchOf[t] >= 0) return false;
+    for (const std::int32_t v : mesh.triangles[t]) {
+      if (std::abs(plane.distance(mesh.points[v])) > tolerance) return false;
+    }
+    return height[t] <= 2 * tolerance || normal[t].dot(plane.axis) >= kMinCosine;
+  }
+
+  // Breadth first from the seed. refit: the plane follows the region each time it has doubled.
+  std::vector<std::int32_t> grow(std::int32_t seed, Surface& plane, bool refit) {
+    ++stamp;
+    PlaneFit fit;
+    fit.base = mesh.points[mesh.triangles[seed][0]];
+    const Eigen::Vector3d side = plane.axis;
+    std::vector<std::int32_t> region{seed};
+    inRegion[seed] = stamp;
+    double refitAt = 6;
+    auto addPoints = [&](std::int32_t t) {
+      for (const std::int32_t v : mesh.triangles[t]) {
+        if (pointSeen[v] == stamp) continue;
+        pointSeen[v] = stamp;
+        fit.add(mesh.points[v]);
+      }
+    };
+    addPoints(seed);
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t other = mesh.opposite[3 * region[i] + k] / 3;
+        if (inRegion[other] == stamp || !accepts(other, plane)) continue;
+        inRegion[other] = stamp;
+        region.push_back(other);
+        addPoints(other);
+        if (refit && fit.count >= refitAt) {
+          fit.solve(side, plane);
+          refitAt = 2 * fit.count;
+        }
+      }
+    }
+    if (refit) fit.solve(side, plane);
+    return region;
+  }
+
+  double deviation(const std::vector<std::int32_t>& region, const Surface& plane) const {
+    double worst = 0;
+    for (const std::int32_t t : region) {
+      for (const std::int32_t v : mesh.triangles[t]) {
+        worst = std::max(worst, std::abs(plane.distance(mesh.points[v])));
+      }
+    }
+    return worst;
+  }
+
+  void fromSeed(std::int32_t seed) {
+    Surface plane;
+    plane.kind = SurfaceKind::Plane;
+    plane.axis = normal[seed];
+    plane.point = mesh.points[mesh.triangles[seed][0]];
+    std::vector<std::int32_t> region = grow(seed, plane, true);
+    if (region.size() < 2) return;
+    if (deviation(region, plane) > tolerance) {
+      // The plane moved away from early members: keep those that the settled plane reaches.
+      if (!accepts(seed, plane)) {
+        plane.axis = normal[seed];
+        plane.point = mesh.points[mesh.triangles[seed][0]];
+      }
+      region = grow(seed, plane, false);
+      if (region.size() < 2) return;
+    }
+    Patch patch;
+    patch.deviation = deviation(region, plane);
+    patch.surface = plane;
+    for (const std::int32_t t : region) {
+      partition.patchOf[t] = static_cast<std::int32_t>(partition.patches.size());
+    }
+    patch.triangles = std::move(region);
+    partition.patches.push_back(std::move(patch));
+  }
+};
+
+}  // namespace
+
+void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run) {
+  const std::size_t count = mesh.triangles.size();
+  PlaneGrower grower{mesh, tolerance, partition, {}, {}, {}, {}};
+  grower.height.resize(count);
+  grower.normal.resize(count);
+  grower.inRegion.assign(count, 0);
+  grower.pointSeen.assign(mesh.points.size(), 0);
+  std::vector<double> area(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    const Eigen::Vector3d vector = mesh.areaVector(static_cast<std::int32_t>(t));
+    area[t] = vector.norm();
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+      longest = std::max(
+          longest,
+          (mesh.points[mesh.triangles[t][k]] - mesh.points[mesh.triangles[t][(k + 1) % 3]]).norm());
+    }
+    grower.height[t] = longest > 0 ? area[t] / longest : 0;
+    grower.normal[t] = area[t] > 0 ? Eigen::Vector3d(vector / area[t]) : Eigen::Vector3d::Zero();
+  }
+  std::vector<std::int32_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t a, std::int32_t b) { return area[a] > area[b]; });
+  std::uint64_t done = 0;
+  for (const std::int32_t seed : order) {
+    if ((++done & 4095U) == 0) run.checkpoint(Phase::Export, done, 20 * count);
+    if (partition.patchOf[seed] < 0 && area[seed] > 0) grower.fromSeed(seed);
+  }
+}
+
+namespace {
+void setFacet(const HalfEdgeMesh& mesh, std::int32_t t, Patch& patch) {
+  patch.surface = Surface{};
+  patch.surface.kind = SurfaceKind::Facet;
+  patch.surface.axis = mesh.areaVector(t).normalized();
+  patch.surface.point = mesh.points[mesh.triangles[t][0]];
+  patch.triangles.assign(1, t);
+  patch.deviation = 0;
+  patch.surfaceId = -1;
+}
+}  // namespace
+
+void addFacets(const HalfEdgeMesh& mesh, Partition& partition) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (partition.patchOf[t] >= 0) continue;
+    partition.patchOf[t] = static_cast<std::int32_t>(partition.patches.size());
+    partition.patches.emplace_back();
+    setFacet(mesh, static_cast<std::int32_t>(t), partition.patches.back());
+  }
+}
+
+void dissolvePatch(const HalfEdgeMesh& mesh, std::int32_t patch, Partition& partition) {
+  const std::vector<std::int32_t> members = std::move(partition.patches[patch].triangles);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    std::int32_t target = patch;
+    if (i > 0) {
+      target = static_cast<std::int32_t>(partition.patches.size());
+      partition.patches.emplace_back();
+    }
+    partition.patchOf[members[i]] = target;
+    setFacet(mesh, members[i], partition.patches[target]);
+  }
+}
+
+}  // namespace swept::step

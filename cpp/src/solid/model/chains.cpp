@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/model/chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace swept::step {
+namespace {
+
+// Planes at less than about two degrees do not fix the line in which they meet.
+constexpr double kNearlyParallel = 0.9994;
+
+class Finder {
+ public:
+  Finder(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance)
+      : mesh_(mesh), partition_(partition), borders_(mesh, partition), tolerance_(tolerance) {}
+
+  Chains find(RunContext& run) {
+    keepBranches();
+    walkBorders();
+    run.checkpoint(Phase::Export);
+    for (Chain& chain : chains_) classify(chain);
+    for (const Chain& chain : chains_) {
+      if (chain.curved) {
+        kept_[vertexAt(chain, 0)] = 1;
+      } else if (!chain.straight) {
+        keepBends(chain);
+      }
+    }
+    separateTwins();
+    return {std::move(chains_), std::move(kept_)};
+  }
+
+ private:
+  // Where more than two border edges meet.
+  void keepBranches() {
+    std::vector<std::int32_t> degree(mesh_.points.size(), 0);
+    const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
+    for (std::int32_t h = 0; h < count; ++h) {
+      if (borders_.isBorder(h)) ++degree[mesh_.origin(h)];
+    }
+    kept_.assign(mesh_.points.size(), 0);
+    for (std::size_t v = 0; v < degree.size(); ++v) kept_[v] = degree[v] > 2;
+  }
+
+  void walkBorders() {
+    const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
+    std::vector<char> seen(count, 0);
+    auto walk = [&](std::int32_t first) {
+      Chain chain;
+      std::int32_t h = first;
+      do {
+        seen[h] = seen[mesh_.opposite[h]] = 1;
+        chain.halfEdges.push_back(h);
+        if (kept_[mesh_.target(h)]) break;
+        h = borders_.next(h);
+      } while (h != first);
+      chain.closed = mesh_.origin(first) == mesh_.target(chain.halfEdges.back());
+      chains_.push_back(std::move(chain));
+    };
+    for (std::int32_t h = 0; h < count; ++h) {
+      if (!seen[h] && borders_.isBorder(h) && kept_[mesh_.origin(h)]) walk(h);
+    }
+    for (std::int32_t h = 0; h < count; ++h) {
+      if (!seen[h] && borders_.isBorder(h)) walk(h);
+    }
+  }
+
+  std::int32_t vertexAt(const Chain& chain, std::size_t i) const { return chain.vertex(mesh_, i); }
+
+  std::size_t farthest(const Chain& chain, std::size_t from, std::size_t to,
+                       double& distance) const {
+    const Eigen::Vector3d a = mesh_.points[vertexAt(chain, from)];
+    const Eigen::Vector3d ab = mesh_.points[vertexAt(chain, to)] - a;
+    const double length2 = ab.squaredNorm();
+    std::size_t best = from;
+    distance = -1;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const Eigen::Vector3d d = mesh_.points[vertexAt(chain, i)] - a;
+      const double t = length2 > 0 ? std::clamp(d.dot(ab) / length2, 0.0, 1.0) : 0.0;
+      const double off = (d - t * ab).norm();
+      if (off > distance) {
+        distance = off;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  // Keeps the vertices that a polyline within the tolerance needs (iterative split at the
+  // farthest).
+  void keepBends(const Chain& chain) {
+    const std::size_t last = chain.halfEdges.size();
+    std::vector<std::pair<std::size_t, std::size_t>> spans;
+    if (chain.closed) {
+      double distance = 0;
+      const std::size_t middle = farthest(chain, 0, last, distance);
+      kept_[vertexAt(chain, 0)] = kept_[vertexAt(chain, middle)] = 1;
+      // A closed line needs three corners at least, whatever the tolerance.
+      const std::size_t third = middle > 1 ? farthest(chain, 0, middle, distance)
+                                           : farthest(chain, middle, last, distance);
+      kept_[vertexAt(chain, third)] = 1;
+      const auto [low, high] = std::minmax({middle, third});
+      spans = {{0, low}, {low, high}, {high, last}};
+    } else {
+      spans = {{0, last}};
+    }
+    while (!spans.empty()) {
+      const auto [from, to] = spans.back();
+      spans.pop_back();
+      if (to - from < 2) continue;
+      double distance = 0;
+      const std::size_t split = farthest(chain, from, to, distance);
+      if (distance <= tolerance_) continue;
+      kept_[vertexAt(chain, split)] = 1;
+      spans.push_back({from, split});
+      spans.push_back({split, to});
+    }
+  }
+
+  // Two straight edges between the same two vertices would enclose nothing: keep more of their
+  // chains.
+  void separateTwins() {
+    for (bool again = true; again;) {
+      again = false;
+      std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> seen;
+      for (std::size_t c = 0; c < chains_.size(); ++c) {
+        std::size_t from = 0;
+        for (std::size_t i = 1; i <= chains_[c].halfEdges.size(); ++i) {
+          if (!kept_[vertexAt(chains_[c], i)]) continue;
+          const auto [low, high] =
+              std::minmax({vertexAt(chains_[c], from), vertexAt(chains_[c], i)});
+          const std::uint64_t key =
+              (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
+          const auto [it, fresh] = seen.try_emplace(key, c, from);
+          if (!fresh) {
+            if (keepWithin(c, from)) again = true;
+            if (keepWithin(it->second.first, it->second.second)) again = true;
+          }
+          from = i;
+        }
+      }
+    }
+  }
+
+  // Keeps the farthest vertex between `from` and the next kept one; false if there is none.
+  bool keepWithin(std::size_t c, std::size_t from) {
+    std::size_t to = from + 1;
+    while (!kept_[vertexAt(chains_[c], to)]) ++to;
+    if (to - from < 2) return false;
+    double distance = 0;
+    kept_[vertexAt(chains_[c], farthest(chains_[c], from, to, distance))] = 1;
+    return true;
+  }
+
+  // A chain between two recognised surfaces, one of them curved, runs on the curve in which they
+  // meet.
+  void classify(Chain& chain) {
+    const Patch& left = partition_.patches[borders_.patchOf(chain.halfEdges[0])];
+    const Patch& right = partition_.patches[borders_.patchOf(mesh_.opposite[chain.halfEdges[0]])];
+    for (const Patch* patch : {&left, &right}) {
+      if (patch->surface.kind != SurfaceKind::Facet) chain.surfaces.push_back(&patch->surface);
+    }
+    chain.curved =
+        chain.surfaces.size() == 2 && !(left.surface.isPlanar() && right.surface.isPlanar());
+    chain.straight = chain.surfaces.size() == 2 && !chain.curved && !chain.closed &&
+                     left.surface.axis.dot(right.surface.axis) < kNearlyParallel;
+    if (left.surfaceId >= 0 && left.surfaceId == right.surfaceId) {
+      chain.surfaces = {&left.surface, nearestCut(chain, left.surfaceId)};
+    }
+  }
+
+  const Surface* nearestCut(const Chain& chain, std::int32_t surfaceId) const {
+    const Surface* best = nullptr;
+    double least = 1e300;
+    for (const Cut& cut : partition_.cuts) {
+      if (cut.surfaceId != surfaceId) continue;
+      double sum = 0;
+      for (const std::int32_t h : chain.halfEdges) {
+        sum += std::abs(cut.plane.distance(mesh_.points[mesh_.origin(h)]));
+      }
+      if (sum < least) {
+        least = sum;
+        best = &cut.plane;
+      }
+    }
+    return best;
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const Partition& partition_;
+  Borders borders_;
+  double tolerance_;
+  std::vector<Chain> chains_;
+  std::vector<char> kept_;
+};
+
+}  // namespace
+
+Chains findChains(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
+                  RunContext& run) {
+  return Finder(mesh, partition, tolerance).find(run);
+}
+
+}  // namespace swept::step

@@ -1,0 +1,53 @@
+// The solid before any kernel sees it: vertices, edges, faces, shells.
+// In: HalfEdgeMesh + Partition. Out: Model; edges are shared by exactly two faces (a seam: twice by
+// one), loops are simple, counter-clockwise seen from outside for outer loops.
+// Units: mm. Cost: O(n).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solid/carrier/curve.h"
+#include "solid/carrier/surface.h"
+#include "solid/mesh/half_edge.h"
+#include "solid/mesh/patches.h"
+
+namespace swept::step {
+
+struct ModelVertex {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double tolerance = 0;  ///< mm: largest distance from the surfaces that meet here
+};
+
+struct ModelEdge {
+  std::int32_t start = 0, end = 0;
+  Curve curve;           ///< from start to end
+  double tolerance = 0;  ///< mm: largest distance from the two surfaces
+};
+
+struct ModelUse {
+  std::int32_t edge = 0;
+  bool forward = true;
+};
+
+struct ModelFace {
+  Surface surface;
+  std::vector<std::vector<ModelUse>> loops;
+  std::int32_t shell = 0;
+  std::int32_t patch = 0;
+};
+
+struct Model {
+  std::vector<ModelVertex> vertices;
+  std::vector<ModelEdge> edges;
+  std::vector<ModelFace> faces;          ///< grouped by shell
+  std::vector<Eigen::Vector3d> places;   ///< of the mesh's vertices, those moved onto surfaces too
+  std::vector<std::int32_t> shellOwner;  ///< as HalfEdgeMesh
+};
+
+/// tolerance: mm, how far a dropped boundary vertex may lie off its straight edge.
+Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
+                 RunContext& run);
+
+}  // namespace swept::step

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/recognise/cut_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d centreOf(const HalfEdgeMesh& mesh, std::int32_t t) {
+  const auto& tri = mesh.triangles[t];
+  return (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
+}
+
+// Largest free range of an angle, and the middle of it.
+double largestGap(std::vector<double> angles, double& middle) {
+  std::sort(angles.begin(), angles.end());
+  double gap = 2 * M_PI - angles.back() + angles.front();
+  middle = angles.back() + gap / 2;
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    if (angles[i] - angles[i - 1] > gap) {
+      gap = angles[i] - angles[i - 1];
+      middle = angles[i - 1] + gap / 2;
+    }
+  }
+  return gap;
+}
+
+constexpr double kWantedGap = 1.2;  // rad: room for the seam outside the face
+
+class Cutter {
+ public:
+  Cutter(const HalfEdgeMesh& mesh, Partition& partition) : mesh_(mesh), partition_(partition) {}
+
+  void cutAll() {
+    // Spheres may be cut in any direction: last, when the corners around them are known.
+    const auto count = static_cast<std::int32_t>(partition_.patches.size());
+    for (const bool spheres : {false, true}) {
+      for (std::int32_t p = 0; p < count; ++p) {
+        if ((partition_.patches[p].surface.kind == SurfaceKind::Sphere) == spheres) cut(p);
+      }
+    }
+  }
+
+ private:
+  static double angle(const Vector3d& d, const Vector3d& x, const Vector3d& y) {
+    return std::atan2(d.dot(y), d.dot(x));
+  }
+
+  // Turns the surface's reference direction, or opens its profile, so that its seam lies in the
+  // largest gap. True if it fits.
+  bool placeSeam(Patch& patch) const {
+    Surface& s = patch.surface;
+    if (s.isPlanar()) return true;
+    if (s.kind == SurfaceKind::Sphere) return placePoles(patch);
+    if (s.hasProfile() && s.profile->isClosed() && !openProfile(patch)) return false;
+    // The reference direction of an extrusion is its profile's.
+    if (s.kind == SurfaceKind::Extrusion) return true;
+    const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
+    std::vector<double> turn, tube;
+    for (const std::int32_t t : patch.triangles) {
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        const Vector3d d = mesh_.points[v] - s.point;
+        turn.push_back(angle(d, x, y));
+        const double along = d.dot(s.axis);
+        tube.push_back(std::atan2(along, (d - along * s.axis).norm() - s.radius));
+      }
+    }
+    double middle = 0;
+    bool fits = largestGap(turn, middle) > kWantedGap;
+    s.xdir = std::cos(middle) * x + std::sin(middle) * y;
+    if (s.kind == SurfaceKind::Torus) {
+      fits = fits && largestGap(tube, middle) > kWantedGap;
+      s.tubeMid = middle + M_PI;
+    }
+    return fits;
+  }
+
+  // The part of a closed profile that the patch uses, and some room. False if there is no gap.
+  bool openProfile(Patch& patch) const {
+    Surface& s = patch.surface;
+    const double period = s.profile->length(), from = s.profile->nodes().front().knot;
+    std::vector<double> turn;
+    for (const std::int32_t t : patch.triangles) {
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        const double at = s.profile->foot(s.inProfile(mesh_.points[v])).t;
+        turn.push_back(2 * M_PI * (at - from) / period);
+      }
+    }
+    double middle = 0;
+    const double gap = largestGap(turn, middle);
+    if (gap <= kWantedGap) return false;
+    // Some of the gap is left out, or the ends would meet.
+    const double left = std::max(0.15 * gap, gap / 2 - kWantedGap / 2);
+    const auto inPeriod = [&](double angle) {
+      const double share = angle / (2 * M_PI);
+      return from + period * (share - std::floor(share));
+    };
+    s.profile = std::make_shared<const Profile>(
+        s.profile->opened(inPeriod(middle + left), inPeriod(middle - left)));
+    return true;
+  }
+
+  bool placePoles(Patch& patch) const {
+    Surface& s = patch.surface;
+    std::vector<Vector3d> directions;
+    for (const std::int32_t t : patch.triangles) {
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        directions.push_back((mesh_.points[v] - s.point).normalized());
+      }
+    }
+    const std::size_t stride = std::max<std::size_t>(1, directions.size() / 3000);
+    constexpr int kDirections = 200;
+    double best = 1;
+    for (int i = 0; i < kDirections; ++i) {
+      const double z = (i + 0.5) / kDirections, phi = 2.399963229728653 * i;
+      const double r = std::sqrt(1 - z * z);
+      const Vector3d axis(r * std::cos(phi), r * std::sin(phi), z);
+      double nearest = 0;
+      for (std::size_t k = 0; k < directions.size(); k += stride) {
+        nearest = std::max(nearest, std::abs(directions[k].dot(axis)));
+      }
+      if (nearest < best) {
+        best = nearest;
+        s.axis = axis;
+      }
+    }
+    const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
+    std::vector<double> turn;
+    for (const Vector3d& d : directions) turn.push_back(angle(d, x, y));
+    double middle = 0;
+    const bool fits = largestGap(turn, middle) > kWantedGap && best < 0.97;
+    s.xdir = std::cos(middle) * x + std::sin(middle) * y;
+    return fits;
+  }
+
+  // The planes by which a patch of this surface may be cut, in the order in which they are used.
+  std::vector<Surface> planesFor(std::int32_t p) const {
+    const Patch& patch = partition_.patches[p];
+    const Surface& s = patch.surface;
+    Vector3d mean = Vector3d::Zero();
+    for (const std::int32_t t : patch.triangles) mean += mesh_.areaVector(t);
+    Vector3d axis = s.axis;
+    if (s.kind == SurfaceKind::Sphere && mean.norm() > 1e-6 * mesh_.area) axis = mean.normalized();
+    Surface plane;
+    plane.kind = SurfaceKind::Plane;
+    plane.point = s.point;
+    std::vector<Surface> planes;
+    const Vector3d x = directionAwayFrom(cornersOf(p), s.point, axis);
+    plane.axis = x;
+    planes.push_back(plane);
+    if (s.kind == SurfaceKind::Sphere) {
+      plane.axis = axis.cross(x);
+      planes.push_back(plane);
+    }
+    const bool closedBothWays = s.kind == SurfaceKind::Revolution && s.profile->isClosed();
+    if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus || closedBothWays) {
+      plane.axis = axis;
+      planes.push_back(plane);
+    }
+    return planes;
+  }
+
+  // Vertices on the border of a patch where two others meet.
+  std::vector<Vector3d> cornersOf(std::int32_t p) const {
+    std::vector<std::pair<std::int32_t, std::int32_t>> beside;  // vertex, patch beyond
+    for (const std::int32_t t : partition_.patches[p].triangles) {
+      for (std::int32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::int32_t other = partition_.patchOf[mesh_.opposite[h] / 3];
+        if (other == p) continue;
+        beside.emplace_back(mesh_.origin(h), other);
+        beside.emplace_back(mesh_.target(h), other);
+      }
+    }
+    std::sort(beside.begin(), beside.end());
+    std::vector<Vector3d> corners;
+    for (std::size_t i = 1; i < beside.size(); ++i) {
+      if (beside[i].first == beside[i - 1].first && beside[i].second != beside[i - 1].second)
+        corners.push_back(mesh_.points[beside[i].first]);
+    }
+    return corners;
+  }
+
+  // The direction about the axis for which the plane through `point` passes farthest from the
+  // corners: two corners that nearly fall together make edges shorter than their tolerance. Odd
+  // angles, so that the cut does not run along rows of vertices lying on both sides of it.
+  static Vector3d directionAwayFrom(const std::vector<Vector3d>& corners, const Vector3d& point,
+                                    const Vector3d& axis) {
+    constexpr int kDirections = 12;
+    const Vector3d e1 = anyOrthogonal(axis), e2 = axis.cross(e1);
+    Vector3d best = Vector3d::Zero();
+    double farthest = -1;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 0.3 + M_PI * i / kDirections;
+      const Vector3d x = std::cos(angle) * e1 + std::sin(angle) * e2;
+      double nearest = 1e300;
+      for (const Vector3d& corner : corners)
+        nearest = std::min(nearest, std::abs((corner - point).dot(x)));
+      if (nearest <= farthest) continue;
+      farthest = nearest;
+      best = x;
+    }
+    return best;
+  }
+
+  void cut(std::int32_t first) {
+    if (placeSeam(partition_.patches[first])) return;
+    const std::int32_t surfaceId = partition_.patches[first].surfaceId;
+    std::vector<std::int32_t> pieces{first};
+    for (const Surface& plane : planesFor(first)) {
+      std::vector<std::int32_t> next;
+      for (const std::int32_t p : pieces) {
+        for (const std::int32_t q : halve(p, plane)) next.push_back(q);
+      }
+      partition_.cuts.push_back({surfaceId, plane});
+      pieces.swap(next);
+      bool fits = true;
+      for (const std::int32_t p : pieces) fits = placeSeam(partition_.patches[p]) && fits;
+      if (fits) return;
+    }
+  }
+
+  // Connected pieces on either side. A piece of a few triangles goes to the side around it.
+  std::vector<std::int32_t> halve(std::int32_t p, const Surface& plane) {
+    const std::vector<std::int32_t> members = partition_.patches[p].triangles;
+    std::vector<char> side(members.size());
+    local_.resize(mesh_.triangles.size(), -1);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      side[i] = plane.distance(centreOf(mesh_, members[i])) > 0;
+      local_[members[i]] = static_cast<std::int32_t>(i);
+    }
+    std::vector<std::int32_t> component(members.size(), -1);
+    std::vector<std::vector<std::int32_t>> components;
+    auto collect = [&] {
+      std::fill(component.begin(), component.end(), -1);
+      components.clear();
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        if (component[i] >= 0) continue;
+        std::vector<std::int32_t> stack{static_cast<std::int32_t>(i)};
+        component[i] = static_cast<std::int32_t>(components.size());
+        for (std::size_t at = 0; at < stack.size(); ++at) {
+          for (int k = 0; k < 3; ++k) {
+            const std::int32_t t = mesh_.opposite[3 * members[stack[at]] + k] / 3;
+            if (partition_.patchOf[t] != p) continue;
+            const std::int32_t j = local_[t];
+            if (component[j] >= 0 || side[j] != side[i]) continue;
+            component[j] = component[i];
+            stack.push_back(j);
+          }
+        }
+        components.push_back(std::move(stack));
+      }
+    };
+    collect();
+    bool changed = false;
+    for (const auto& piece : components) {
+      if (piece.size() * 50 >= members.size()) continue;
+      for (const std::int32_t i : piece) side[i] = !side[i];
+      changed = true;
+    }
+    if (changed) collect();
+    std::vector<std::int32_t> result;
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      std::int32_t target = p;
+      if (c > 0) {
+        target = static_cast<std::int32_t>(partition_.patches.size());
+        const Patch copy{partition_.patches[p].surface, {}, 0, partition_.patches[p].surfaceId};
+        partition_.patches.push_back(copy);
+      }
+      partition_.patches[target].triangles.clear();
+      for (const std::int32_t i : components[c]) {
+        partition_.patches[target].triangles.push_back(members[i]);
+      }
+      result.push_back(target);
+    }
+    for (const std::int32_t q : result) {
+      for (const std::int32_t t : partition_.patches[q].triangles) partition_.patchOf[t] = q;
+    }
+    return result;
+  }
+
+  const HalfEdgeMesh& mesh_;
+  Partition& partition_;
+  std::vector<std::int32_t> local_;
+};
+
+}  // namespace
+
+void cutRoundPatches(const HalfEdgeMesh& mesh, Partition& partition) {
+  Cutter(mesh, partition).cutAll();
+}
+
+}  // namespace swept::step

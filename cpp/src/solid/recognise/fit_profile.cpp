@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/recognise/fit_profile.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "solid/recognise/trace_points.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kMostSpans = 64;
+constexpr int kHalvings = 6;
+constexpr double kWorthHalving = 0.6;  // of the sum of squares before
+constexpr double kSmoothing = 1e-7;
+constexpr double kBeyond = 0.08;  // of the length: straight ends
+constexpr double kTurnPerSpan = 0.6;
+constexpr int kAxisRounds = 4;
+
+struct Placed {
+  double t = 0;
+  Vector2d at;
+};
+
+// Values of the four basis functions of a span at w, for points and slopes of its ends.
+std::array<double, 4> basis(double w, double h) {
+  const double m = 1 - w;
+  return {m * m * (1 + 2 * w), w * w * (1 + 2 * m), h * w * m * m, -h * w * w * m};
+}
+
+// Points and slopes at the knots, least squares; bends count a little, so that spans without points
+// stay smooth.
+std::vector<Profile::Node> solveNodes(const std::vector<Placed>& placed,
+                                      const std::vector<double>& knots, bool closed) {
+  const auto spans = static_cast<int>(knots.size()) - 1;
+  const int count = closed ? spans : spans + 1;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(2 * count, 2 * count);
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(2 * count, 2);
+  const auto indices = [&](int span) {
+    const int next = (span + 1) % count;
+    return std::array<int, 4>{span, next, count + span, count + next};
+  };
+  std::size_t span = 0;
+  for (const Placed& p : placed) {  // in order of t
+    while (static_cast<int>(span) + 1 < spans && p.t > knots[span + 1]) ++span;
+    const double h = knots[span + 1] - knots[span];
+    const std::array<double, 4> row = basis((p.t - knots[span]) / h, h);
+    const std::array<int, 4> at = indices(static_cast<int>(span));
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) normal(at[i], at[j]) += row[i] * row[j];
+      right.row(at[i]) += row[i] * p.at.transpose();
+    }
+  }
+  const double weight = kSmoothing * static_cast<double>(placed.size()) / spans;
+  for (int s = 0; s < spans; ++s) {
+    const double h = knots[s + 1] - knots[s];
+    const std::array<int, 4> at = indices(s);
+    // Second derivative, times h squared, at both ends.
+    const std::array<std::array<double, 4>, 2> bends{
+        {{-6, 6, -4 * h, -2 * h}, {6, -6, 2 * h, 4 * h}}};
+    for (const auto& bend : bends) {
+      for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) normal(at[i], at[j]) += weight * bend[i] * bend[j];
+      }
+    }
+  }
+  normal.diagonal().array() += 1e-14 * normal.trace();
+  const Eigen::MatrixX2d solution = normal.ldlt().solve(right);
+  std::vector<Profile::Node> nodes;
+  for (int k = 0; k <= spans; ++k) {
+    const int i = k % count;
+    nodes.push_back({solution.row(i).transpose(), solution.row(count + i).transpose(),
+                     knots[static_cast<std::size_t>(k)]});
+  }
+  return nodes;
+}
+
+bool isSound(const std::vector<Profile::Node>& nodes) {
+  return std::all_of(nodes.begin(), nodes.end(), [](const Profile::Node& node) {
+    const double slope = node.slope.norm();
+    return node.at.allFinite() && slope > 0.3 && slope < 3;
+  });
+}
+
+std::vector<double> firstKnots(const Trace& trace, const std::vector<Placed>& placed) {
+  double from = 0, length = trace.along.back();
+  if (!trace.closed) {
+    const auto byPlace = [](const Placed& a, const Placed& b) { return a.t < b.t; };
+    from = std::min_element(placed.begin(), placed.end(), byPlace)->t;
+    length = std::max_element(placed.begin(), placed.end(), byPlace)->t - from;
+  }
+  const int spans = std::clamp(static_cast<int>(std::ceil(trace.turn / kTurnPerSpan)),
+                               trace.closed ? 8 : 2, kMostSpans / 2);
+  std::vector<double> knots;
+  for (int i = 0; i <= spans; ++i) knots.push_back(from + length * i / spans);
+  return knots;
+}
+
+// Halves the spans whose points lie too far off; false if there are none.
+bool halveSpans(const std::vector<Placed>& placed, const Profile& profile, double exact,
+                std::vector<double>& knots) {
+  constexpr std::size_t kLeastPoints = 8;
+  std::vector<double> next{knots.front()};
+  auto from = placed.begin();
+  for (std::size_t s = 0; s + 1 < knots.size(); ++s) {
+    double sum = 0;
+    std::size_t points = 0;
+    for (; from != placed.end() && (from->t <= knots[s + 1] || s + 2 == knots.size());
+         ++from, ++points)
+      sum += (profile.at(from->t) - from->at).squaredNorm();
+    const bool rough = sum > exact * exact * static_cast<double>(points);
+    if (rough && points >= 2 * kLeastPoints) next.push_back((knots[s] + knots[s + 1]) / 2);
+    next.push_back(knots[s + 1]);
+  }
+  const bool changed = next.size() > knots.size();
+  knots.swap(next);
+  return changed;
+}
+
+struct Moments {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+};
+
+// The axis moved and tilted so that the points come nearer to the profile as it stands; the largest
+// way of a point.
+double improveAxis(const Samples& samples, const Vector3d& mean, double size, Surface& s) {
+  const Vector3d e1 = s.xdir, e2 = s.axis.cross(e1);
+  const double middle = (mean - s.point).dot(s.axis);
+  Moments moments;
+  for (const Vector3d& p : samples.points) {
+    const Vector3d outward = s.normal(p), d = p - s.point;
+    const double along = d.dot(s.axis) - middle, up = outward.dot(s.axis);
+    const Vector3d radial = d - d.dot(s.axis) * s.axis;
+    const bool pushed = s.kind == SurfaceKind::Extrusion;
+    Eigen::Vector4d row;
+    row[0] = -outward.dot(e1);
+    row[1] = -outward.dot(e2);
+    row[2] = (-along * outward.dot(e1) + (pushed ? 0 : up * radial.dot(e1))) / size;
+    row[3] = (-along * outward.dot(e2) + (pushed ? 0 : up * radial.dot(e2))) / size;
+    moments.normal += row * row.transpose();
+    moments.right -= row * s.distance(p);
+  }
+  moments.normal.diagonal().array() += 1e-9 * moments.normal.trace();
+  const Eigen::Vector4d step = moments.normal.ldlt().solve(moments.right);
+  if (!step.allFinite() || step.norm() > 0.2 * size) return 1e300;
+  const Vector3d pivot = s.point + middle * s.axis + step[0] * e1 + step[1] * e2;
+  s.axis = (s.axis + (step[2] * e1 + step[3] * e2) / size).normalized();
+  s.point = pivot;
+  s.xdir = (e1 - e1.dot(s.axis) * s.axis).normalized();
+  return step.norm();
+}
+
+Cloud cloudOf(const Samples& samples, const Surface& s) {
+  Cloud cloud;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const Vector3d &p = samples.points[i], &n = samples.normals[i];
+    const Vector3d d = p - s.point, radial = d - d.dot(s.axis) * s.axis;
+    const Vector3d x = s.kind == SurfaceKind::Extrusion ? s.xdir : Vector3d(radial.normalized());
+    const Vector3d y = s.kind == SurfaceKind::Extrusion ? s.axis.cross(s.xdir) : s.axis;
+    const Vector2d flat(n.dot(x), n.dot(y));
+    if (!(flat.norm() > 0.5)) continue;
+    cloud.points.push_back(s.inProfile(p));
+    cloud.normals.push_back(flat.normalized());
+  }
+  return cloud;
+}
+
+}  // namespace
+
+std::optional<Profile> fitProfile(const Cloud& cloud, double exact) {
+  const std::optional<Trace> trace = tracePoints(cloud.points, cloud.normals);
+  if (!trace) return std::nullopt;
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const double t = trace->placeOf(cloud.points[i], cloud.normals[i]);
+    if (t >= 0) placed.push_back({t, cloud.points[i]});
+  }
+  if (placed.size() < 12) return std::nullopt;
+  const auto byPlace = [](const Placed& a, const Placed& b) {
+    return a.t != b.t ? a.t < b.t : a.at.x() < b.at.x();
+  };
+  std::vector<double> knots = firstKnots(*trace, placed);
+  const double beyond = trace->closed ? 0 : kBeyond * trace->along.back();
+  std::optional<Profile> result;
+  double before = 1e300;
+  for (int round = 0; round <= kHalvings; ++round) {
+    std::sort(placed.begin(), placed.end(), byPlace);
+    std::vector<Profile::Node> nodes = solveNodes(placed, knots, trace->closed);
+    if (!isSound(nodes)) return result;
+    // Without its straight ends the parameters stay within the knots.
+    const Profile bare(nodes, trace->closed, 0);
+    double off = 0;
+    for (Placed& p : placed) {
+      const Profile::Foot foot = bare.foot(p.at);
+      p.t = foot.t;
+      off += (foot.at - p.at).squaredNorm();
+    }
+    // More spans than help follow the scatter of the points.
+    if (off > kWorthHalving * before) break;
+    before = off;
+    result.emplace(std::move(nodes), trace->closed, beyond);
+    std::sort(placed.begin(), placed.end(), byPlace);
+    if (knots.size() > kMostSpans || !halveSpans(placed, bare, exact, knots)) break;
+  }
+  return result;
+}
+
+std::optional<Surface> guessAxis(SurfaceKind kind, const Samples& samples, double& spread) {
+  const auto count = static_cast<double>(samples.points.size());
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& p : samples.points) mean += p / count;
+  double size = 0;
+  for (const Vector3d& p : samples.points) size += (p - mean).squaredNorm() / count;
+  size = std::sqrt(size);
+  Surface surface;
+  surface.kind = kind;
+  if (kind == SurfaceKind::Extrusion) {
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const Vector3d& n : samples.normals) moments += n * n.transpose() / count;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+    // On a nearly flat region every direction in it would do.
+    if (!(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-3)) return std::nullopt;
+    spread = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+    surface.axis = solver.eigenvectors().col(0).normalized();
+    surface.point = mean;
+  } else {
+    using Matrix6d = Eigen::Matrix<double, 6, 6>;
+    Matrix6d moments = Matrix6d::Zero();
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+      Eigen::Matrix<double, 6, 1> line;
+      line << ((samples.points[i] - mean) / size).cross(samples.normals[i]), samples.normals[i];
+      moments += line * line.transpose() / count;
+    }
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(moments);
+    const Vector3d direction = solver.eigenvectors().col(0).head<3>();
+    const Vector3d moment = solver.eigenvectors().col(0).tail<3>();
+    if (!(direction.norm() > 0.05) ||
+        !(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-6))
+      return std::nullopt;
+    // A screw is no axis.
+    if (std::abs(direction.dot(moment)) > 0.02 * direction.squaredNorm()) return std::nullopt;
+    surface.axis = direction.normalized();
+    surface.point = mean + size * direction.cross(moment) / direction.squaredNorm();
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+      const Vector3d around = surface.axis.cross(samples.points[i] - surface.point).normalized();
+      sum += std::pow(around.dot(samples.normals[i]), 2) / count;
+    }
+    spread = std::sqrt(sum);
+  }
+  surface.xdir = anyOrthogonal(surface.axis);
+  return surface;
+}
+
+bool fitAlong(const Samples& samples, double exact, Surface& surface) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& p : samples.points) mean += p / static_cast<double>(samples.points.size());
+  double size = 0;
+  for (const Vector3d& p : samples.points) size = std::max(size, (p - mean).norm());
+  for (int round = 0; round <= kAxisRounds; ++round) {
+    std::optional<Profile> profile = fitProfile(cloudOf(samples, surface), exact);
+    if (!profile) return false;
+    surface.profile = std::make_shared<const Profile>(std::move(*profile));
+    surface.reversed = false;
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.points.size(); ++i)
+      sum += surface.normal(samples.points[i]).dot(samples.normals[i]);
+    surface.reversed = sum < 0;
+    if (round == kAxisRounds) break;
+    const Surface before = surface;
+    const double step = improveAxis(samples, mean, size, surface);
+    if (step > 1e299) surface = before;
+    if (step > 1e299 || step < 0.02 * exact) break;
+  }
+  return true;
+}
+
+}  // namespace swept::step

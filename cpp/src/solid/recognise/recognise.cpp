@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/recognise/recognise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.h"
+#include "solid/recognise/cut_patches.h"
+#include "solid/recognise/fit.h"
+#include "solid/recognise/seek_profile.h"
+#include "solid/recognise/seek_surface.h"
+#include "solid/recognise/tidy_patches.h"
+
+namespace swept::step {
+namespace {
+
+// Seeds that are asked at the same time, whatever the number of threads.
+constexpr std::size_t kBatch = 16;
+
+class Recogniser {
+ public:
+  Recogniser(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
+             Partition& partition, RunContext& run)
+      : thin_(shapes.thin), partition_(partition), run_(run), tried_(mesh.triangles.size(), 0) {
+    seekers_.reserve(kBatch);
+    for (std::size_t i = 0; i < kBatch; ++i)
+      seekers_.emplace_back(mesh, shapes, tolerance, partition);
+  }
+
+  void recognise() {
+    const auto count = static_cast<std::int32_t>(tried_.size());
+    // Seeds in a fixed scattered order: neighbours in the list are neighbours on the mesh.
+    std::int32_t stride = static_cast<std::int32_t>(0.618 * count) | 1;
+    while (std::gcd(stride, count) != 1) stride += 2;
+    std::int64_t at = 0;
+    std::vector<std::int32_t> seeds;
+    for (std::int32_t i = 0; i < count; ++i, at = (at + stride) % count) {
+      if ((i & 255) == 0) run_.checkpoint(Phase::Export, i, 12ULL * count);
+      if (isOpen(static_cast<std::int32_t>(at))) seeds.push_back(static_cast<std::int32_t>(at));
+      if (seeds.size() == kBatch || i + 1 == count) {
+        ask(seeds);
+        seeds.clear();
+      }
+    }
+  }
+
+ private:
+  bool isOpen(std::int32_t t) const {
+    return tried_[t] != kAllTried && partition_.patchOf[t] < 0 && !thin_[t];
+  }
+
+  // All seeds see the patches as they were before; the first to claim a triangle gets it.
+  void ask(const std::vector<std::int32_t>& seeds) {
+    std::vector<Found> found(seeds.size());
+    parallelFor(seeds.size(),
+                [&](std::size_t i) { found[i] = seekers_[i].seek(seeds[i], tried_[seeds[i]]); });
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      if (!isOpen(seeds[i])) continue;
+      if (found[i].best && isTaken(found[i].best->region))
+        found[i] = seekers_[i].seek(seeds[i], tried_[seeds[i]]);
+      note(found[i]);
+    }
+  }
+
+  bool isTaken(const std::vector<std::int32_t>& region) const {
+    return std::any_of(region.begin(), region.end(),
+                       [&](std::int32_t t) { return partition_.patchOf[t] >= 0; });
+  }
+
+  void note(Found& found) {
+    for (const auto& [kind, region] : found.tried) {
+      for (const std::int32_t t : region) tried_[t] = static_cast<char>(tried_[t] | bitOf(kind));
+    }
+    for (const std::int32_t t : found.fruitless) tried_[t] = kAllTried;
+    if (!found.best) return;
+    const auto id = static_cast<std::int32_t>(partition_.patches.size());
+    for (const std::int32_t t : found.best->region) partition_.patchOf[t] = id;
+    partition_.patches.push_back({found.best->surface, std::move(found.best->region), 0, id});
+  }
+
+  const std::vector<char>& thin_;
+  Partition& partition_;
+  RunContext& run_;
+  std::vector<char> tried_;  // by triangle: kinds that were tried there, as bits
+  std::vector<SurfaceSeeker> seekers_;
+};
+
+void setDeviations(const HalfEdgeMesh& mesh, Partition& partition) {
+  for (Patch& patch : partition.patches) {
+    patch.deviation = 0;
+    for (const std::int32_t t : patch.triangles) {
+      for (const std::int32_t v : mesh.triangles[t]) {
+        patch.deviation =
+            std::max(patch.deviation, std::abs(patch.surface.distance(mesh.points[v])));
+      }
+    }
+  }
+}
+
+constexpr double kScattered = 0.03;  // of the height of triangles: vertices on the surface itself
+constexpr double kMostMoved = 0.2;   // of the tolerance
+constexpr std::size_t kMostSamples = 5000;
+constexpr double kFarOff = 5;  // medians: what the patch took in beyond its surface
+
+void offsetSurface(Surface& surface, double outward) {
+  const double grow = surface.reversed ? -outward : outward;
+  if (surface.hasProfile()) {
+    surface.profile = std::make_shared<const Profile>(surface.profile->offset(grow));
+    return;
+  }
+  if (surface.kind == SurfaceKind::Torus) {
+    surface.minor += grow;
+  } else {
+    surface.radius += surface.kind == SurfaceKind::Cone ? grow / surface.cosine : grow;
+  }
+}
+
+// The surface once more, without the vertices far off: a sphere takes in a ring of the cylinder
+// that it runs into.
+void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
+  for (int round = 0; round < 2; ++round) {
+    std::vector<std::pair<double, std::int32_t>> off;
+    for (const std::int32_t t : patch.triangles) {
+      const std::int32_t v = mesh.triangles[t][0];
+      off.emplace_back(std::abs(patch.surface.distance(mesh.points[v])), v);
+    }
+    std::vector<double> values;
+    for (const auto& entry : off) values.push_back(entry.first);
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    const double limit = kFarOff * values[values.size() / 2];
+    Samples samples;
+    for (const auto& [distance, v] : off) {
+      if (distance <= limit) samples.points.push_back(mesh.points[v]);
+    }
+    refineSurface(samples, patch.surface, kMostSamples);
+  }
+}
+
+struct Bend {
+  double height = 0;   // mm: middles of triangles above their corners, along the normal
+  double scatter = 0;  // mm: root mean square distance of the corners from the surface
+  double size = 0;     // mm^2: mean squared distance of corners from the middle
+};
+
+double sizeOf(const HalfEdgeMesh& mesh, std::int32_t t, Eigen::Vector3d& middle) {
+  const auto& tri = mesh.triangles[t];
+  middle = (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
+  double sum = 0;
+  for (const std::int32_t v : tri) sum += (mesh.points[v] - middle).squaredNorm() / 3;
+  return sum;
+}
+
+double meanSize(const HalfEdgeMesh& mesh) {
+  constexpr std::size_t kEvery = 5;
+  double sum = 0, count = 0;
+  Eigen::Vector3d middle;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += kEvery, ++count)
+    sum += sizeOf(mesh, static_cast<std::int32_t>(t), middle);
+  return sum / count;
+}
+
+Bend bendOf(const HalfEdgeMesh& mesh, const Patch& patch) {
+  Bend bend;
+  for (const std::int32_t t : patch.triangles) {
+    Eigen::Vector3d middle;
+    bend.size += sizeOf(mesh, t, middle);
+    bend.height += patch.surface.distance(middle);
+    for (const std::int32_t v : mesh.triangles[t]) {
+      const double off = patch.surface.distance(mesh.points[v]);
+      bend.height -= off / 3;
+      bend.scatter += off * off / 3;
+    }
+  }
+  const auto count = static_cast<double>(patch.triangles.size());
+  return {bend.height / count, std::sqrt(bend.scatter / count), bend.size / count};
+}
+
+// Moves curved surfaces that were found through the vertices of a contoured mesh to where the
+// surface itself ran: through the middles of the triangles, as contoured vertices lie outside of
+// what bends. Leaves surfaces on which the vertices lie exactly.
+void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
+                    Partition& partition) {
+  const double size = meanSize(whole);
+  parallelFor(partition.patches.size(), [&](std::size_t p) {
+    Patch& patch = partition.patches[p];
+    if (patch.surface.isPlanar() || patch.triangles.empty()) return;
+    fitToMost(mesh, patch);
+    const Bend bend = bendOf(mesh, patch);
+    // Where the mesh was thinned its triangles are higher, but the vertices lie as they did.
+    const double move = bend.height * std::min(1.0, size / bend.size);
+    if (bend.scatter > kScattered * std::abs(move) && std::abs(move) <= kMostMoved * tolerance)
+      offsetSurface(patch.surface, move);
+  });
+}
+
+}  // namespace
+
+void recogniseSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
+                       Partition& partition, RunContext& run) {
+  const TriangleShapes shapes = shapesOf(mesh);
+  Recogniser(mesh, shapes, tolerance, partition, run).recognise();
+  tidyPatches(mesh, shapes, tolerance, partition);
+  if (seekProfiles(mesh, shapes, tolerance, partition, run))
+    tidyPatches(mesh, shapes, tolerance, partition);
+  centreSurfaces(mesh, whole, tolerance, partition);
+  cutRoundPatches(mesh, partition);
+  setDeviations(mesh, partition);
+}
+
+}  // namespace swept::step

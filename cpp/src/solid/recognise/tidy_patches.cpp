@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/recognise/tidy_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kFacetsOfPlane = 3;      // that a plane saves, whatever its size
+constexpr double kAreaPerFacet = 5.2;     // of tolerance times radius, on a sphere
+constexpr double kLeastArea = 1.0 / 400;  // of the whole: a smaller patch has to save this many
+constexpr double kLeastSaved = 8;
+constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make a facet outside
+constexpr std::size_t kSpeck = 6;      // triangles
+constexpr double kSpeckArea = 30;      // of the squared tolerance
+constexpr double kSpeckReach = 6;      // tolerances
+constexpr int kStepsBeyond = 6;        // triangles
+constexpr double kSteep = 0.12;        // about 7 degrees
+constexpr double kSteepFrom = 0.25;    // of the tolerance: how far a patch may be off at its border
+
+double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles) {
+  double area = 0;
+  for (const std::int32_t t : triangles) area += 0.5 * mesh.areaVector(t).norm();
+  return area;
+}
+
+// The angle about the surface's axis that the corners of a patch take up, as positions say it: the
+// normals of small triangles would say far more.
+double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
+  const Surface& s = patch.surface;
+  const auto outward = [&](std::int32_t v) {
+    const Vector3d d = mesh.points[v] - s.point;
+    return Vector3d(d - d.dot(s.axis) * s.axis).normalized();
+  };
+  Vector3d mean = Vector3d::Zero();
+  for (const std::int32_t t : patch.triangles) {
+    for (const std::int32_t v : mesh.triangles[t]) mean += outward(v);
+  }
+  mean.normalize();
+  double least = 1;
+  for (const std::int32_t t : patch.triangles) {
+    for (const std::int32_t v : mesh.triangles[t]) least = std::min(least, outward(v).dot(mean));
+  }
+  return 2 * std::acos(std::max(-1.0, least));
+}
+
+class Tidier {
+ public:
+  Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
+         Partition& partition)
+      : mesh_(mesh),
+        normal_(shapes.normal),
+        thin_(shapes.thin),
+        tolerance_(tolerance),
+        partition_(partition) {}
+
+  void tidy() {
+    absorbLeftovers();
+    mergePatches();
+    absorbLeftovers();
+    fillHoles();
+    giveSpecksAway();
+    dropCostly();
+  }
+
+ private:
+  // Unassigned triangles beside a patch go to it while their corners lie on its surface; repeated,
+  // so that strips along creases close. Thin ones may lean as they like.
+  void absorbLeftovers() {
+    std::vector<std::int32_t> front, next;
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const auto t = static_cast<std::int32_t>(h / 3);
+      if (partition_.patchOf[t] >= 0 || partition_.patchOf[mesh_.opposite[h] / 3] < 0) continue;
+      if (front.empty() || front.back() != t) front.push_back(t);
+    }
+    for (; !front.empty(); front.swap(next)) {
+      next.clear();
+      for (const std::int32_t t : front) {
+        const std::int32_t patch = partition_.patchOf[t] < 0 ? hostOf(t, 1) : -1;
+        if (patch < 0) continue;
+        join(t, patch);
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t other = mesh_.opposite[3 * t + k] / 3;
+          if (partition_.patchOf[other] < 0) next.push_back(other);
+        }
+      }
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+    }
+  }
+
+  // The patch beside t on whose surface its corners lie nearest; -1: none within so many
+  // tolerances.
+  std::int32_t hostOf(std::int32_t t, double tolerances) const {
+    std::int32_t best = -1;
+    double least = tolerances * tolerance_;
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+      if (patch < 0) continue;
+      const Surface& surface = partition_.patches[patch].surface;
+      double worst = 0;
+      Vector3d centre = Vector3d::Zero();
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        worst = std::max(worst, std::abs(surface.distance(mesh_.points[v])));
+        centre += mesh_.points[v] / 3;
+      }
+      if (tolerances <= 1 && !thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
+      if (worst > least) continue;
+      least = worst;
+      best = patch;
+    }
+    return best;
+  }
+
+  // Small islands inside one patch go to it if their corners lie on its surface, however they lean.
+  void fillHoles() {
+    std::vector<char> seen(mesh_.triangles.size(), 0);
+    for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
+      if (seen[first]) continue;
+      const std::int32_t own = partition_.patchOf[first];
+      if (own >= 0 && partition_.patches[own].triangles.size() > kLeastTriangles) continue;
+      std::int32_t around = -1;
+      bool mixed = false;
+      const auto island = flood(static_cast<std::int32_t>(first), seen, [&](std::int32_t t) {
+        const std::int32_t patch = partition_.patchOf[t];
+        if (patch == own) return true;
+        mixed = mixed || patch < 0 || (around >= 0 && around != patch);
+        around = patch;
+        return false;
+      });
+      if (mixed || around < 0 || island.size() > kLeastTriangles) continue;
+      const Surface& surface = partition_.patches[around].surface;
+      const bool near = std::all_of(island.begin(), island.end(), [&](std::int32_t t) {
+        return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
+                           [&](std::int32_t v) {
+                             return std::abs(surface.distance(mesh_.points[v])) <= tolerance_;
+                           });
+      });
+      if (!near) continue;
+      if (own >= 0) partition_.patches[own].triangles.clear();
+      for (const std::int32_t t : island) join(t, around);
+    }
+    dropEmptyPatches();
+  }
+
+  // A few small triangles left between patches: a contoured crease or corner that came out blunt.
+  // Each goes to a patch beside it, which then ends where the surfaces meet. Their corners all lie
+  // on patches already.
+  void giveSpecksAway() {
+    std::vector<char> seen(mesh_.triangles.size(), 0);
+    for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
+      if (seen[first] || partition_.patchOf[first] >= 0) continue;
+      const auto speck = flood(static_cast<std::int32_t>(first), seen,
+                               [&](std::int32_t t) { return partition_.patchOf[t] < 0; });
+      if (speck.size() > kSpeck || areaOf(mesh_, speck) > kSpeckArea * tolerance_ * tolerance_)
+        continue;
+      for (std::size_t left = speck.size(), before = 0; left != before;) {
+        before = left;
+        for (const std::int32_t t : speck) {
+          const std::int32_t host = partition_.patchOf[t] < 0 ? hostOf(t, kSpeckReach) : -1;
+          if (host < 0) continue;
+          join(t, host);
+          --left;
+        }
+      }
+    }
+  }
+
+  // Triangles from `first` on that are asked for beside each other, all seen afterwards.
+  template <class Accepts>
+  std::vector<std::int32_t> flood(std::int32_t first, std::vector<char>& seen,
+                                  const Accepts& accepts) const {
+    std::vector<std::int32_t> region{first};
+    seen[first] = 1;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t t = mesh_.opposite[3 * region[i] + k] / 3;
+        if (!accepts(t) || seen[t]) continue;
+        seen[t] = 1;
+        region.push_back(t);
+      }
+    }
+    return region;
+  }
+
+  void join(std::int32_t t, std::int32_t patch) {
+    partition_.patchOf[t] = patch;
+    partition_.patches[patch].triangles.push_back(t);
+  }
+
+  bool liesOn(const std::vector<std::int32_t>& triangles, const Surface& surface) const {
+    for (const std::int32_t t : triangles) {
+      Vector3d centre = Vector3d::Zero();
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        if (!(std::abs(surface.distance(mesh_.points[v])) <= tolerance_)) return false;
+        centre += mesh_.points[v] / 3;
+      }
+      if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) return false;
+    }
+    return true;
+  }
+
+  // Pieces of one surface that were found apart become one patch, the smaller joining the larger.
+  void mergePatches() {
+    std::vector<std::int32_t> order(partition_.patches.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+      return partition_.patches[a].triangles.size() < partition_.patches[b].triangles.size();
+    });
+    for (const std::int32_t p : order) {
+      std::vector<std::int32_t> neighbours;
+      for (const std::int32_t t : partition_.patches[p].triangles) {
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t q = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+          if (q >= 0 && q != p) neighbours.push_back(q);
+        }
+      }
+      std::sort(neighbours.begin(), neighbours.end());
+      neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+      std::int32_t best = -1;
+      for (const std::int32_t q : neighbours) {
+        const std::size_t size = partition_.patches[q].triangles.size();
+        if (size < partition_.patches[p].triangles.size()) continue;
+        if (best >= 0 && size <= partition_.patches[best].triangles.size()) continue;
+        if (liesOn(partition_.patches[p].triangles, partition_.patches[q].surface)) best = q;
+      }
+      if (best < 0) continue;
+      for (const std::int32_t t : partition_.patches[p].triangles) partition_.patchOf[t] = best;
+      auto& into = partition_.patches[best].triangles;
+      into.insert(into.end(), partition_.patches[p].triangles.begin(),
+                  partition_.patches[p].triangles.end());
+      partition_.patches[p].triangles.clear();
+    }
+    dropEmptyPatches();
+  }
+
+  // Many a free form comes near enough to a plane or cylinder here and there. Such a patch ends
+  // where the body goes on smoothly, along a jagged line; its vertices make more facets outside
+  // than the surface saves inside. What the body was made of ends at creases or at other patches.
+  void dropCostly() {
+    const std::vector<char> turns = turningBorders();
+    std::vector<double> saved;
+    for (Patch& patch : partition_.patches) {
+      saved.push_back(facetsSaved(mesh_, patch, tolerance_));
+      if (areaOf(mesh_, patch.triangles) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
+        release(patch);
+    }
+    std::vector<std::int32_t> smooth(partition_.patches.size());
+    for (bool changed = true; changed;) {
+      changed = false;
+      std::fill(smooth.begin(), smooth.end(), 0);
+      for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+        const std::int32_t own = partition_.patchOf[h / 3];
+        if (own >= 0 && !turns[h] && partition_.patchOf[mesh_.opposite[h] / 3] < 0) ++smooth[own];
+      }
+      for (std::size_t p = 0; p < partition_.patches.size(); ++p) {
+        if (smooth[p] <= kBorderPerFacet * saved[p] || partition_.patches[p].triangles.empty())
+          continue;
+        release(partition_.patches[p]);
+        changed = true;
+      }
+    }
+    dropEmptyPatches();
+  }
+
+  void release(Patch& patch) {
+    for (const std::int32_t t : patch.triangles) partition_.patchOf[t] = -1;
+    patch.triangles.clear();
+  }
+
+  // By half-edge: whether the mesh leaves the patch's surface steeply just beyond its border.
+  std::vector<char> turningBorders() const {
+    std::vector<char> turns(mesh_.opposite.size(), 0);
+    parallelBlocks(turns.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t h = begin; h < end; ++h) {
+        const std::int32_t own = partition_.patchOf[h / 3];
+        if (own >= 0 && own != partition_.patchOf[mesh_.opposite[h] / 3])
+          turns[h] = turnsAway(static_cast<std::int32_t>(h), partition_.patches[own].surface);
+      }
+    });
+    return turns;
+  }
+
+  bool turnsAway(std::int32_t border, const Surface& surface) const {
+    const Vector3d from =
+        (mesh_.points[mesh_.origin(border)] + mesh_.points[mesh_.target(border)]) / 2;
+    std::int32_t h = mesh_.opposite[border];
+    for (int step = 0; step < kStepsBeyond; ++step) {
+      const Vector3d& p = mesh_.points[mesh_.origin(HalfEdgeMesh::previous(h))];
+      const double off = std::abs(surface.distance(p));
+      if (off > kSteep * (p - from).norm() + kSteepFrom * tolerance_) return true;
+      h = mesh_.opposite[step % 2 == 0 ? HalfEdgeMesh::next(h) : HalfEdgeMesh::previous(h)];
+    }
+    return false;
+  }
+
+  void dropEmptyPatches() {
+    std::vector<Patch> left;
+    for (Patch& patch : partition_.patches) {
+      if (patch.triangles.empty()) continue;
+      const auto id = static_cast<std::int32_t>(left.size());
+      for (const std::int32_t t : patch.triangles) partition_.patchOf[t] = id;
+      patch.surfaceId = id;
+      left.push_back(std::move(patch));
+    }
+    partition_.patches.swap(left);
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const std::vector<Vector3d>& normal_;
+  const std::vector<char>& thin_;
+  double tolerance_;
+  Partition& partition_;
+};
+
+}  // namespace
+
+namespace {
+
+double bendAt(const Profile& profile, double t) {
+  Vector2d first, second;
+  profile.derivatives(t, first, second);
+  return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
+}
+
+// Strips along the direction; where the surface bends both ways, as on a torus.
+double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
+  constexpr int kSteps = 200;
+  const Profile& profile = *patch.surface.profile;
+  const double from = profile.nodes().front().knot, step = profile.length() / kSteps;
+  double strips = 0, facets = 0;
+  for (int i = 0; i < kSteps; ++i)
+    strips += step * std::sqrt(bendAt(profile, from + (i + 0.5) * step) / tolerance);
+  if (patch.surface.kind == SurfaceKind::Extrusion) return strips;
+  for (const std::int32_t t : patch.triangles) {
+    const Vector2d q = patch.surface.inProfile(mesh.points[mesh.triangles[t][0]]);
+    const Profile::Foot foot = profile.foot(q);
+    const double across = std::abs(foot.tangent.y()) / std::max(q.x(), tolerance);
+    const double area = 0.5 * mesh.areaVector(t).norm();
+    facets += area * std::sqrt(bendAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
+  }
+  return std::max(strips, facets);
+}
+
+}  // namespace
+
+TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
+  const std::size_t count = mesh.triangles.size();
+  TriangleShapes shapes{std::vector<Vector3d>(count), std::vector<double>(count),
+                        std::vector<char>(count)};
+  parallelBlocks(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Vector3d vector = mesh.areaVector(static_cast<std::int32_t>(t));
+      const double twice = vector.norm();
+      double longest = 0;
+      for (int k = 0; k < 3; ++k) {
+        longest = std::max(longest, (mesh.points[mesh.triangles[t][k]] -
+                                     mesh.points[mesh.triangles[t][(k + 1) % 3]])
+                                        .norm());
+      }
+      shapes.area[t] = 0.5 * twice;
+      shapes.normal[t] = twice > 0 ? Vector3d(vector / twice) : Vector3d::Zero();
+      shapes.thin[t] = twice < 0.05 * longest * longest;
+    }
+  });
+  return shapes;
+}
+
+double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
+  const Surface& s = patch.surface;
+  if (s.isPlanar()) return kFacetsOfPlane;
+  if (s.hasProfile()) return savedByProfile(mesh, patch, tolerance);
+  if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) {
+    const double radius =
+        s.kind == SurfaceKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));
+    return areaOf(mesh, patch.triangles) / (kAreaPerFacet * tolerance * radius);
+  }
+  // Strips along the axis, two facets each.
+  return angleOf(mesh, patch) / std::sqrt(4 * tolerance / s.radius);
+}
+
+void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
+                 Partition& partition) {
+  Tidier(mesh, shapes, tolerance, partition).tidy();
+}
+
+}  // namespace swept::step

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "swept/step_import.h"
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <filesystem>
+#include <fstream>
+
+#include "solid/kernel/solid_file.h"
+#include "solid/text/step_scan.h"
+
+namespace swept {
+namespace {
+
+void appendFace(const TopoDS_Face& face, TriMesh& mesh) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
+  if (part.IsNull()) return;
+  const gp_Trsf& place = location.Transformation();
+  const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+  for (int i = 1; i <= part->NbNodes(); ++i) {
+    const gp_Pnt p = part->Node(i).Transformed(place);
+    mesh.vertices.emplace_back(p.X(), p.Y(), p.Z());
+  }
+  const bool turned = face.Orientation() == TopAbs_REVERSED;
+  for (int i = 1; i <= part->NbTriangles(); ++i) {
+    int a = 0;
+    int b = 0;
+    int c = 0;
+    part->Triangle(i).Get(a, b, c);
+    if (turned) std::swap(b, c);
+    mesh.triangles.push_back({first + a - 1, first + b - 1, first + c - 1});
+  }
+}
+
+void checkStructure(const std::filesystem::path& file, const std::string& path) {
+  std::ifstream text(file, std::ios::binary);
+  if (!text) return;  // the kernel says why
+  const std::string complaint = step::stepComplaint(text);
+  if (complaint.empty()) return;
+  throw Error(Status::InvalidInput, "BadFile",
+              "'" + path + "' is no sound STEP file: " + complaint +
+                  "; export it once more from where it comes from");
+}
+
+TriMesh meshOf(const TopoDS_Shape& shape) {
+  TriMesh mesh;
+  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
+    appendFace(TopoDS::Face(f.Current()), mesh);
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
+                                      double angularDeflection, RunContext& run) {
+  step::KernelSession kernel;
+  const std::filesystem::path file(path);
+  try {
+    const std::string suffix = file.extension().string();
+    const bool brep =
+        suffix == ".brep" || suffix == ".brp" || suffix == ".BREP" || suffix == ".BRP";
+    if (!brep) checkStructure(file, path);
+    const TopoDS_Shape shape =
+        brep ? step::readBrepFile(path, run) : step::readStepFile(path, kernel, run);
+    run.checkpoint(Phase::Input);
+    BRepMesh_IncrementalMesh mesher(shape, linearDeflection, false, angularDeflection, true);
+    run.checkpoint(Phase::Input);
+    std::vector<ImportedSolid> solids;
+    for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
+      TriMesh mesh = meshOf(s.Current());
+      if (!mesh.triangles.empty()) solids.push_back({"", std::move(mesh)});
+    }
+    if (solids.empty()) solids.push_back({"", meshOf(shape)});
+    if (solids[0].mesh.triangles.empty())
+      throw Error(Status::InvalidInput, "NoSurface",
+                  "'" + path + "' holds no face that can be triangulated; export a solid");
+    const std::string stem = file.stem().string();
+    for (std::size_t i = 0; i < solids.size(); ++i)
+      solids[i].name = solids.size() == 1 ? stem : stem + " " + std::to_string(i + 1);
+    return solids;
+  } catch (const Error& error) {
+    if (error.status() != Status::ExportFailed) throw;
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' cannot be read: " + error.what() +
+                    "; check that it is a STEP or BREP file");
+  } catch (const Standard_Failure& failure) {
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' cannot be read: " + failure.GetMessageString());
+  }
+}
+
+}  // namespace swept

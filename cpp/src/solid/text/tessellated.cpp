@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/text/tessellated.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include "base/safe_file.h"
+#include "solid/mesh/half_edge.h"
+#include "solid/text/step_lines.h"
+
+namespace swept::step {
+namespace {
+
+constexpr double kBytesPerTriangle = 45;
+constexpr double kSameVolume = 1e-9;  // of the area times its root: points are rounded
+constexpr double kExact = 1e-7;       // mm, stated
+
+class Writer {
+ public:
+  Writer(const HalfEdgeMesh& mesh, std::ostream& out, const StepOptions& options, RunContext& run)
+      : mesh_(mesh), options_(options), lines_(out, run), frame_(lines_, options) {}
+
+  void write(const std::string& fileName) {
+    frame_.header(fileName);
+    std::vector<std::vector<Id>> faces(mesh_.shellOwner.size());
+    const std::vector<std::vector<std::int32_t>> shells = trianglesOfShells();
+    for (std::size_t s = 0; s < shells.size(); ++s)
+      faces[mesh_.shellOwner[s]].push_back(face(shells[s]));
+    std::vector<Id> solids;
+    for (const std::vector<Id>& items : faces) {
+      if (items.empty()) continue;
+      solids.push_back(lines_.begin("TESSELLATED_SOLID"));
+      lines_.raw(stepString(options_.productName)).raw(",").ids(items).raw(",$").end();
+    }
+    const Id context = frame_.context(kExact);
+    frame_.product("TESSELLATED_SHAPE_REPRESENTATION", solids, solids, context);
+    frame_.end();
+  }
+
+ private:
+  std::vector<std::vector<std::int32_t>> trianglesOfShells() const {
+    std::vector<std::vector<std::int32_t>> shells(mesh_.shellOwner.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      shells[mesh_.shellOf[t]].push_back(static_cast<std::int32_t>(t));
+    return shells;
+  }
+
+  // Points of one shell, numbered from 1, and its triangles.
+  Id face(const std::vector<std::int32_t>& triangles) {
+    std::vector<std::int32_t> points;
+    numberOf_.resize(mesh_.points.size(), 0);
+    for (const std::int32_t t : triangles) {
+      for (const std::int32_t v : mesh_.triangles[t]) {
+        if (numberOf_[v] > 0) continue;
+        points.push_back(v);
+        numberOf_[v] = static_cast<std::int32_t>(points.size());
+      }
+    }
+    const Id list = lines_.begin("COORDINATES_LIST");
+    const auto count = static_cast<Id>(points.size());
+    lines_.raw("'',").integer(count);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      lines_.raw(i == 0 ? ",(" : ",").triple(mesh_.points[points[i]], true);
+      lines_.flushIfLong();
+    }
+    lines_.raw(")").end();
+    const Id id = lines_.begin("TRIANGULATED_FACE");
+    // No normals, no surface, no selection of the points.
+    lines_.raw("'',").id(list).raw(",").integer(count);
+    lines_.raw(",(),$,()");
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& tri = mesh_.triangles[triangles[i]];
+      lines_.raw(i == 0 ? ",((" : ",(").integer(numberOf_[tri[0]]);
+      lines_.raw(",").integer(numberOf_[tri[1]]);
+      lines_.raw(",").integer(numberOf_[tri[2]]);
+      lines_.raw(")").flushIfLong();
+    }
+    lines_.raw(")").end();
+    return id;
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const StepOptions& options_;
+  Lines lines_;
+  Frame frame_;
+  std::vector<std::int32_t> numberOf_;  // in its shell's list, from 1
+};
+
+// Reads numbers and marks of one statement after another.
+class Reader {
+ public:
+  Reader(std::istream& text, RunContext& run) : in_(*text.rdbuf()), run_(run) {}
+
+  TriMesh read() {
+    while (seekEntity()) {
+      const std::string keyword = word();
+      if (keyword == "COORDINATES_LIST") readPoints();
+      if (keyword == "TRIANGULATED_FACE") readFace();
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr int kEnd = std::char_traits<char>::eof();
+  struct List {
+    std::int32_t first = 0, count = 0;
+  };
+
+  [[noreturn]] static void fail(const std::string& what) {
+    throw Error(Status::ExportFailed, "RereadFailed",
+                "the tessellated solid just written cannot be read back: " + what);
+  }
+
+  // To behind `#n=` of the next entity.
+  bool seekEntity() {
+    for (int c = in_.sbumpc(); c != kEnd; c = in_.sbumpc()) {
+      if (c == '\'') skipString();
+      if (c == ';') atStart_ = true;
+      if (c != '#' || !atStart_) continue;
+      atStart_ = false;
+      id_ = integer();
+      if (in_.sbumpc() != '=') fail("an entity without =");
+      return true;
+    }
+    return false;
+  }
+  void skipString() {
+    for (int c = in_.sbumpc(); c != '\'' && c != kEnd;) c = in_.sbumpc();
+  }
+  std::string word() {
+    std::string result;
+    for (int c = in_.sgetc(); c == '_' || (c >= 'A' && c <= 'Z'); c = in_.snextc())
+      result += static_cast<char>(c);
+    return result;
+  }
+  void expect(const char* marks) {
+    for (; *marks != 0; ++marks) {
+      if (in_.sbumpc() != *marks) fail(std::string("a missing ") + *marks);
+    }
+  }
+  std::int64_t integer() {
+    std::int64_t value = 0;
+    bool any = false;
+    for (int c = in_.sgetc(); c >= '0' && c <= '9' && value < (std::int64_t{1} << 40U);
+         c = in_.snextc()) {
+      value = 10 * value + (c - '0');
+      any = true;
+    }
+    if (!any) fail("a number is missing");
+    return value;
+  }
+  double real() {
+    char text[64];
+    char* end = text;
+    for (int c = in_.sgetc(); end < text + 63 && c != ',' && c != ')' && c != kEnd;
+         c = in_.snextc())
+      *end++ = static_cast<char>(c);
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text, end, value);
+    // A point may stand at the end.
+    if (error != std::errc() || (stop != end && !(stop + 1 == end && *stop == '.')))
+      fail("a coordinate is no number");
+    return value;
+  }
+  // ',' for one more, ')' for the end.
+  bool more() {
+    const int c = in_.sbumpc();
+    if (c != ',' && c != ')') fail("a list does not end");
+    return c == ',';
+  }
+
+  void readPoints() {
+    expect("('',");
+    List list{static_cast<std::int32_t>(mesh_.vertices.size()),
+              static_cast<std::int32_t>(integer())};
+    expect(",(");
+    do {
+      expect("(");
+      Eigen::Vector3d p;
+      for (int k = 0; k < 3; ++k) {
+        p[k] = real();
+        expect(k < 2 ? "," : ")");
+      }
+      mesh_.vertices.push_back(p);
+      checkpoint();
+    } while (more());
+    if (static_cast<std::int64_t>(mesh_.vertices.size()) != list.first + list.count)
+      fail("a list has another number of points than it says");
+    lists_[id_] = list;
+  }
+
+  void readFace() {
+    expect("('',#");
+    const auto found = lists_.find(integer());
+    if (found == lists_.end()) fail("a face without its points");
+    const List list = found->second;
+    expect(",");
+    integer();
+    expect(",(),$,(),(");
+    do {
+      expect("(");
+      std::array<std::int32_t, 3> triangle{};
+      for (int k = 0; k < 3; ++k) {
+        const std::int64_t number = integer();
+        if (number < 1 || number > list.count) fail("a triangle with a point that is not there");
+        triangle[k] = static_cast<std::int32_t>(list.first + number - 1);
+        expect(k < 2 ? "," : ")");
+      }
+      mesh_.triangles.push_back(triangle);
+      checkpoint();
+    } while (more());
+  }
+
+  void checkpoint() {
+    if ((++read_ & 0xFFFFU) == 0) run_.checkpoint(Phase::Export);
+  }
+
+  std::streambuf& in_;
+  RunContext& run_;
+  TriMesh mesh_;
+  std::map<std::int64_t, List> lists_;
+  std::int64_t id_ = 0;
+  std::uint64_t read_ = 0;
+  bool atStart_ = false;
+};
+
+std::int64_t outerShells(const HalfEdgeMesh& mesh) {
+  std::int64_t count = 0;
+  for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s)
+    count += mesh.shellOwner[s] == static_cast<std::int32_t>(s);
+  return count;
+}
+
+void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
+  const double allowed =
+      kSameVolume * written.area * std::sqrt(written.area) + 1e-12 * std::abs(written.volume);
+  std::string what;
+  if (read.triangles.size() != written.triangles.size() ||
+      read.points.size() != written.points.size()) {
+    what = std::to_string(read.triangles.size()) + " triangles instead of " +
+           std::to_string(written.triangles.size());
+  } else if (read.shellOwner.size() != written.shellOwner.size()) {
+    what = std::to_string(read.shellOwner.size()) + " shells instead of " +
+           std::to_string(written.shellOwner.size());
+  } else if (!(std::abs(read.volume - written.volume) <= allowed)) {
+    what = "another volume";
+  }
+  if (what.empty()) return;
+  throw Error(Status::ExportFailed, "RereadDiffers",
+              "the file was written but reads back wrong: " + what +
+                  "; the target was left as it was. Export a mesh file");
+}
+
+void checkOptions(const HalfEdgeMesh& mesh, const StepOptions& options) {
+  if (options.tolerance > 0) {
+    throw Error(Status::ExportFailed, "BadOption",
+                "a tessellated solid has the triangles of the mesh: simplify the envelope instead "
+                "of giving the solid a tolerance");
+  }
+  const double megabytes = tessellatedMegabytes(static_cast<std::int64_t>(mesh.triangles.size()));
+  if (options.maxMegabytes > 0 && megabytes > options.maxMegabytes) {
+    throw Error(Status::ExportFailed, "TooManyFaces",
+                "the tessellated solid of " + std::to_string(mesh.triangles.size()) +
+                    " triangles would take about " + std::to_string(std::lround(megabytes)) +
+                    " MB; the limit is " + std::to_string(std::lround(options.maxMegabytes)) +
+                    " MB. Simplify the envelope, raise the limit, or export a mesh file");
+  }
+}
+
+}  // namespace
+
+double tessellatedMegabytes(std::int64_t triangles) {
+  return 1e-6 * kBytesPerTriangle * static_cast<double>(triangles);
+}
+
+TriMesh readTessellated(std::istream& text, RunContext& run) { return Reader(text, run).read(); }
+
+StepReport writeTessellated(const TriMesh& input, const std::string& path,
+                            const StepOptions& options, RunContext& run) {
+  const auto now = [] { return std::chrono::steady_clock::now(); };
+  const auto seconds = [](auto from, auto to) {
+    return std::chrono::duration<double>(to - from).count();
+  };
+  SafeFile file(path);
+  const auto begin = now();
+  const HalfEdgeMesh mesh = buildHalfEdges(input, run);
+  checkOptions(mesh, options);
+  const auto built = now();
+  Writer(mesh, file.stream(), options, run)
+      .write(utf8FromPath(pathFromUtf8(file.target()).filename()));
+  file.close();
+  const auto written = now();
+  std::ifstream text(pathFromUtf8(file.temporary()), std::ios::binary);
+  const HalfEdgeMesh read = buildHalfEdges(readTessellated(text, run), run);
+  compare(read, mesh);
+  StepReport report;
+  report.faces = static_cast<std::int64_t>(read.triangles.size());
+  report.edges = 3 * report.faces / 2;
+  report.solids = outerShells(read);
+  report.facesByKind = {{"triangle", report.faces}};
+  report.valid = true;
+  report.volume = read.volume;
+  report.meshVolume = mesh.volume;
+  report.secondsBuild = seconds(begin, built);
+  report.secondsWrite = seconds(built, written);
+  report.secondsReread = seconds(written, now());
+  run.checkpoint(Phase::Export, 1, 1);
+  report.fileBytes = file.commit();
+  return report;
+}
+
+}  // namespace swept::step

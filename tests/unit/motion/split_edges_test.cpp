@@ -1,0 +1,105 @@
+// Long edges of bodies that turn are split; nothing else about the body changes.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "motion/split_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "check/mesh_check.h"
+#include "motion/refine_motion.h"
+#include "motion/step_path.h"
+#include "support/checked_compute.h"
+#include "support/shapes.h"
+
+namespace swept::test {
+namespace {
+
+using V3 = Eigen::Vector3d;
+
+Trajectory quarterTurn(double radians) {
+  const auto turned = [](double angle) {
+    return Eigen::Isometry3d(Eigen::AngleAxisd(angle, V3(1, 2, 2).normalized()));
+  };
+  return {{poseOf(0, turned(0)), poseOf(1, turned(radians))}, Interpolation::Linear};
+}
+
+TEST(SplitEdges, NoEdgeIsLongerAndTheSurfaceIsTheSame) {
+  RunContext run;
+  TriMesh body = makeSquareRing(4, 3, 0, 7);
+  append(body, makeBox({20, 0, 0}, {20.5, 9, 0.25}));  // slender: 1, 2 and 3 long edges a triangle
+  for (const double longest : {5.0, 1.0, 0.3}) {
+    const TriMesh split = splitEdges(body, longest, run);
+    EXPECT_LE(longestEdge(split), longest);
+    EXPECT_NEAR(signedVolume(split), signedVolume(body), 1e-12 * signedVolume(body));
+    EXPECT_NEAR(surfaceArea(split), surfaceArea(body), 1e-12 * surfaceArea(body));
+    const MeshCheck check = checkMesh(split, run);
+    EXPECT_TRUE(check.closed);
+    EXPECT_TRUE(check.manifold);
+    EXPECT_TRUE(check.oriented);
+    EXPECT_EQ(check.degenerateTriangles, 0);
+    for (std::size_t v = 0; v < body.vertices.size(); ++v) {
+      EXPECT_EQ(split.vertices[v], body.vertices[v]);
+    }
+  }
+}
+
+TEST(SplitEdges, OnlyWhereItSavesWork) {
+  RunContext run;
+  const double cell = 0.05, chord = 0.02 * cell;
+  const auto best = [&](const TriMesh& body, const Trajectory& motion) {
+    return findBestEdge(body, motion, chord, cell, run);
+  };
+  const TriMesh box = makeBox({0, 0, 0}, {10, 7, 5});
+  EXPECT_LT(best(box, quarterTurn(M_PI / 2)), 2);
+  Trajectory moved = quarterTurn(0);
+  moved.poses[1].translation = V3(9, 1, 2);
+  EXPECT_TRUE(std::isinf(best(box, moved)));
+  Trajectory copies = quarterTurn(M_PI / 2);
+  copies.interpolation = Interpolation::None;
+  EXPECT_TRUE(std::isinf(best(box, copies)));
+  EXPECT_TRUE(std::isinf(best(makeBall({0, 0, 0}, 5, 6), quarterTurn(M_PI / 2))));
+}
+
+/// A fine body may not be copied as often as its few long edges ask: these are split.
+TEST(SplitEdges, FewLongEdgesOfAFineBodyStayFlat) {
+  RunContext run;
+  const double cell = 0.05, chord = 0.02 * cell;
+  TriMesh body = makeBall({0, 0, 0}, 1, 6);
+  append(body, makeBox({2, 0, 0}, {2.1, 0.1, 20}));
+  Trajectory turn;
+  for (int n = 0; n <= 40; ++n) {
+    turn.poses.push_back(poseOf(n, Eigen::Isometry3d(Eigen::AngleAxisd(0.04 * n, V3::UnitX()))));
+  }
+  turn.interpolation = Interpolation::Linear;
+  const std::size_t triangles = body.triangles.size();
+  const auto chordError = [&](const TriMesh& mesh) {
+    return refineMotion(mesh, turn, chord, triangles, run).chordError;
+  };
+  EXPECT_GT(chordError(body), 0.3 * cell);
+  const TriMesh split = splitEdges(body, findBestEdge(body, turn, chord, cell, run), run);
+  EXPECT_LT(chordError(split), 0.1 * cell + chord);
+  EXPECT_LT(split.triangles.size(), triangles * 5 / 4);
+}
+
+/// A box that turns about an edge: a sector of a cylinder beside the box as it stands first and
+/// last.
+TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
+  const TriMesh box = makeBox({0, 0, 0}, {4, 1, 10});
+  Trajectory turn;
+  for (const double angle : {0.0, M_PI / 2}) {
+    turn.poses.push_back(poseOf(angle, Eigen::Isometry3d(Eigen::AngleAxisd(angle, V3::UnitZ()))));
+  }
+  turn.interpolation = Interpolation::Linear;
+  Options options;
+  options.resolution = 128;
+  const Result result = checkedCompute(box, turn, options);
+  // 10 mm edges turning by 1.57: 2,500 placements for flat patches; 100 for the arcs.
+  EXPECT_LT(result.report.refinedPlacements, 300);
+  // A quarter of a disc up to the far corner, and the two halves of the box beside it.
+  const double area = 17 * M_PI / 4 + 4;
+  EXPECT_NEAR(result.report.check.volume, 10 * area, 2e-3 * 10 * area);
+}
+
+}  // namespace
+}  // namespace swept::test
