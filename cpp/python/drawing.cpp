@@ -23,7 +23,7 @@ constexpr double kEnough = 1.2;
 /// Weight of a cell's mean point against the planes that meet in it.
 constexpr double kMeanWeight = 0.001;
 /// Cells along one side of the grid.
-constexpr double kMostCells = 0x1fffff;
+constexpr double kMaxCells = 0x1fffff;
 /// Corners of one vertex share a point while the cosine between their normals is above this.
 constexpr double kSameNormal = 0.999;
 
@@ -80,7 +80,7 @@ std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t
     const Vector3d at = (mesh.vertices[i] - low) / cell;
     std::uint64_t key = 0;
     for (int k = 0; k < 3; ++k) {
-      key = (key << 21) | static_cast<std::uint64_t>(std::clamp(at[k], 0.0, kMostCells));
+      key = (key << 21) | static_cast<std::uint64_t>(std::clamp(at[k], 0.0, kMaxCells));
     }
     cells[i] = numbering.of(key);
   }

@@ -16,13 +16,13 @@ constexpr int kUsualTrim = 64 << 20, kUsualMaps = 65536;
 constexpr int kNoTrim = 1 << 30;
 #endif
 /// Less than this is not worth it.
-constexpr std::size_t kLeast = std::size_t{8} << 20, kPage = 4096;
+constexpr std::size_t kMin = std::size_t{8} << 20, kPage = 4096;
 
 }  // namespace
 
 WarmMemory::WarmMemory([[maybe_unused]] std::size_t bytes) {
 #ifdef __GLIBC__
-  if (bytes < kLeast) return;
+  if (bytes < kMin) return;
   // A block of its own would go back to the system when it is freed, and so would the end of the
   // heap.
   mallopt(M_TRIM_THRESHOLD, kNoTrim);

@@ -15,7 +15,7 @@
 namespace swept::fuzz {
 namespace {
 
-constexpr int kMostCheckpoints = 150;  ///< some tenths of a second
+constexpr int kMaxCheckpoints = 150;  ///< some tenths of a second
 
 ClearanceOptions options(ByteSource& bytes) {
   ClearanceOptions options;
@@ -119,7 +119,7 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   RunContext run;
   limit(run);
   // Parts of kilometres to a hundredth of a millimetre: as good as without end, but cancelled.
-  run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMostCheckpoints;
+  run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMaxCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
   if (wantsToSee()) {

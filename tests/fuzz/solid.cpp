@@ -12,11 +12,11 @@
 namespace swept::fuzz {
 namespace {
 
-constexpr std::int64_t kMostFaces = 400;  // the kernel takes milliseconds a face here
+constexpr std::int64_t kMaxFaces = 400;  // the kernel takes milliseconds a face here
 
 StepOptions options(ByteSource& bytes) {
   StepOptions options;
-  options.maxFaces = bytes.chance(16) ? bytes.byte() - 3 : kMostFaces;
+  options.maxFaces = bytes.chance(16) ? bytes.byte() - 3 : kMaxFaces;
   options.mergeCoplanar = bytes.chance(230);
   if (bytes.chance(128)) options.tolerance = std::abs(bytes.number()) / 16;
   if (bytes.chance(32)) options.planarTolerance = bytes.number() / 800;

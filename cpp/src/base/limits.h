@@ -9,8 +9,8 @@ namespace swept {
 /// mm; also of a coordinate. Beyond it an input is taken for one with a wrong unit.
 constexpr double kLargestLength = 1e9;
 /// Vertices and triangles are numbered with 32 bits.
-constexpr std::uint64_t kMostElements = 2147483647;
+constexpr std::uint64_t kMaxElements = 2147483647;
 /// That a run may be given.
-constexpr int kMostThreads = 4096;
+constexpr int kMaxThreads = 4096;
 
 }  // namespace swept

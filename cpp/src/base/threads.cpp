@@ -11,10 +11,10 @@
 namespace swept {
 
 int threadsOf(const RunContext& run) {
-  if (run.threads < 0 || run.threads > kMostThreads) {
+  if (run.threads < 0 || run.threads > kMaxThreads) {
     throw Error(Status::InvalidInput, "BadOption",
                 "threads is " + std::to_string(run.threads) + "; allowed: 0 (all cores) to " +
-                    std::to_string(kMostThreads));
+                    std::to_string(kMaxThreads));
   }
   return run.threads > 0 ? run.threads : tbb::info::default_concurrency();
 }

@@ -14,7 +14,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kMostPairsOfPart = 1 << 20;
+constexpr std::size_t kMaxPairsOfPart = 1 << 20;
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 struct Found {
@@ -22,7 +22,7 @@ struct Found {
   Pairs pairs;
   void add(std::int32_t a, std::int32_t b) {
     ++count;
-    if (pairs.size() < kMostPairsOfPart) pairs.emplace_back(std::min(a, b), std::max(a, b));
+    if (pairs.size() < kMaxPairsOfPart) pairs.emplace_back(std::min(a, b), std::max(a, b));
   }
 };
 

@@ -9,7 +9,7 @@ namespace swept {
 namespace {
 
 /// More pieces than this in one cell say nothing about a single wall any more.
-constexpr std::size_t kMostPieces = 20000;
+constexpr std::size_t kMaxPieces = 20000;
 /// Cells: pieces this close to the cell count as met, so that the search can go round its corners.
 constexpr double kAround = 0.05;
 
@@ -79,8 +79,8 @@ bool meetsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::V
 class SeenElements {
  public:
   void clear() {
-    constexpr std::size_t kMostKept = 4096;
-    if (slots_.size() > kMostKept) slots_.clear();
+    constexpr std::size_t kMaxKept = 4096;
+    if (slots_.size() > kMaxKept) slots_.clear();
     std::fill(slots_.begin(), slots_.end(), kFree);
     count_ = 0;
   }
@@ -232,13 +232,13 @@ void ElementProbe::gather(const Eigen::AlignedBox3d& region,
   const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     return meetsBox(p - centre, q - centre, half);
   };
-  while (!waiting.empty() && pieces.size() <= kMostPieces) {
+  while (!waiting.empty() && pieces.size() <= kMaxPieces) {
     const auto [element, at] = waiting.back();
     waiting.pop_back();
     const Piece piece = pieces[at];
     forNeighbours(element, piece, inside, visit);
   }
-  if (pieces.size() > kMostPieces) pieces.clear();
+  if (pieces.size() > kMaxPieces) pieces.clear();
 }
 
 void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {

@@ -13,14 +13,14 @@ namespace {
 
 /// Two crossings of one edge are kept at least this far apart (cells), so that a sheet without
 /// thickness still has two sides.
-constexpr float kLeastWall = 2e-3f;
+constexpr float kMinWall = 2e-3f;
 
 void separate(Crossing& low, Crossing& high) {
   const float gap = high.fraction - low.fraction;
-  if (gap >= kLeastWall) return;
-  const float middle = std::clamp((low.fraction + high.fraction) / 2, kLeastWall, 1 - kLeastWall);
-  low.fraction = middle - kLeastWall / 2;
-  high.fraction = middle + kLeastWall / 2;
+  if (gap >= kMinWall) return;
+  const float middle = std::clamp((low.fraction + high.fraction) / 2, kMinWall, 1 - kMinWall);
+  low.fraction = middle - kMinWall / 2;
+  high.fraction = middle + kMinWall / 2;
 }
 
 }  // namespace

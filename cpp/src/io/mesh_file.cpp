@@ -206,7 +206,7 @@ PolygonList readThroughOpenMesh(OpenedFile& file, const std::string& suffix,
   file.stream.clear();
   file.stream.seekg(0);
 
-  const std::uint64_t limit = std::min(file.bytes, kMostElements);  // each takes a byte at least
+  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // each takes a byte at least
   ListImporter found(limit, 4 * limit);
   OpenMeshCall call;
   std::istringstream cleaned(std::move(exact.cleaned));
@@ -244,9 +244,9 @@ void writeMesh(const TriMesh& mesh, const std::string& path) {
         Status::ExportFailed, "BadFormat",
         "'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off, 3mf");
   }
-  if (mesh.vertices.size() > kMostElements || mesh.triangles.size() > kMostElements) {
+  if (mesh.vertices.size() > kMaxElements || mesh.triangles.size() > kMaxElements) {
     throw Error(Status::ExportFailed, "TooManyFaces",
-                "'" + path + "': mesh files count to " + std::to_string(kMostElements) +
+                "'" + path + "': mesh files count to " + std::to_string(kMaxElements) +
                     ", the mesh has " + std::to_string(mesh.triangles.size()) + " triangles");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

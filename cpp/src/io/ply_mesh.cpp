@@ -50,8 +50,8 @@ void requireRoles(const PlyHeader& header, const std::string& path) {
       bad(path, ": vertex_indices must be whole numbers");
     }
   }
-  if (header.find("vertex")->count > kMostElements) {
-    bad(path, ": more than " + std::to_string(kMostElements) + " vertices");
+  if (header.find("vertex")->count > kMaxElements) {
+    bad(path, ": more than " + std::to_string(kMaxElements) + " vertices");
   }
 }
 
@@ -61,7 +61,7 @@ class Growing {
   void value(Role role, double number) { point_[static_cast<int>(role) - 1] = number; }
   void corner(std::int64_t index) {
     // What 32 bits do not hold does not exist: it is refused with the other numbers out of range.
-    const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMostElements);
+    const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMaxElements);
     list.corners.push_back(holds ? static_cast<std::int32_t>(index) : -1);
   }
   void endOf(const PlyElement& element) {

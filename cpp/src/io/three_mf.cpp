@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kChunk = 1U << 18U;  // bytes
 constexpr int kSumAt = 14;                 // in a part's header
-constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
 
 // Parts one after another, each packed; the list of them at the end.
 class Package {
@@ -52,7 +52,7 @@ class Package {
     deflateEnd(&packer_);
     open_ = false;
     const Part& part = parts_.back();
-    if (part.packed > kMost || part.bytes > kMost || position() > kMost) {
+    if (part.packed > kMax || part.bytes > kMax || position() > kMax) {
       throw Error(Status::ExportFailed, "TooManyFaces",
                   "the mesh is too large for a 3MF file, whose parts hold 4 GB; simplify it or "
                   "export PLY");

@@ -8,7 +8,7 @@
 namespace swept {
 namespace {
 
-constexpr double kMostTurn = M_PI / 2;
+constexpr double kMaxTurn = M_PI / 2;
 using Corners = std::array<Eigen::Vector3d, 8>;
 
 Corners cornersAt(const Pose& pose, const Eigen::AlignedBox3d& body) {
@@ -46,7 +46,7 @@ FilteredTrajectory filterPositions(const Trajectory& trajectory, const Eigen::Al
       const double moved = farthest(here, last);
       keep =
           moved > distance ||
-          (continuous && kept.back().rotation.angularDistance(poses[i + 1].rotation) >= kMostTurn);
+          (continuous && kept.back().rotation.angularDistance(poses[i + 1].rotation) >= kMaxTurn);
       if (!keep) {
         ++out.dropped;
         out.distance = std::max(out.distance, moved);

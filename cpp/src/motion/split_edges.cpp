@@ -16,7 +16,7 @@ namespace {
 // crossing of that copy. Only their ratio matters.
 constexpr double kFaceCost = 400, kCrossingCost = 8;
 /// Nor is a body to take more memory than the envelope does.
-constexpr double kMostTriangles = 2e6;
+constexpr double kMaxTriangles = 2e6;
 /// A finer body has to be worth more than doubts about these figures.
 constexpr double kGain = 2;
 /// Where the placements are limited by what they cost, patches stay warped. Beyond so many cells
@@ -68,7 +68,7 @@ class SamplingCost {
       // Halving leaves triangles of a quarter of the square of their longest edge.
       triangles += e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
     }
-    if (triangles > std::max(kMostTriangles, static_cast<double>(extents_.size()))) {
+    if (triangles > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
       return std::numeric_limits<double>::infinity();
     }
     double placements = 1;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSmallAngle = 1e-9;
 // Triangles times placements that may be spent on flattening side patches.
-constexpr double kMostFaceCopies = 4e6;
+constexpr double kMaxFaceCopies = 4e6;
 
 }  // namespace
 
@@ -82,7 +82,7 @@ double piecesOf(double radius, double angle, double longest, double chord, doubl
 }
 
 double mostPiecesOf(double triangles, std::size_t steps) {
-  return kMostFaceCopies / triangles / static_cast<double>(steps);
+  return kMaxFaceCopies / triangles / static_cast<double>(steps);
 }
 
 }  // namespace swept

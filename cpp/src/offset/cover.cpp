@@ -13,7 +13,7 @@ namespace swept::offset {
 namespace {
 
 constexpr double kTwist = 0.005;  // cells: patches are cut along their edge until flat to this
-constexpr int kMostParts = 256;
+constexpr int kMaxParts = 256;
 
 /// One vertex of every connected piece of the body.
 std::vector<std::int32_t> pieces(const TriMesh& body) {
@@ -119,7 +119,7 @@ class MotionCover {
       const Eigen::Vector3d a = s.from.apply(va), b = s.from.apply(vb), c = s.to.apply(vb),
                             d = s.to.apply(va);
       const double twist = ((c - d) - (b - a)).norm() / 4;
-      const int parts = std::clamp(static_cast<int>(twist / kTwist) + 1, 1, kMostParts);
+      const int parts = std::clamp(static_cast<int>(twist / kTwist) + 1, 1, kMaxParts);
       const auto slack = static_cast<float>(twist / parts * 1.001);
       for (int part = 0; part < parts; ++part) {
         const double r = static_cast<double>(part) / parts, q = (part + 1.0) / parts;
@@ -165,8 +165,8 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
 /// Long triangles are cut: a box round a long oblique one is nearly empty, and searches would open
 /// it for nothing.
 void cutLong(std::vector<CoverTriangle>& triangles) {
-  constexpr double kLong = 6;        // cells
-  constexpr double kMostPieces = 3;  // times the triangles, and a million more
+  constexpr double kLong = 6;       // cells
+  constexpr double kMaxPieces = 3;  // times the triangles, and a million more
   const auto longest = [](const CoverTriangle& t) {
     int best = 0;
     double length = -1;
@@ -189,7 +189,7 @@ void cutLong(std::vector<CoverTriangle>& triangles) {
     }
     return sum;
   };
-  const double most = kMostPieces * static_cast<double>(triangles.size()) + 1e6;
+  const double most = kMaxPieces * static_cast<double>(triangles.size()) + 1e6;
   while (pieces() > most) limit *= 2;
   std::vector<std::size_t> todo;
   const std::size_t count = triangles.size();

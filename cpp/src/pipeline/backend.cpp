@@ -37,7 +37,7 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
   if (wanted == Backend::Gpu) {
     return gl::sampleOnGpu(input, gl::currentSetup(), false, findSigns, run);
   }
-  if (wanted == Backend::Auto && cpuSeconds >= kLeastAutoSeconds) {
+  if (wanted == Backend::Auto && cpuSeconds >= kMinAutoSeconds) {
     std::string why;
     try {
       gl::GlSetup setup = gl::currentSetup();

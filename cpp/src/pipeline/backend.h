@@ -11,9 +11,9 @@
 
 namespace swept {
 
-/// cpuSeconds: estimate of the whole run on the CPU; below kLeastAutoSeconds auto does not look for
+/// cpuSeconds: estimate of the whole run on the CPU; below kMinAutoSeconds auto does not look for
 /// a GPU. GPU runs of one process take turns.
-constexpr double kLeastAutoSeconds = 3;
+constexpr double kMinAutoSeconds = 3;
 SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
                              const FindSigns& findSigns, RunContext& run);
 

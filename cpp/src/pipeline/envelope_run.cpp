@@ -17,7 +17,7 @@ namespace swept {
 namespace {
 
 /// Copies of triangles up to which an offset is measured from the copies themselves.
-constexpr std::size_t kMostCopies = 8'000'000;
+constexpr std::size_t kMaxCopies = 8'000'000;
 
 void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -148,13 +148,13 @@ void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite) {
 void EnvelopeRun::grow(const BodyTopology& topology) {
   const SamplerInput input = samplerInput(topology, options_.cull);
   const double cell = prepared_.grid.cell, wanted = options_.offset / cell;
-  const bool fromMesh = offset::copiesOf(input) > kMostCopies;
+  const bool fromMesh = offset::copiesOf(input) > kMaxCopies;
   if (fromMesh && options_.conservative) {
     throw Error(Status::ResourceLimit, "TooManyCopies",
                 "a conservative envelope of a union of copies looks at every triangle of every "
                 "copy: " +
                     std::to_string(offset::copiesOf(input)) + " here, the limit is " +
-                    std::to_string(kMostCopies) +
+                    std::to_string(kMaxCopies) +
                     "; use fewer poses or a coarser body, or interpolate between poses");
   }
   if (fromMesh) envelope(topology);

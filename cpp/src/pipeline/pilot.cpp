@@ -18,8 +18,8 @@ namespace {
 /// for what may meet there is compared.
 constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
 constexpr double kRoom = 1.1;
-constexpr double kLeastRatio = 2;         ///< of the resolutions
-constexpr double kMostCopiedFaces = 5e7;  ///< of a union of copies
+constexpr double kMinRatio = 2;          ///< of the resolutions
+constexpr double kMaxCopiedFaces = 5e7;  ///< of a union of copies
 
 struct Counts {
   std::int64_t crossings = 0;
@@ -53,8 +53,8 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
   const double ratio = static_cast<double>(std::max({x, y, z})) / kPilotCells;
   const double copies = static_cast<double>(prepared.body.mesh.triangles.size()) *
                         static_cast<double>(prepared.motion.placements.size());
-  if (ratio < kLeastRatio || options.offset > 0 || options.conservative) return estimate;
-  if (!prepared.motion.continuous && copies > kMostCopiedFaces) return estimate;
+  if (ratio < kMinRatio || options.offset > 0 || options.conservative) return estimate;
+  if (!prepared.motion.continuous && copies > kMaxCopiedFaces) return estimate;
   const auto countAt = [&](double coarser) -> std::optional<Counts> {
     Prepared coarse;
     coarse.body = prepared.body;

@@ -22,7 +22,7 @@ Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
 
 /// The box of the sweep with the room that an offset or a conservative surface takes.
 Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
-  const double cells = options.conservative ? kMostMarginCells : 0;
+  const double cells = options.conservative ? kMaxMarginCells : 0;
   const double room =
       options.offset + cells * cell + (options.conservative ? options.tolerance : 0);
   box.min().array() -= room;
@@ -59,7 +59,7 @@ bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
   Motion motion = refined(p, options, last.cell, p.body.mesh.triangles.size(), run);
   const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, motion, run), last.cell, options);
-  constexpr double kLeastFilled = 0.75;
+  constexpr double kMinFilled = 0.75;
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double side = last.cell * (last.points[axis] - 1), margin = last.cell * kGridMarginCells;
@@ -67,7 +67,7 @@ bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
     if (box.min()[axis] < last.origin[axis] + margin) return false;
     if (box.max()[axis] > last.origin[axis] + side - margin) return false;
   }
-  if (box.sizes().maxCoeff() < kLeastFilled * longest) return false;
+  if (box.sizes().maxCoeff() < kMinFilled * longest) return false;
   p.motion = std::move(motion);
   p.grid = last;
   return true;

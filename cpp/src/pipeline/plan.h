@@ -19,7 +19,7 @@ namespace swept {
 
 /// A conservative surface is looked for at these distances (cells) until one is proven.
 constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
-constexpr double kMostMarginCells = kMarginCells.back();
+constexpr double kMaxMarginCells = kMarginCells.back();
 
 struct Prepared {
   CheckedBody body;

@@ -14,15 +14,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLeastCosine = 0.2;    ///< a triangle may turn by less than 78 degrees
-constexpr double kLeastShape = 0.01;    ///< height / longest side of a new triangle
+constexpr double kMinCosine = 0.2;      ///< a triangle may turn by less than 78 degrees
+constexpr double kMinShape = 0.01;      ///< height / longest side of a new triangle
 constexpr double kLengthWeight = 1e-3;  ///< of tolerance^2: long edges of flat parts go last
 constexpr double kRankCut = 1e-3;
 /// Of tolerance^2: where the mean squared distance is less, no points are spread on large meshes.
-constexpr double kFlatShare = 0.02;
+constexpr double kFlatFraction = 0.02;
 constexpr std::size_t kLarge = 50'000;  ///< triangles; on smaller meshes points are always spread
-constexpr double kNearShare = 0.05;     ///< of a sample's squared limit
-constexpr double kNetShare = 0.96;      ///< of tolerance^2: limit of points on new triangles
+constexpr double kNearFraction = 0.05;  ///< of a sample's squared limit
+constexpr double kNetFraction = 0.96;   ///< of tolerance^2: limit of points on new triangles
 
 struct Candidate {
   double cost;
@@ -141,7 +141,7 @@ class Collapser {
     }
     // The mean distance of the planes is no more than the largest: no need to look at samples.
     const double weight = a.quadric.weight + b.quadric.weight;
-    best.flat = large_ && error <= weight * kFlatShare * tolerance_ * tolerance_;
+    best.flat = large_ && error <= weight * kFlatFraction * tolerance_ * tolerance_;
     best.possible = error <= weight * tolerance_ * tolerance_;
     best.cost = error + kLengthWeight * tolerance_ * tolerance_ * length2;
     return best;
@@ -185,12 +185,12 @@ class Collapser {
     const Vector3d before = (at(was[1]) - at(was[0])).cross(at(was[2]) - at(was[0]));
     const Vector3d after = (c[1] - c[0]).cross(c[2] - c[0]);
     const double area = after.norm();
-    if (before.dot(after) <= kLeastCosine * before.norm() * area) return false;
+    if (before.dot(after) <= kMinCosine * before.norm() * area) return false;
     const auto longest2 = [](const Vector3d& x, const Vector3d& y, const Vector3d& z) {
       return std::max({(x - y).squaredNorm(), (y - z).squaredNorm(), (z - x).squaredNorm()});
     };
     const double shape = area / longest2(c[0], c[1], c[2]);
-    if (shape >= kLeastShape) return true;
+    if (shape >= kMinShape) return true;
     return shape > before.norm() / longest2(at(was[0]), at(was[1]), at(was[2]));
   }
 
@@ -208,7 +208,7 @@ class Collapser {
           nearest = static_cast<std::int32_t>(before - kept_.begin());
           best = distance(s, newTriangles_[nearest]);
         }
-        for (std::size_t n = 0; n < newTriangles_.size() && best > kNearShare * limit; ++n) {
+        for (std::size_t n = 0; n < newTriangles_.size() && best > kNearFraction * limit; ++n) {
           const double d = distance(s, newTriangles_[n]);
           if (d < best) {
             best = d;
@@ -224,7 +224,7 @@ class Collapser {
 
   /// Points spread over the new triangles lie within the tolerance of the original.
   bool trianglesHold() const {
-    const double limit = kNetShare * tolerance_ * tolerance_;
+    const double limit = kNetFraction * tolerance_ * tolerance_;
     std::int32_t hint = -1;
     for (const Corners& t : newTriangles_) {
       const bool far = spreadPoints(at(t[0]), at(t[1]), at(t[2]), [&](const Vector3d& p) {

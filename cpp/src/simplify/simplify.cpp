@@ -13,12 +13,12 @@ namespace swept {
 namespace {
 
 /// Of the tolerance: the tree's root mean square error; the rest is left to the edge collapse.
-constexpr double kTreeShare = 0.06;
+constexpr double kTreeFraction = 0.06;
 /// Of the tolerance: limit of the samples; between the samples the surface may lie farther.
-constexpr double kSampleShare = 0.95;
+constexpr double kSampleFraction = 0.95;
 /// Of the tolerance: what is measured may reach this; the rest is for points between the measured
 /// ones.
-constexpr double kMeasuredShare = 0.85;
+constexpr double kMeasuredFraction = 0.85;
 constexpr double kCreaseCut = 0.002;  ///< of the largest eigenvalue: a turn of some 5 degrees
 constexpr int kRounds = 6;
 constexpr int kCutTurns = 1;  ///< of splitting one node at a time; then down to the vertex
@@ -39,7 +39,7 @@ class Attempt {
         nearest_(nearest),
         tolerance_(tolerance),
         blocked_(tree.nodes().size(), 0) {
-    limit_.assign(points.size(), static_cast<float>(kSampleShare * tolerance));
+    limit_.assign(points.size(), static_cast<float>(kSampleFraction * tolerance));
   }
 
   void run(const PairFinder& findPairs, RunContext& run) {
@@ -95,7 +95,7 @@ class Attempt {
   /// The tree's error is a mean; nodes with a vertex beyond its limit are split.
   TreeCut cutWithinLimits(RunContext& run) {
     for (int turn = 0;; ++turn) {
-      TreeCut cut = cutTree(tree_, triangles_, kTreeShare * tolerance_, blocked_, run);
+      TreeCut cut = cutTree(tree_, triangles_, kTreeFraction * tolerance_, blocked_, run);
       std::vector<std::uint8_t> bad(points_.size(), 0);
       const std::vector<std::int32_t> start = cornersOf(cut);
       parallelBlocks(points_.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -255,7 +255,7 @@ Simplified SimplifyTree::cut(double tolerance, const PairFinder& findPairs, RunC
 
 Simplified SimplifyTree::cutFromHere(double tolerance, double accepted, const PairFinder& findPairs,
                                      RunContext& run) const {
-  const double wanted = kMeasuredShare * tolerance / plan_.cell;
+  const double wanted = kMeasuredFraction * tolerance / plan_.cell;
   accepted = std::max(accepted / plan_.cell, wanted);
   Attempt attempt(tree_, points_, mesh_.triangles, creased_, *nearest_, wanted);
   Simplified out;

@@ -9,7 +9,7 @@
 namespace swept {
 namespace {
 
-constexpr double kLeastCosine = 0.3;  ///< between a triangle before and after
+constexpr double kMinCosine = 0.3;  ///< between a triangle before and after
 
 class Cutter {
  public:
@@ -51,7 +51,7 @@ class Cutter {
         part.push_back(to);
         if (to == tri) continue;
         const Eigen::Vector3d was = normalOf(tri), is = normalOf(to);
-        if (was.dot(is) < kLeastCosine * was.norm() * is.norm()) {
+        if (was.dot(is) < kMinCosine * was.norm() * is.norm()) {
           blocks[begin / kBlock].push_back(*std::max_element(to.begin(), to.end()));
         }
       }

@@ -151,7 +151,7 @@ class Stopwatch {
 };
 
 // Of the tolerance, for thinning a dense mesh before surfaces are looked for.
-constexpr double kThinShare = 0.15;
+constexpr double kThinFraction = 0.15;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
 
 double diagonalOf(const HalfEdgeMesh& mesh) {
@@ -167,7 +167,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   const auto fits = [&](std::int64_t count) {
     return isWithinLimits(count, options, writingOf(mesh, options, format));
   };
-  constexpr double kFirst = 1.0 / 4000, kMost = 1.0 / 100;  // of the diagonal
+  constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;  // of the diagonal
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;
   if (!given) {
@@ -182,12 +182,12 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   for (;; options.tolerance *= 2) {
     if (dense->triangles.size() > kDense) {
       // From what the last round left: its part of the tolerance was half as large.
-      thin = thinOut(*dense, kThinShare * options.tolerance, run);
+      thin = thinOut(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }
     if (auto built = makeShape(mesh, *dense, options, fits, kernel, faces, run))
       return std::move(*built);
-    if (given || 2 * options.tolerance > kMost * diagonal)
+    if (given || 2 * options.tolerance > kMax * diagonal)
       refuseTooMany(faces, options, writingOf(mesh, options, format));
   }
 }

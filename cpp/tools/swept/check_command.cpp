@@ -49,7 +49,7 @@ int checkCommand(const std::vector<std::string>& words) {
   Arguments arguments;
   arguments.with("--unit", [&](const std::string& text) { unit = parseLengthUnit(text); });
   arguments.text("--report", reportPath);
-  arguments.integer("--threads", threads, 0, kMostThreads);
+  arguments.integer("--threads", threads, 0, kMaxThreads);
   arguments.flag("--quiet", quiet);
   const std::vector<std::string> positional = arguments.parse(words);
   if (positional.size() != 1) {

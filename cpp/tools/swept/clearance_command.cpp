@@ -83,7 +83,7 @@ ClearanceJob parseJob(const std::vector<std::string>& words) {
   a.with("--motion-unit", [&](const std::string& t) { job.motionUnit = parseLengthUnit(t); });
   a.integer("--curve", curve, 0, 1000000);
   a.integer("--stamp", job.stamp, 0, 1000000);
-  a.integer("--threads", job.threads, 0, kMostThreads);
+  a.integer("--threads", job.threads, 0, kMaxThreads);
   a.flag("--no-penetration", job.options.penetration, false);
   a.flag("--quiet", job.quiet);
   const std::vector<std::string> positional = a.parse(words);

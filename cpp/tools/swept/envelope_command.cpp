@@ -73,7 +73,7 @@ bool isSolidSuffix(const std::string& suffix) {
 EnvelopeJob parseJob(const std::vector<std::string>& words) {
   EnvelopeJob job;
   std::int64_t resolution = job.options.resolution;
-  constexpr std::int64_t kMostMegabytes = std::int64_t{1} << 40;
+  constexpr std::int64_t kMaxMegabytes = std::int64_t{1} << 40;
   Arguments a;
   a.text("--motion", job.motionPath);
   a.text("--output", job.outputPath);
@@ -94,8 +94,8 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
   a.flag("--conservative", job.options.conservative);
   a.flag("--keep-cavities", job.options.keepCavities);
   a.flag("--no-cull", job.options.cull, false);
-  a.integer("--threads", job.threads, 0, kMostThreads);
-  a.integer("--memory-limit", job.memoryLimitMegabytes, 1, kMostMegabytes);
+  a.integer("--threads", job.threads, 0, kMaxThreads);
+  a.integer("--memory-limit", job.memoryLimitMegabytes, 1, kMaxMegabytes);
   a.flag("--quiet", job.quiet);
 #ifdef HAVE_SWEPT_SOLID
   addSolidOptions(a, job.solid);

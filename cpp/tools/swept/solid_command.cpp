@@ -32,7 +32,7 @@ int solidCommand(const std::vector<std::string>& words) {
   arguments.text("--output", outputPath);
   arguments.with("--unit", [&](const std::string& text) { unit = parseLengthUnit(text); });
   arguments.text("--report", reportPath);
-  arguments.integer("--threads", threads, 0, kMostThreads);
+  arguments.integer("--threads", threads, 0, kMaxThreads);
   arguments.flag("--quiet", quiet);
   addSolidOptions(arguments, options);
   const std::vector<std::string> positional = arguments.parse(words);

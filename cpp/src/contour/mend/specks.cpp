@@ -17,8 +17,8 @@
 namespace swept {
 namespace {
 
-constexpr double kMostSize = 2;    ///< cells
-constexpr double kMostTurned = 4;  ///< cells
+constexpr double kMaxSize = 2;    ///< cells
+constexpr double kMaxTurned = 4;  ///< cells
 
 constexpr std::size_t kBlock = 1 << 14;
 
@@ -114,7 +114,7 @@ std::vector<bool> findSpecks(const TriMesh& mesh, const std::vector<std::int32_t
   if (shells.size() < 2) return speck;
   const auto sizeOf = [&](const Shell& shell) { return shell.box.diagonal().norm() / cell; };
   std::vector<bool> small(mesh.vertices.size());
-  for (const Shell& shell : shells) small[shell.first] = sizeOf(shell) < kMostSize;
+  for (const Shell& shell : shells) small[shell.first] = sizeOf(shell) < kMaxSize;
   const std::unordered_map<std::int32_t, double> volumes = volumesOf(mesh, shellOf, small);
   bool others = false;
   for (const Shell& shell : shells) {
@@ -219,7 +219,7 @@ std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, doubl
                            RunContext& run) {
   std::vector<bool> turned(static_cast<std::size_t>(topology.shells));
   for (const InsideOutShell& found : shellsInsideOut(surface.mesh, topology, run)) {
-    if (found.size < kMostTurned * cell) turned[found.shell] = true;
+    if (found.size < kMaxTurned * cell) turned[found.shell] = true;
   }
   for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
     if (!turned[topology.shellOf[t]]) continue;

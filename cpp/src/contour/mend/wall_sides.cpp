@@ -14,8 +14,8 @@
 namespace swept {
 namespace {
 
-constexpr double kLeastHalf = 2e-4;  ///< cells between a side and the middle of the wall
-constexpr int kTurns = 200;          ///< steps towards a direction that all triangles agree with
+constexpr double kMinHalf = 2e-4;  ///< cells between a side and the middle of the wall
+constexpr int kTurns = 200;        ///< steps towards a direction that all triangles agree with
 
 using Vec3 = Eigen::Vector3d;
 
@@ -99,7 +99,7 @@ class Layer {
     double thickness = 0;
     for (const Through& edge : edges) thickness += std::abs(direction.dot(edge.across));
     thickness /= static_cast<double>(edges.size());
-    return direction * std::min(std::max(thickness / 2, kLeastHalf), roomAt(sides));
+    return direction * std::min(std::max(thickness / 2, kMinHalf), roomAt(sides));
   }
 
  private:

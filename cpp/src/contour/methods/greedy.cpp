@@ -6,7 +6,7 @@
 namespace swept {
 namespace {
 
-constexpr int kMostComponents = kSlots / 2;  ///< as many as the caller has room for
+constexpr int kMaxComponents = kSlots / 2;  ///< as many as the caller has room for
 
 /// The crossings at which a walk stops: on an edge with two the one met first, else the only one.
 std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
@@ -55,7 +55,7 @@ void findGreedy(const Cell& cell, const Crossing* crossings, Components& out) {
         bestAgreement = a;
       }
     }
-    if (out.count == kMostComponents - 1) best = left;
+    if (out.count == kMaxComponents - 1) best = left;
     for (int slot = 0; slot < kSlots; ++slot) {
       if (best >> slot & 1u) out.of[slot] = static_cast<std::int8_t>(out.count);
     }

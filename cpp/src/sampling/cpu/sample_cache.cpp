@@ -50,7 +50,7 @@ void SampleCache::replace(const std::vector<Key>& keys, const std::vector<Record
              chunk.elements.size() * sizeof(SweptElement);
   }
   std::unordered_map<Key, RecordChunk, Hash> next;
-  for (std::size_t k = 0; k < keys.size() && bytes <= kMostBytes; ++k) {
+  for (std::size_t k = 0; k < keys.size() && bytes <= kMaxBytes; ++k) {
     const auto known = chunks_.find(keys[k]);
     // Moved where it can be: a chunk is a good part of a megabyte.
     next.try_emplace(keys[k], known != chunks_.end() ? std::move(known->second) : chunks[k]);

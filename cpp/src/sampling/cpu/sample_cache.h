@@ -2,7 +2,7 @@
 // motion of which few poses change is sampled again near these only.
 // What a step's elements give depends on the grid, on culling and on three placements: the one
 // before (its direction culls), its own, and the next. These are compared to the last bit.
-// Memory: what the last run sampled, up to kMostBytes. Not for several threads at a time.
+// Memory: what the last run sampled, up to kMaxBytes. Not for several threads at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ namespace swept {
 
 class SampleCache {
  public:
-  static constexpr std::size_t kMostBytes = 256u << 20;
+  static constexpr std::size_t kMaxBytes = 256u << 20;
 
   using Key = std::array<double, 43>;
   static Key keyOf(const SamplerInput& input, std::size_t placement);

@@ -9,8 +9,8 @@
 namespace swept {
 namespace {
 
-constexpr std::uint32_t kMostFaces = 24;
-constexpr float kLeastCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
+constexpr std::uint32_t kMaxFaces = 24;
+constexpr float kMinCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// Neighbours of each face across edges with exactly two, equally oriented faces.
@@ -119,12 +119,12 @@ FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
     out.faces.push_back(seed);
     out.clusterOf[seed] = id;
     for (std::size_t next = cluster.firstFace;
-         next < out.faces.size() && out.faces.size() - cluster.firstFace < kMostFaces; ++next) {
+         next < out.faces.size() && out.faces.size() - cluster.firstFace < kMaxFaces; ++next) {
       for (int n = 0; n < 3; ++n) {
         const std::uint32_t other =
             neighbours.of[3 * static_cast<std::size_t>(out.faces[next]) + n];
         if (other == kNone || out.clusterOf[other] != kNone) continue;
-        if (topology.normals[other].dot(topology.normals[seed]) < kLeastCosine) continue;
+        if (topology.normals[other].dot(topology.normals[seed]) < kMinCosine) continue;
         out.clusterOf[other] = id;
         out.faces.push_back(other);
       }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kBlock = 256;     // vertices a task
 constexpr double kSameNormal = 0.9998;  // cosine: normals closer than this are asked once
-constexpr std::size_t kMostNormals = 8;
+constexpr std::size_t kMaxNormals = 8;
 constexpr int kArcDepth = 3;
 
 using Set = std::vector<std::uint32_t>;
@@ -105,8 +105,8 @@ class CandidateSearch {
 
   void askAt(std::size_t v) {
     const Eigen::Vector3d& x = input_.body.vertices[v];
-    std::array<Eigen::Vector3d, kMostNormals> asked;
-    std::array<std::uint32_t, kMostNormals> answer{};
+    std::array<Eigen::Vector3d, kMaxNormals> asked;
+    std::array<std::uint32_t, kMaxNormals> answer{};
     std::size_t count = 0;
     const auto put = [&](const Eigen::Vector3d& n) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -120,7 +120,7 @@ class CandidateSearch {
       ++count;
     };
     put(normals_[v]);
-    for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1] && count < kMostNormals; ++i) {
+    for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1] && count < kMaxNormals; ++i) {
       put(input_.topology.normals[faces_[i]].cast<double>());
     }
     for (std::size_t i = 0; i < count; ++i) {

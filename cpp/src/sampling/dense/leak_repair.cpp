@@ -13,8 +13,8 @@
 namespace swept::dense {
 namespace {
 
-constexpr std::size_t kMostFollowed = 6'000'000;
-constexpr std::size_t kMostTried = 8;  // placements tested exactly at one point
+constexpr std::size_t kMaxFollowed = 6'000'000;
+constexpr std::size_t kMaxTried = 8;  // placements tested exactly at one point
 
 using Lattice = std::array<std::int32_t, 3>;
 
@@ -106,7 +106,7 @@ class LeakFinder {
       return true;
     };
     if (accept(best)) return true;
-    space_.above(gradient, needed, kMostTried, s.found);
+    space_.above(gradient, needed, kMaxTried, s.found);
     for (const auto& c : s.found) {
       if (c.placement != best.placement && accept(c)) return true;
     }
@@ -168,7 +168,7 @@ class LeakFinder {
     for (const Covered& c : found) {
       if (cover_.emplace(c.point, c.placement).second) front_.push_back(c);
     }
-    if (cover_.size() > kMostFollowed) out_.complete = false;
+    if (cover_.size() > kMaxFollowed) out_.complete = false;
   }
 
   bool isMarked(const Lattice& low, int axis) const {

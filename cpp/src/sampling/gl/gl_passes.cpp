@@ -16,7 +16,7 @@ namespace swept::gl {
 namespace {
 
 constexpr double kLongDraw = 0.012, kShortDraw = 0.004;  // s; the promise is 0.050
-constexpr std::uint64_t kLeastBatch = 64, kMostBatch = std::uint64_t{1} << 22;
+constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 22;
 
 /// Locations of the uniforms in shaders/*.
 enum Uniform {
@@ -102,17 +102,17 @@ void GlPasses::requireLimits() const {
 }
 
 void GlPasses::upload(Binding binding, const void* data, std::size_t bytes) {
-  constexpr std::size_t kLeast = 16;  // a buffer of no bytes cannot be bound
-  std::array<std::byte, kLeast> padded{};
-  if (data != nullptr && bytes < kLeast) {
+  constexpr std::size_t kMin = 16;  // a buffer of no bytes cannot be bound
+  std::array<std::byte, kMin> padded{};
+  if (data != nullptr && bytes < kMin) {
     if (bytes > 0) std::memcpy(padded.data(), data, bytes);
     data = padded.data();
   }
   const GlApi& gl = context_.gl();
-  gl.NamedBufferData(buffers_[binding], static_cast<GLsizeiptr>(std::max(bytes, kLeast)), data,
+  gl.NamedBufferData(buffers_[binding], static_cast<GLsizeiptr>(std::max(bytes, kMin)), data,
                      GL_DYNAMIC_DRAW);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
-  bufferBytes_[binding] = std::max(bytes, kLeast);
+  bufferBytes_[binding] = std::max(bytes, kMin);
   std::uint64_t sum = imageBrick_.texels() * 4;
   for (const std::size_t b : bufferBytes_) sum += b;
   bytes_ = std::max(bytes_, sum);
@@ -195,9 +195,9 @@ void GlPasses::drawAndWait(std::uint32_t elements, std::uint32_t instances,
     if (seconds > kLongDraw) {
       const double share = std::min(0.5, 0.5 * (kLongDraw + kShortDraw) / seconds);
       const auto fewer = static_cast<std::uint64_t>(share * static_cast<double>(drawn));
-      batch_ = std::max(kLeastBatch, std::min(batch_, fewer));
+      batch_ = std::max(kMinBatch, std::min(batch_, fewer));
     }
-    if (seconds < kShortDraw && drawn * 2 > batch_) batch_ = std::min(kMostBatch, batch_ * 2);
+    if (seconds < kShortDraw && drawn * 2 > batch_) batch_ = std::min(kMaxBatch, batch_ * 2);
   }
   afterDraw();
 }

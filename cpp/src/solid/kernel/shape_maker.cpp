@@ -19,7 +19,7 @@ namespace {
 
 // Of the tolerance: for surfaces, and for facets. Where facets and the thinning before them add up
 // to more than the tolerance, the mesh gets more corners in the end.
-constexpr double kSurfaceShare = 0.83, kFaceShare = 0.95;
+constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
 
 Built describe(Model model, Brep brep, double deviation) {
   Built built{std::move(model), std::move(brep), {}, deviation};
@@ -33,7 +33,7 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
   if (options.tolerance > 0 && options.recognise) {
-    recogniseSurfaces(mesh, whole, kSurfaceShare * options.tolerance, partition, run);
+    recogniseSurfaces(mesh, whole, kSurfaceFraction * options.tolerance, partition, run);
   }
   return partition;
 }
@@ -147,7 +147,7 @@ class ShapeMaker {
     constexpr int kRounds = 5;
     const Partition first = partitionOf(dense_, whole_, options_, run_);
     known_ = static_cast<std::int32_t>(first.patches.size());
-    const double tolerance = kFaceShare * options_.tolerance;
+    const double tolerance = kFaceFraction * options_.tolerance;
     Decimated start{dense_, first, {}, {}, 0};
     if (known_ > 0 && worthTrial()) start = tryOut(first, tolerance);
     for (int round = 0; round <= kRounds; ++round) {

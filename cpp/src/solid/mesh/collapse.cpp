@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearShare = 0.05;  // of the squared tolerance: near enough to look no further
-constexpr double kFoldShare = 0.1;   // of the tolerance: how far a border may pass over its patch
+constexpr double kNearFraction = 0.05;  // of the squared tolerance: near enough to look no further
+constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
 
 bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {
   return tri[0] == v || tri[1] == v || tri[2] == v;
@@ -152,7 +152,7 @@ bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const Surface& su
       std::sqrt(std::max({(next[1] - next[0]).squaredNorm(), (next[2] - next[1]).squaredNorm(),
                           (next[0] - next[2]).squaredNorm()}));
   const Vector3d normal = surface.normal((next[0] + next[1] + next[2]) / 3);
-  return area.dot(normal) < -kFoldShare * state_.tolerance * longest;
+  return area.dot(normal) < -kFoldFraction * state_.tolerance * longest;
 }
 
 bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& place) {
@@ -237,7 +237,7 @@ bool Collapser::findHome(const Vector3d& p, std::int32_t before, double limit) {
   };
   if (before >= 0) ask(before);
   for (std::int32_t k = 0;
-       k < static_cast<std::int32_t>(staying_.size()) && least > kNearShare * limit; ++k) {
+       k < static_cast<std::int32_t>(staying_.size()) && least > kNearFraction * limit; ++k) {
     if (k != before && state_.label[staying_[k]] < 0) ask(k);
   }
   if (home >= 0) moved_.emplace_back(p, home);

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 // Points of long edges that are watched like vertices: their distance, in tolerances, and number.
 constexpr double kWatchSpacing = 3;
-constexpr int kMostWatched = 3;
+constexpr int kMaxWatched = 3;
 // Parts of a mesh that are worked on at the same time: fixed, so that the result does not depend on
 // the number of threads.
 constexpr std::int32_t kParts = 16;
@@ -124,7 +124,7 @@ class Decimator {
         const Vector3d &a = state_.points[state_.triangles[t][k]],
                        &b = state_.points[state_.triangles[t][(k + 1) % 3]];
         const auto between =
-            static_cast<int>(std::min<double>(kMostWatched, (b - a).norm() / spacing));
+            static_cast<int>(std::min<double>(kMaxWatched, (b - a).norm() / spacing));
         isLong = isLong || between > 0;
         const std::size_t h = 3 * t + k;
         if (static_cast<std::int32_t>(h) > in_.opposite[h] && state_.label[in_.opposite[h] / 3] < 0)

@@ -14,13 +14,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kRounds = 6;
-constexpr double kFirstShare = 0.1;   // of the tolerance, in the first round
-constexpr double kMeanShare = 0.35;   // of the tolerance: root mean square distance of the planes
-constexpr double kLeastCosine = 0.5;  // a triangle may turn by less than 60 degrees
+constexpr double kFirstFraction = 0.1;  // of the tolerance, in the first round
+constexpr double kMeanFraction = 0.35;  // of the tolerance: root mean square distance of the planes
+constexpr double kMinCosine = 0.5;      // a triangle may turn by less than 60 degrees
 // Surfaces are found by growing over triangles: these stay many and well shaped.
-constexpr double kLeastShape = 0.15;  // area vector / longest side squared
-constexpr double kLongest = 8;        // of the mean edge before: no edge becomes longer
-constexpr int kMostNeighbours = 40;
+constexpr double kMinShape = 0.15;  // area vector / longest side squared
+constexpr double kLongest = 8;      // of the mean edge before: no edge becomes longer
+constexpr int kMaxNeighbours = 40;
 // Worked on at the same time; fixed, so that the result does not depend on the number of threads.
 constexpr std::size_t kParts = 16;
 
@@ -94,7 +94,7 @@ class Thinner {
       std::fill(partOf_.begin() + firstOf(part), partOf_.begin() + firstOf(part + 1),
                 static_cast<char>(part));
     for (int round = 0; round < kRounds; ++round) {
-      const double share = kFirstShare * std::pow(1 / kFirstShare, round / (kRounds - 1.0));
+      const double share = kFirstFraction * std::pow(1 / kFirstFraction, round / (kRounds - 1.0));
       const double limit = share * tolerance_;
       findInner();
       parallelFor(kParts,
@@ -150,7 +150,7 @@ class Thinner {
 
   // The cheapest neighbour within the limit takes the vertex in.
   void removeIfClose(std::int32_t u, double limit) {
-    double best = kMeanShare * kMeanShare * limit * limit;
+    double best = kMeanFraction * kMeanFraction * limit * limit;
     std::int32_t chosen = -1;
     int neighbours = 0;
     std::int32_t h = fan_[u];
@@ -161,7 +161,7 @@ class Thinner {
         best = mean;
         chosen = h;
       }
-      if (++neighbours > kMostNeighbours) return;
+      if (++neighbours > kMaxNeighbours) return;
       h = turn(h);
     } while (h != fan_[u]);
     if (chosen >= 0 && mayCollapse(chosen, limit)) collapse(chosen);
@@ -180,7 +180,7 @@ class Thinner {
   bool mayCollapse(std::int32_t edge, double limit) {
     const std::int32_t v = target(edge);
     // Just the two corners beside the edge are neighbours of both ends, and keep three neighbours.
-    std::array<std::int32_t, kMostNeighbours> ring;
+    std::array<std::int32_t, kMaxNeighbours> ring;
     std::int32_t h = fan_[v];
     auto end = ring.begin();
     do {
@@ -211,8 +211,8 @@ class Thinner {
       const double area = after.norm();
       const double longest =
           std::max({(b - to).squaredNorm(), (c - to).squaredNorm(), (b - c).squaredNorm()});
-      if (before.dot(after) < kLeastCosine * before.norm() * area) return false;
-      if (longest > longest_ || area < kLeastShape * longest) return false;
+      if (before.dot(after) < kMinCosine * before.norm() * area) return false;
+      if (longest > longest_ || area < kMinShape * longest) return false;
       nearest = std::min(nearest, squaredDistance(from, to, b, c));
     }
     // What this vertex has taken in before may lie as much farther off.

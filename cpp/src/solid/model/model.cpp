@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCornerShare = 0.15;  // of the tolerance, for corners of facets
+constexpr double kCornerFraction = 0.15;  // of the tolerance, for corners of facets
 
 class Builder {
  public:
@@ -67,8 +67,8 @@ class Builder {
       if (at[v].empty()) continue;
       if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
       // Elsewhere it slides along its surfaces, from a jagged border to the line where they meet.
-      const double limit =
-          isFacetCorner_[v] ? kCornerShare * tolerance_ : std::max(10 * tolerance_, 4 * reach[v]);
+      const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
+                                             : std::max(10 * tolerance_, 4 * reach[v]);
       const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) place_[v] = moved;
     }

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kMostSpans = 64;
+constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
 constexpr double kWorthHalving = 0.6;  // of the sum of squares before
 constexpr double kSmoothing = 1e-7;
@@ -95,7 +95,7 @@ std::vector<double> firstKnots(const Trace& trace, const std::vector<Placed>& pl
     length = std::max_element(placed.begin(), placed.end(), byPlace)->t - from;
   }
   const int spans = std::clamp(static_cast<int>(std::ceil(trace.turn / kTurnPerSpan)),
-                               trace.closed ? 8 : 2, kMostSpans / 2);
+                               trace.closed ? 8 : 2, kMaxSpans / 2);
   std::vector<double> knots;
   for (int i = 0; i <= spans; ++i) knots.push_back(from + length * i / spans);
   return knots;
@@ -104,7 +104,7 @@ std::vector<double> firstKnots(const Trace& trace, const std::vector<Placed>& pl
 // Halves the spans whose points lie too far off; false if there are none.
 bool halveSpans(const std::vector<Placed>& placed, const Profile& profile, double exact,
                 std::vector<double>& knots) {
-  constexpr std::size_t kLeastPoints = 8;
+  constexpr std::size_t kMinPoints = 8;
   std::vector<double> next{knots.front()};
   auto from = placed.begin();
   for (std::size_t s = 0; s + 1 < knots.size(); ++s) {
@@ -114,7 +114,7 @@ bool halveSpans(const std::vector<Placed>& placed, const Profile& profile, doubl
          ++from, ++points)
       sum += (profile.at(from->t) - from->at).squaredNorm();
     const bool rough = sum > exact * exact * static_cast<double>(points);
-    if (rough && points >= 2 * kLeastPoints) next.push_back((knots[s] + knots[s + 1]) / 2);
+    if (rough && points >= 2 * kMinPoints) next.push_back((knots[s] + knots[s + 1]) / 2);
     next.push_back(knots[s + 1]);
   }
   const bool changed = next.size() > knots.size();
@@ -206,7 +206,7 @@ std::optional<Profile> fitProfile(const Cloud& cloud, double exact) {
     before = off;
     result.emplace(std::move(nodes), trace->closed, beyond);
     std::sort(placed.begin(), placed.end(), byPlace);
-    if (knots.size() > kMostSpans || !halveSpans(placed, bare, exact, knots)) break;
+    if (knots.size() > kMaxSpans || !halveSpans(placed, bare, exact, knots)) break;
   }
   return result;
 }

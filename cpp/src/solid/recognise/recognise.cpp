@@ -100,8 +100,8 @@ void setDeviations(const HalfEdgeMesh& mesh, Partition& partition) {
 }
 
 constexpr double kScattered = 0.03;  // of the height of triangles: vertices on the surface itself
-constexpr double kMostMoved = 0.2;   // of the tolerance
-constexpr std::size_t kMostSamples = 5000;
+constexpr double kMaxMoved = 0.2;    // of the tolerance
+constexpr std::size_t kMaxSamples = 5000;
 constexpr double kFarOff = 5;  // medians: what the patch took in beyond its surface
 
 void offsetSurface(Surface& surface, double outward) {
@@ -134,7 +134,7 @@ void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
     for (const auto& [distance, v] : off) {
       if (distance <= limit) samples.points.push_back(mesh.points[v]);
     }
-    refineSurface(samples, patch.surface, kMostSamples);
+    refineSurface(samples, patch.surface, kMaxSamples);
   }
 }
 
@@ -190,7 +190,7 @@ void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double 
     const Bend bend = bendOf(mesh, patch);
     // Where the mesh was thinned its triangles are higher, but the vertices lie as they did.
     const double move = bend.height * std::min(1.0, size / bend.size);
-    if (bend.scatter > kScattered * std::abs(move) && std::abs(move) <= kMostMoved * tolerance)
+    if (bend.scatter > kScattered * std::abs(move) && std::abs(move) <= kMaxMoved * tolerance)
       offsetSurface(patch.surface, move);
   });
 }

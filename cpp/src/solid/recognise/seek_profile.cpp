@@ -14,18 +14,18 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kSeed = 600, kWide = 1200;  // triangles
-constexpr std::size_t kFewSamples = 200, kMostSamples = 1000;
-constexpr double kMostSpread = 0.03;     // sine: normals about a direction or an axis
-constexpr double kMostLean = 0.08;       // sine: a single normal
+constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
+constexpr double kMaxSpread = 0.03;      // sine: normals about a direction or an axis
+constexpr double kMaxLean = 0.08;        // sine: a single normal
 constexpr double kSmoothCosine = 0.88;   // as seeds of simpler surfaces
 constexpr double kSurfaceCosine = 0.90;  // a triangle may lean this much from its surface
-constexpr double kExactShare = 0.1;      // of the tolerance: how closely half of the vertices lie
-constexpr double kRoughShare = 0.2;      // of the tolerance: at a quick look
-constexpr double kFitShare = 0.02;       // of the tolerance: spans are halved until then
+constexpr double kExactFraction = 0.1;   // of the tolerance: how closely half of the vertices lie
+constexpr double kRoughFraction = 0.2;   // of the tolerance: at a quick look
+constexpr double kFitFraction = 0.02;    // of the tolerance: spans are halved until then
 constexpr double kLoose = 0.02;          // of the tolerance: a patch so far off may be taken over
 constexpr double kCloser = 3;            // and is, if it comes so much closer
-constexpr double kLeastSaved = 8;        // facets
-constexpr double kLeastTurn = 0.98;      // cosine: flatter regions are planes
+constexpr double kMinSaved = 8;          // facets
+constexpr double kMinTurn = 0.98;        // cosine: flatter regions are planes
 constexpr double kFromAxis = 6;          // edges: nearer to the axis a revolution has its pole
 
 struct Candidate {
@@ -124,7 +124,7 @@ class ProfileSeeker {
     const auto all = [](std::int32_t) { return true; };
     const std::vector<std::int32_t> wide = flood(seed, kWide, all);
     for (std::size_t i = 0; i < std::min(kSeed, wide.size()); ++i) tried_[wide[i]] = 1;
-    if (wide.size() < kLeastTriangles || !bends(wide)) return false;
+    if (wide.size() < kMinTriangles || !bends(wide)) return false;
     std::optional<Candidate> best;
     for (const SurfaceKind kind : {SurfaceKind::Extrusion, SurfaceKind::Revolution}) {
       std::optional<Candidate> candidate = tryKind(kind, seed, wide);
@@ -138,7 +138,7 @@ class ProfileSeeker {
   bool bends(const std::vector<std::int32_t>& region) const {
     const Vector3d& first = shapes_.normal[region.front()];
     return std::any_of(region.begin(), region.end(), [&](std::int32_t t) {
-      return !shapes_.thin[t] && first.dot(shapes_.normal[t]) < kLeastTurn;
+      return !shapes_.thin[t] && first.dot(shapes_.normal[t]) < kMinTurn;
     });
   }
 
@@ -146,31 +146,31 @@ class ProfileSeeker {
                                    const std::vector<std::int32_t>& wide) {
     double spread = 0;
     std::optional<Surface> surface = guessAxis(kind, samplesOf(wide, kFewSamples, false), spread);
-    if (!surface || spread > kMostSpread) return std::nullopt;
+    if (!surface || spread > kMaxSpread) return std::nullopt;
     std::vector<std::int32_t> region = withinLean(*surface, seed);
     // Once more with what lies farther along the axis.
-    surface = guessAxis(kind, samplesOf(region, kMostSamples, true), spread);
-    if (!surface || spread > kMostSpread) return std::nullopt;
+    surface = guessAxis(kind, samplesOf(region, kMaxSamples, true), spread);
+    if (!surface || spread > kMaxSpread) return std::nullopt;
     region = withinLean(*surface, seed);
-    if (region.size() < kLeastTriangles) return std::nullopt;
+    if (region.size() < kMinTriangles) return std::nullopt;
     Candidate candidate;
     candidate.surface = *surface;
     // A quick look first: where a region is not such a surface, no fit of many points is needed.
     const Samples few = samplesOf(region, kFewSamples, true);
-    if (!fitAlong(few, kRoughShare * tolerance_, candidate.surface) ||
-        residuals(few, candidate.surface).median > kRoughShare * tolerance_) {
+    if (!fitAlong(few, kRoughFraction * tolerance_, candidate.surface) ||
+        residuals(few, candidate.surface).median > kRoughFraction * tolerance_) {
       region.resize(std::min(region.size(), 2 * kWide));
       markTried(region);
       return std::nullopt;
     }
     for (int round = 0; round < 2; ++round) {
-      const Samples samples = samplesOf(region, kMostSamples, true);
-      if (!fitAlong(samples, kFitShare * tolerance_, candidate.surface)) return std::nullopt;
+      const Samples samples = samplesOf(region, kMaxSamples, true);
+      if (!fitAlong(samples, kFitFraction * tolerance_, candidate.surface)) return std::nullopt;
       const double median = residuals(samples, candidate.surface).median;
-      if (median > kExactShare * tolerance_) return std::nullopt;
+      if (median > kExactFraction * tolerance_) return std::nullopt;
       region = grow(candidate.surface, seed,
-                    std::clamp(8 * median, kExactShare * tolerance_, tolerance_));
-      if (region.size() < kLeastTriangles) return std::nullopt;
+                    std::clamp(8 * median, kExactFraction * tolerance_, tolerance_));
+      if (region.size() < kMinTriangles) return std::nullopt;
     }
     markTried(region);
     candidate.region = settle(candidate.surface, region);
@@ -194,7 +194,7 @@ class ProfileSeeker {
   std::vector<std::int32_t> withinLean(const Surface& surface, std::int32_t seed) {
     return flood(seed, mesh_.triangles.size(), [&](std::int32_t t) {
       if (isByThePole(surface, t)) return false;
-      const double most = shapes_.thin[t] ? 3 * kMostLean : kMostLean;
+      const double most = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
       const Vector3d& n = shapes_.normal[t];
       if (surface.kind == SurfaceKind::Extrusion) return std::abs(n.dot(surface.axis)) < most;
       const Vector3d out = mesh_.points[mesh_.triangles[t][0]] - surface.point;
@@ -271,13 +271,13 @@ class ProfileSeeker {
   }
 
   bool isWorthIt(Candidate& candidate) const {
-    if (candidate.region.size() < kLeastTriangles || !bends(candidate.region)) return false;
+    if (candidate.region.size() < kMinTriangles || !bends(candidate.region)) return false;
     for (const std::int32_t t : candidate.region) candidate.area += shapes_.area[t];
     Patch patch;
     patch.surface = candidate.surface;
     patch.triangles = candidate.region;
     candidate.saved = facetsSaved(mesh_, patch, tolerance_);
-    return candidate.saved >= kLeastSaved;
+    return candidate.saved >= kMinSaved;
   }
 
   void take(Candidate& candidate) {

@@ -14,9 +14,10 @@ constexpr int kSeedTriangles = 60;      // size of the first guess
 constexpr int kLargestSeed = 4000;      // and of the largest
 constexpr double kCreaseCosine = 0.88;  // seeds do not cross edges sharper than about 28 degrees
 constexpr double kSurfaceCosine =
-    0.90;                            // a triangle may lean this much (26 degrees) from its surface
-constexpr double kLeastShare = 0.1;  // of the tolerance, that is always allowed
-constexpr double kExactShare = 0.1;  // of the tolerance: how closely half of the vertices must lie
+    0.90;                             // a triangle may lean this much (26 degrees) from its surface
+constexpr double kMinFraction = 0.1;  // of the tolerance, that is always allowed
+constexpr double kExactFraction =
+    0.1;  // of the tolerance: how closely half of the vertices must lie
 constexpr int kRimRings = 3;
 constexpr std::size_t kFewSamples = 80;  // for a guess: most of them come to nothing
 constexpr double kWorthMore = 1.25;      // a more complicated surface must cover this much more
@@ -122,7 +123,7 @@ std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Surface& surfac
       const Samples samples = samplesOf(region);
       refineSurface(samples, surface);
       // Not this surface after all: no use in following it further.
-      if (residuals(samples, surface).median > 2 * kExactShare * tolerance_) return region;
+      if (residuals(samples, surface).median > 2 * kExactFraction * tolerance_) return region;
       refitAt = 2 * region.size();
     }
   }
@@ -141,7 +142,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t s
   if (!surface) return std::nullopt;
   refineSurface(first, *surface, kFewSamples);
   const Residuals start = residuals(first, *surface);
-  if (start.largest > tolerance_ || start.median > 2 * kExactShare * tolerance_)
+  if (start.largest > tolerance_ || start.median > 2 * kExactFraction * tolerance_)
     return std::nullopt;
   Candidate candidate;
   candidate.surface = *surface;
@@ -155,7 +156,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t s
     const Samples samples = samplesOf(candidate.region);
     refineSurface(samples, candidate.surface);
     candidate.median = residuals(samples, candidate.surface).median;
-    if (candidate.median > 2 * kExactShare * tolerance_) break;
+    if (candidate.median > 2 * kExactFraction * tolerance_) break;
     candidate.region =
         grow(seed, candidate.surface, tightOf(candidate.median), candidate.region.size() * 5 / 4);
   }
@@ -172,7 +173,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t s
 }
 
 double SurfaceSeeker::tightOf(double median) const {
-  return std::clamp(8 * median, kLeastShare * tolerance_, tolerance_);
+  return std::clamp(8 * median, kMinFraction * tolerance_, tolerance_);
 }
 
 // A few rings at the full tolerance: near creases the mesh is less exact than inside the region.
@@ -194,12 +195,12 @@ void SurfaceSeeker::addRim(Candidate& candidate) {
 
 bool SurfaceSeeker::isWorthIt(const Candidate& candidate) const {
   if (candidate.surface.kind == SurfaceKind::Plane) {
-    return candidate.region.size() >= 4 && candidate.median <= kExactShare * tolerance_;
+    return candidate.region.size() >= 4 && candidate.median <= kExactFraction * tolerance_;
   }
-  if (candidate.region.size() < kLeastTriangles) return false;
+  if (candidate.region.size() < kMinTriangles) return false;
   // Many a free form comes within the tolerance of something; only what fits far better is
   // recognised.
-  if (candidate.median > kExactShare * tolerance_) return false;
+  if (candidate.median > kExactFraction * tolerance_) return false;
   // Enough turn of the normals to tell the surface from a plane.
   const Vector3d first = normal_[candidate.region.front()];
   double least = 1;

@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFacetsOfPlane = 3;      // that a plane saves, whatever its size
-constexpr double kAreaPerFacet = 5.2;     // of tolerance times radius, on a sphere
-constexpr double kLeastArea = 1.0 / 400;  // of the whole: a smaller patch has to save this many
-constexpr double kLeastSaved = 8;
+constexpr double kFacetsOfPlane = 3;    // that a plane saves, whatever its size
+constexpr double kAreaPerFacet = 5.2;   // of tolerance times radius, on a sphere
+constexpr double kMinArea = 1.0 / 400;  // of the whole: a smaller patch has to save this many
+constexpr double kMinSaved = 8;
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make a facet outside
 constexpr std::size_t kSpeck = 6;      // triangles
 constexpr double kSpeckArea = 30;      // of the squared tolerance
@@ -125,7 +125,7 @@ class Tidier {
     for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
       if (seen[first]) continue;
       const std::int32_t own = partition_.patchOf[first];
-      if (own >= 0 && partition_.patches[own].triangles.size() > kLeastTriangles) continue;
+      if (own >= 0 && partition_.patches[own].triangles.size() > kMinTriangles) continue;
       std::int32_t around = -1;
       bool mixed = false;
       const auto island = flood(static_cast<std::int32_t>(first), seen, [&](std::int32_t t) {
@@ -135,7 +135,7 @@ class Tidier {
         around = patch;
         return false;
       });
-      if (mixed || around < 0 || island.size() > kLeastTriangles) continue;
+      if (mixed || around < 0 || island.size() > kMinTriangles) continue;
       const Surface& surface = partition_.patches[around].surface;
       const bool near = std::all_of(island.begin(), island.end(), [&](std::int32_t t) {
         return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
@@ -249,7 +249,7 @@ class Tidier {
     std::vector<double> saved;
     for (Patch& patch : partition_.patches) {
       saved.push_back(facetsSaved(mesh_, patch, tolerance_));
-      if (areaOf(mesh_, patch.triangles) < kLeastArea * mesh_.area && saved.back() < kLeastSaved)
+      if (areaOf(mesh_, patch.triangles) < kMinArea * mesh_.area && saved.back() < kMinSaved)
         release(patch);
     }
     std::vector<std::int32_t> smooth(partition_.patches.size());

@@ -21,7 +21,7 @@ struct TriangleShapes {
 TriangleShapes shapesOf(const HalfEdgeMesh& mesh);
 
 /// A curved patch smaller than this stays facets.
-constexpr int kLeastTriangles = 24;
+constexpr int kMinTriangles = 24;
 
 /// How many facets the best triangulation of the patch within the tolerance would need, about.
 double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance);

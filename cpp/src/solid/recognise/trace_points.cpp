@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 constexpr double kReach = 1.0 / 80;  // of the box: how far a step looks
 constexpr double kWidest = 1.0 / 6;  // of the box: and how far where points are few
 constexpr double kSameSide = 0.7;    // cosine
-constexpr int kMostSteps = 1500;
+constexpr int kMaxSteps = 1500;
 constexpr double kFine = 1.0 / 800;  // of the box: points nearer to each other are one
 constexpr int kCells = 80;
 
@@ -135,7 +135,7 @@ class Tracer {
     State here = sense > 0 ? way.back() : way.front();
     if (!settle(here)) return false;  // for the radius
     double walked = 0;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
       State state = sense > 0 ? way.back() : way.front();
       const Vector2d tangent = sense * Vector2d(-state.normal.y(), state.normal.x());
       if (!goesOn(state, tangent)) return false;
