@@ -591,12 +591,20 @@ Versucht:
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
   <message>
+   <source>Left out: {0} (envelopes and their solids are checked where they are chosen as neighbours).</source>
+   <translation>Ausgelassen: {0} (Hüllen und ihre Volumenkörper werden geprüft, wenn sie als Nachbarn gewählt sind).</translation>
+  </message>
+  <message>
    <source>"{0}" is no envelope: choose another one.</source>
    <translation>„{0}“ ist keine Hülle: anderes Objekt wählen.</translation>
   </message>
   <message>
    <source>the parts of "{0}" have motions of their own: check each part with its motion.</source>
    <translation>die Teile von „{0}“ haben eigene Bewegungen: jedes Teil mit seiner Bewegung prüfen.</translation>
+  </message>
+  <message>
+   <source>"{0}" is chosen as a neighbour and is a moving part itself: choose another one.</source>
+   <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
   </message>
   <message>
    <source>Left out: {0}</source>
@@ -631,6 +639,10 @@ Versucht:
    <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, und aus {0} Dreiecken würden ebenso viele Flächen (Grenze {1}): die Hülle vereinfachen oder als STL, PLY oder OBJ exportieren.</translation>
   </message>
   <message>
+   <source>{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo the deletion.</source>
+   <translation>{0} wurde gelöscht, und {1} ist ohne das nicht vollständig: wählen Sie neu, was verwendet werden soll ({2}), oder machen Sie das Löschen rückgängig.</translation>
+  </message>
+  <message>
    <source>no poses yet</source>
    <translation>noch keine Lagen</translation>
   </message>
@@ -641,6 +653,10 @@ Versucht:
   <message>
    <source>no motion is given: make one with New motion and choose it.</source>
    <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
+  </message>
+  <message>
+   <source>a reference part is given, but no motion of it: choose its motion, or take the reference part away.</source>
+   <translation>ein Bezugsteil ist gegeben, aber keine Bewegung dafür: wählen Sie seine Bewegung, oder nehmen Sie das Bezugsteil heraus.</translation>
   </message>
   <message>
    <source>a motion of the reference is given, but no reference part: choose it as well.</source>
@@ -1619,6 +1635,18 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
   <message>
    <source>Inputs of the last run that gave nothing</source>
    <translation>Eingaben des letzten Laufs ohne Ergebnis</translation>
+  </message>
+  <message>
+   <source>Inputs that were deleted (JSON)</source>
+   <translation>Eingaben, die gelöscht wurden (JSON)</translation>
+  </message>
+  <message>
+   <source>What AllVisible looks at, so that a change of it is noticed</source>
+   <translation>Was AllVisible betrachtet, damit eine Änderung daran bemerkt wird</translation>
+  </message>
+  <message>
+   <source>Where the result was put in the document</source>
+   <translation>Wohin das Ergebnis im Dokument gelegt wurde</translation>
   </message>
   <message>
    <source>Solids and meshes that move together, seen through groups and links</source>

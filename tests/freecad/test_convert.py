@@ -5,7 +5,7 @@ import numpy as np
 import Part
 
 from case import Case, V, shift, turn
-from sweptvolume import convert, core
+from sweptvolume import contents, convert, core
 from sweptvolume.convert import InputProblem
 
 TETRA = (
@@ -121,12 +121,12 @@ class Convert(Case):
     def test_signature_sees_place_and_shape(self):
         box = self.box()
         self.doc.recompute()
-        first = convert.signature([(box, "")])
+        first = contents.signature([(box, "")])
         box.Placement = shift(1e-3)
-        moved = convert.signature([(box, "")])
+        moved = contents.signature([(box, "")])
         box.Placement = shift(0)
-        self.assertEqual(first, convert.signature([(box, "")]))
+        self.assertEqual(first, contents.signature([(box, "")]))
         box.Length = 11
         self.doc.recompute()
-        grown = convert.signature([(box, "")])
+        grown = contents.signature([(box, "")])
         self.assertEqual(len({first, moved, grown}), 3)

@@ -14,6 +14,7 @@ ORDER = [
     ["core_texts"],
     ["core"],
     ["convert"],
+    ["contents"],
     ["trajectory"],
     ["features"],
     ["export", "runner", "demo_parts"],

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Envelopes of parts with motions of their own, seen from a moving reference, and of smooth motions."""
 import math
+import os
 
+import FreeCAD as App
 import numpy as np
 
 from case import Case, V, shift, turn
@@ -132,9 +134,13 @@ class Moving(Case):
         way = motion.motion_from_file(self.doc, path)
         obj = self.envelope([self.box()], way)
         envelope.compute(obj)
+        names = way.Name, obj.Name
         self.file("m.csv", text + "2,9,9,0,0,0,0,1\n")
-        way.touch()
-        self.doc.recompute()
+        document = os.path.join(self.folder, "d.FCStd")
+        self.doc.saveAs(document)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(document)
+        way, obj = map(self.doc.getObject, names)
         self.assertEqual((way.Status, obj.Status), (motion.STALE, envelope.STALE))
         motion.reload_source(way)
         self.doc.recompute()
@@ -147,7 +153,7 @@ class Moving(Case):
         obj = self.envelope([box], self.line(), CellSize=1000)
         with self.assertRaises(core.CoreError):
             envelope.compute(obj)
-        obj.touch()
+        obj.Label = "Another name"
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.FAILED)
         obj.CellSize = 1

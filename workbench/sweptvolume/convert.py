@@ -241,12 +241,18 @@ def label_of(root, sub):
     return target.Label if target is not None else "{}.{}".format(root.Label, sub)
 
 
+def targets(pairs):
+    """The objects at the ends of paths, as far as they lead to one."""
+    found = [root.getSubObject(sub, retType=1) for root, sub in pairs]
+    return [obj for obj in found if obj is not None]
+
+
 def global_placement(root, sub):
     """Placement of the object at the end of a path, seen from the document."""
     return root.getSubObject(sub, retType=3)
 
 
-def _global_matrix(root, sub):
+def global_matrix(root, sub):
     """World from the frame of the linked geometry: placements, scales and transforms of links."""
     target = root.getSubObject(sub, retType=1)
     path = np.array(root.getSubObject(sub, retType=4).A, dtype=float).reshape(4, 4)
@@ -287,7 +293,7 @@ def _leaf_arrays(linked, deflection):
     return arrays_from_shape(linked.Shape, deflection)
 
 
-def _solid_like(linked):
+def solid_like(linked):
     """Helper geometry inside groups (datum planes, sketches) is passed over silently."""
     return linked.isDerivedFrom("Mesh::Feature") or bool(linked.Shape.Solids or linked.Shape.Shells)
 
@@ -306,7 +312,7 @@ def body_from(pairs, deflection):
         labels.append(label)
         parts = leaves(root, sub)
         if len(parts) > 1:
-            parts = [part for part in parts if _solid_like(part[0])]
+            parts = [part for part in parts if solid_like(part[0])]
         if not parts:
             raise InputProblem(
                 translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
@@ -316,7 +322,7 @@ def body_from(pairs, deflection):
                 points, facets = _leaf_arrays(linked, deflection)
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
-            vertices.append(transform(_global_matrix(root, path), points))
+            vertices.append(transform(global_matrix(root, path), points))
             triangles.append(facets + count)
             count += len(points)
     placement = global_placement(*pairs[0])
@@ -337,7 +343,7 @@ def box_corners(pairs):
     for root, sub in pairs:
         parts = leaves(root, sub)
         for linked, path in parts:
-            if len(parts) > 1 and not _solid_like(linked):
+            if len(parts) > 1 and not solid_like(linked):
                 continue
             data = (
                 linked.Mesh.copy() if linked.isDerivedFrom("Mesh::Feature") else linked.Shape.copy()
@@ -354,38 +360,7 @@ def box_corners(pairs):
                     for z in (box.ZMin, box.ZMax)
                 ]
             )
-            corners.append(transform(_global_matrix(root, path), local))
+            corners.append(transform(global_matrix(root, path), local))
     if not corners:
         raise InputProblem(translate("Messages", "the moving part is empty."))
     return np.vstack(corners)
-
-
-def signature(pairs):
-    """Text that changes when the geometry or the place of a generator changes; cheap to make."""
-    words = []
-    for root, sub in pairs:
-        for linked, path in leaves(root, sub):
-            words.append(np.array2string(_global_matrix(root, path), precision=9))
-            if linked.isDerivedFrom("Mesh::Feature"):
-                data = linked.Mesh
-                size = (
-                    data.CountPoints,
-                    data.CountFacets,
-                    round(data.Area, 6),
-                    round(data.Volume, 6),
-                )
-            else:
-                data = linked.Shape
-                size = (
-                    len(data.Faces),
-                    len(data.Vertexes),
-                    round(data.Area, 6),
-                    round(data.Length, 6),
-                )
-                if data.Solids:
-                    size += tuple(round(s.Volume, 6) for s in data.Solids)
-            box = data.BoundBox
-            if box.isValid():  # an empty mesh has none
-                size += (round(box.DiagonalLength, 7), tuple(box.Center))
-            words.append(repr(size))
-    return "\n".join(words)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What all our document objects share: properties added once, nothing stored in the proxy."""
+import contextlib
 import json
 
 import FreeCAD as App
@@ -52,6 +53,9 @@ class Feature:
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
+
+    def look(self, obj):
+        """Compares the inputs with those of the stored result, where there is one."""
 
     def dumps(self):
         return None
@@ -106,23 +110,13 @@ def set_changed(obj, name, value):
         setattr(obj, name, value)
 
 
-def mark_result(obj, now, waiting=False):
-    """Status of an object with InputHash and TriedHash. now: hash of the inputs; waiting: an input is
-    itself stale. A failure stays readable until the inputs change."""
-    if obj.InputHash and obj.InputHash == now:
-        set_changed(obj, "Status", STALE if waiting else UP_TO_DATE)
-    elif not (obj.Status in (FAILED, CANCELLED) and obj.TriedHash == now):
-        set_changed(obj, "Status", STALE if obj.InputHash else NOT_COMPUTED)
-
-
-def mark_failure(obj, now, text, tried, cancelled):
-    """Remembers a run that gave nothing. now: hash of the object's inputs; tried: hash of those of the
-    run, which may have had other settings: then a current result stays what it is."""
-    if obj.InputHash and obj.InputHash == now and tried != now:
-        return
-    set_changed(obj, "TriedHash", tried)
-    set_changed(obj, "Status", CANCELLED if cancelled else FAILED)
-    set_changed(obj, "Message", text)
+@contextlib.contextmanager
+def quietly(obj):
+    """What is written meanwhile is no reason to recompute the object."""
+    touched = "Touched" in obj.State
+    yield
+    if not touched:
+        obj.purgeTouched()
 
 
 def attach_view(obj, maker):

@@ -9,13 +9,12 @@ import json
 
 import numpy as np
 
-from .. import convert, core
+from .. import contents, convert, core
 from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
-from . import containers
+from . import containers, missing, status
 from . import envelope as envelope_feature
-from . import motion as motion_feature
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
     FAILED,
@@ -27,8 +26,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     Feature,
     attach_view,
     kind_of,
-    mark_failure,
-    mark_result,
+    quietly,
     set_changed,
     stored,
 )
@@ -154,9 +152,22 @@ _RESULT = [
         mark("Properties", "Inputs of the last run that gave nothing"),
         HIDDEN,
     ),
+    (
+        "App::PropertyString",
+        missing.PROPERTY,
+        mark("Properties", "Inputs that were deleted (JSON)"),
+        HIDDEN,
+    ),
+    (
+        "App::PropertyLinkListGlobal",
+        "Seen",
+        mark("Properties", "What AllVisible looks at, so that a change of it is noticed"),
+        HIDDEN,
+    ),
 ]
 
 containers.watch()
+missing.watch()
 
 
 class Clearance(Feature):
@@ -174,11 +185,24 @@ class Clearance(Feature):
 
     def execute(self, obj):
         """Marks the result stale or current; keeps it."""
+        follow_all_visible(obj)
         update_status(obj)
 
+    def look(self, obj):
+        update_status(obj)
+
+    def onChanged(self, obj, name):
+        missing.changed(obj, name)
+
     def onDocumentRestored(self, obj):
-        super().onDocumentRestored(obj)
-        containers.shorten(obj)  # documents of before may have circles
+        of_before = "Seen" not in obj.PropertiesList
+        with quietly(obj):
+            super().onDocumentRestored(obj)
+            containers.shorten(obj)  # documents of before may have circles
+            if of_before:
+                follow_all_visible(obj)
+                plan = Plan.of(obj)
+                status.renew(obj, status.hash_or_problem(plan.hash_of_before)[0], plan.hash())
 
 
 def is_clearance(obj):
@@ -206,10 +230,37 @@ class Request:
         self.notes = notes
 
 
-def _held(obj):
-    """Whether a group or a link array holds an object and shows it."""
-    lists = [getattr(user, "Group", []) + getattr(user, "ElementList", []) for user in obj.InList]
-    return any(obj in held for held in lists)
+#: Kinds of results that stand in the document as parts do.
+_RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
+
+
+def _short(words):
+    return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+
+
+def _has_geometry(obj):
+    """Whether an object may show solids or meshes: by itself, as a group or as a link."""
+    names = ("Shape", "Mesh", "Group", "LinkedObject", "ElementList")
+    return hasattr(obj, "Visibility") and any(hasattr(obj, name) for name in names)
+
+
+def _linked(root, path):
+    return root.getSubObject(path, retType=1).getLinkedObject(True)
+
+
+def _parts(root, sub):
+    """(root, path) of all solids and meshes below a path; the object itself, where it is a single one,
+    whatever it is."""
+    if root.getSubObject(sub, retType=1) is None:
+        convert.leaves(root, sub)  # raises
+    found = convert.leaves(root, sub)
+    if len(found) == 1 and found[0][1] == sub:
+        return [(root, sub)]
+    return [(root, path) for linked, path in found if convert.solid_like(linked)]
+
+
+def _place_of(obj):
+    return convert.global_placement(*convert.root_path(obj))
 
 
 class Plan:
@@ -225,11 +276,12 @@ class Plan:
         self.all_visible = all_visible
         self.values = dict(values)
         self.envelope = envelope
+        self.lost = ""  # what was deleted that the object needs
 
     @classmethod
     def of(cls, obj):
         source = obj.Envelope if envelope_feature.is_envelope(obj.Envelope) else obj
-        return cls(
+        plan = cls(
             obj.Document,
             convert.pairs_of(source.Generators),
             source.Motion,
@@ -238,9 +290,12 @@ class Plan:
             {name: getattr(obj, name).Value for name in cls.SETTINGS},
             obj.Envelope,
         )
+        plan.lost = missing.text(obj)
+        return plan
 
     def write(self, obj):
         """Puts the plan into a clearance object."""
+        missing.forget(obj)
         obj.Envelope = self.envelope
         if self.envelope is None:
             containers.set_pairs(obj, "Generators", self.pairs)
@@ -257,6 +312,8 @@ class Plan:
 
     def moving(self):
         """The moving parts. Raises InputProblem where each has a motion of its own."""
+        if self.lost:
+            raise InputProblem(self.lost)
         if self.envelope is None:
             return Moving(self.pairs, self.motion)
         if not envelope_feature.is_envelope(self.envelope):
@@ -275,35 +332,106 @@ class Plan:
             )
         return groups[0]
 
+    def candidates(self):
+        """What AllVisible looks at, hidden or not: objects that stand in the document by themselves.
+
+        Not the document's RootObjects: those are what no other object uses in any way."""
+        return [
+            o
+            for o in self.document.Objects
+            if not kind_of(o) and _has_geometry(o) and not containers.is_held(o)
+        ]
+
     def leaves(self):
-        """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts."""
-        roots = self.neighbours
-        if self.all_visible:
-            # Not the document's RootObjects: those are what no other object uses in any way.
-            roots = [(o, "") for o in self.document.Objects if o.Visibility and not _held(o)]
-        found = []
-        for root, sub in roots:
-            target = root.getSubObject(sub, retType=1)
-            if target is None or kind_of(target):
-                continue
-            for linked, path in convert.leaves(root, sub):
-                if kind_of(linked) or (root, path) in found or self._moves(root, path):
-                    continue
-                if linked.isDerivedFrom("Mesh::Feature") or linked.Shape.Solids:
-                    found.append((root, path))
+        """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts.
+        Raises InputProblem where something was chosen that cannot be checked."""
+        found = self._all_visible() if self.all_visible else self._chosen()
+        if not found:
+            raise InputProblem(
+                translate("Messages", "no neighbour is given: choose parts or show some others.")
+            )
         return found
+
+    def _chosen(self):
+        found = []
+        for root, sub in self.neighbours:
+            below = [pair for pair in _parts(root, sub) if not self._moves(*pair)]
+            if not below:
+                raise self._not_checked(root, sub)
+            found += [pair for pair in below if pair not in found]
+        return found
+
+    def _all_visible(self):
+        found = []
+        for root in self.candidates():
+            if root.Visibility:
+                found += [
+                    (r, path)
+                    for r, path in _parts(root, "")
+                    if not kind_of(_linked(r, path)) and not self._moves(r, path)
+                ]
+        return found
+
+    def left_out(self):
+        """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""
+        if not self.all_visible:
+            return []
+        labels = [
+            o.Label
+            for o in self.document.Objects
+            if kind_of(o) in _RESULTS and o.Visibility and not self._is_own(o)
+        ]
+        if not labels:
+            return []
+        return [
+            translate(
+                "Messages",
+                "Left out: {0} (envelopes and their solids are checked where they are chosen as "
+                "neighbours).",
+            ).format(", ".join('"{}"'.format(label) for label in labels))
+        ]
+
+    def _is_own(self, obj):
+        """Whether an envelope or solid is the sweep of the moving parts themselves."""
+        while kind_of(obj) == _RESULTS[1] and obj.Source is not None:
+            obj = obj.Source
+        return obj is self.envelope or getattr(obj, "Motion", None) is self.moving().motion
+
+    def _not_checked(self, root, sub):
+        label = convert.label_of(root, sub)
+        if any(self._moves(*pair) for pair in _parts(root, sub)):
+            return InputProblem(
+                translate(
+                    "Messages",
+                    '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
+                ).format(label)
+            )
+        return InputProblem(
+            translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
+        )
 
     def _moves(self, root, path):
         return any(root is r and path.startswith(s) for r, s in self.pairs)
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
-        try:
-            words = self.moving().words()
-            words += [convert.signature(self.leaves()), json.dumps(self.values, sort_keys=True)]
-        except (InputProblem, RuntimeError, AttributeError):
-            return ""
-        return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+        return status.hash_or_problem(self.checked_hash)[0]
+
+    def checked_hash(self):
+        """As hash(); raises InputProblem that says why the inputs are unusable."""
+        words = self.moving().words() + [contents.signature(self.leaves()), self._settings()]
+        if self.envelope is not None:  # whose points are coloured
+            words.append(contents.mesh_text(self.envelope))
+            words.append(contents.matrices(convert.matrix_of(_place_of(self.envelope))))
+        return status.VERSION + _short(words)
+
+    def hash_of_before(self):
+        """As version 1 had it; raises InputProblem."""
+        words = self.moving().words_of_before()
+        return _short(words + [contents.signature_of_before(self.leaves()), self._settings()])
+
+    def _settings(self):
+        return json.dumps(self.values, sort_keys=True)
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""
@@ -335,12 +463,14 @@ class Plan:
         )
 
     def _neighbours(self, deflection):
-        neighbours, notes = [], []
+        neighbours, notes = [], self.left_out()
         for pair in self.leaves():
             name = convert.label_of(*pair)
             try:
                 part = convert.body_from([pair], deflection)
             except InputProblem as problem:
+                if not self.all_visible:
+                    raise
                 notes.append(translate("Messages", "Left out: {0}").format(problem))
                 continue
             chord = deflection if _has_shape([pair]) else 0.0
@@ -359,8 +489,7 @@ def _has_shape(pairs):
 def envelope_arrays(envelope):
     """World vertices and triangles of an envelope's mesh."""
     vertices, triangles = convert.arrays_from_mesh(envelope.Mesh)
-    placement = convert.global_placement(*convert.root_path(envelope))
-    return convert.transform(convert.matrix_of(placement), vertices), triangles
+    return convert.transform(convert.matrix_of(_place_of(envelope)), vertices), triangles
 
 
 class Outcome:
@@ -387,28 +516,52 @@ def work(request, control):
 
 def apply(obj, outcome, hash_at_start):
     """Writes the result of a check."""
-    report = outcome.report
+    report = dict(outcome.report, notes=outcome.notes)
     obj.Report = json.dumps(report)
     obj.Summary = report["summary"]
     obj.Checked = len(report["neighbours"])
     obj.Smallest = report["neighbours"][report["smallest"]]["distance"]
     obj.MapDistances = [] if outcome.distances is None else [float(d) for d in outcome.distances]
-    obj.Message = "\n".join(
-        outcome.notes + [said(w["code"], w["text"]) for w in report["warnings"]]
-    )
-    obj.InputHash = hash_at_start
+    obj.InputHash, obj.TriedHash = hash_at_start, ""
+    follow_all_visible(obj)
     update_status(obj)
+
+
+def notes_of(obj):
+    """What is to be said of the stored result."""
+    report = report_of(obj) if obj.Report else None
+    if report is None:
+        return ""
+    found = [said(w["code"], w["text"]) for w in report.get("warnings", [])]
+    return "\n".join(list(report.get("notes", [])) + found)
 
 
 def fail(obj, text, tried, cancelled=False):
     """Remembers a run that gave nothing; the stored result stays. tried: hash of its inputs."""
-    mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
+    status.mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
+
+
+def follow_all_visible(obj):
+    """Links to all that AllVisible looks at, hidden things too: what is shown, moved or changed there
+    then makes the result stale. Not to what depends on the check itself."""
+    found = []
+    if obj.AllVisible:
+        above = set(obj.InListRecursive)
+        roots = [
+            root
+            for root, _ in containers.links_for(obj, [(o, "") for o in Plan.of(obj).candidates()])
+        ]
+        found = [o for o in roots if o not in above and o is not obj]
+    if obj.Seen != found:
+        obj.Seen = found
 
 
 def update_status(obj):
     """Compares inputs and stored result."""
     plan = Plan.of(obj)
-    mark_result(obj, plan.hash(), any(motion_feature.is_stale(o) for o in plan.objects()))
+    now, problem = status.hash_or_problem(plan.checked_hash)
+    waiting = any(map(status.is_behind, plan.objects() + convert.targets(plan.neighbours)))
+    status.judge(obj, now, problem, waiting, notes_of(obj))
 
 
 def compute(obj, control=None):

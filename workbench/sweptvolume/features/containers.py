@@ -14,6 +14,12 @@ _LISTS, _SINGLES = ("Generators", "Neighbours"), ("Reference",)
 _observer = None
 
 
+def is_held(obj):
+    """Whether a group or a link array holds an object and shows it."""
+    lists = [getattr(user, "Group", []) + getattr(user, "ElementList", []) for user in obj.InList]
+    return any(obj in held for held in lists)
+
+
 def around(obj):
     """All groups that hold an object, also through others."""
     found, waiting = [], [obj]
@@ -76,23 +82,53 @@ def shorten(holder):
             set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
 
 
+def _is_quiet(document):
+    """Whether the changes that are heard are none of their own: a file is read, or undo runs."""
+    return getattr(document, "Restoring", False) or getattr(document, "Transacting", False)
+
+
+def _touch_checks(document, but=None):
+    """Checks of all that is visible look again at the next recompute."""
+    for check in document.Objects:
+        if check is not but and getattr(check, "AllVisible", False) and kind_of(check):
+            check.touch()
+
+
+def _touch_users(obj):
+    """Ours that use an object, or a group around it."""
+    for used in [obj] + around(obj):
+        for ours in used.InList:
+            if kind_of(ours):
+                ours.touch()
+
+
 class _Observer:
-    """Hears of objects that come into a group or leave it, and of groups that are moved."""
+    """Hears of what the links of FreeCAD do not tell: objects that come into a group or leave it, groups
+    that are moved, things that are shown, hidden or made."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
+        if name == "Visibility":
+            if not _is_quiet(obj.Document) and not kind_of(obj):
+                _touch_users(obj)
+            return
         if name not in ("Group", "Placement") or "Group" not in obj.PropertiesList:
             return
         document = obj.Document
-        if getattr(document, "Restoring", False) or getattr(document, "Transacting", False):
+        if _is_quiet(document):
             return
         if name == "Group":
             for holder in [o for o in document.Objects if kind_of(o)]:
                 shorten(holder)
+                holder.touch()  # it, its inputs, or what it sees may stand elsewhere now
             return
         for member in inside(obj):
             for ours in [member] + member.InList:
                 if kind_of(ours):
                     ours.touch()
+
+    def slotCreatedObject(self, obj):  # noqa: N802
+        if not _is_quiet(obj.Document):
+            _touch_checks(obj.Document, obj)
 
 
 def watch():

@@ -8,7 +8,6 @@ A run is three steps: prepare() reads the document (GUI thread), what it returns
 import hashlib
 import json
 
-import FreeCAD as App
 import numpy as np
 
 from .. import convert, core
@@ -16,8 +15,7 @@ from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
 from ..trajectory.poses import swept_box
-from . import containers, kept
-from . import motion as motion_feature
+from . import containers, kept, missing, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
     FAILED,
@@ -29,8 +27,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     Feature,
     attach_view,
     kind_of,
-    mark_failure,
-    mark_result,
+    quietly,
     stored,
 )
 from .moving import Moving
@@ -201,6 +198,15 @@ _ACCURACY = [
         0,
     ),
 ]
+#: Where the result was put, to notice when it is moved.
+PLACED = (
+    "App::PropertyPlacement",
+    "Placed",
+    "Result",
+    mark("Properties", "Where the result was put in the document"),
+    None,
+    HIDDEN,
+)
 _RESULT = [
     ("App::PropertyString", "Status", mark("Properties", "State of the result")),
     ("App::PropertyString", "Message", mark("Properties", "Why the last run failed; warnings")),
@@ -218,6 +224,7 @@ _RESULT = [
 ]
 
 containers.watch()
+missing.watch()
 
 
 class Envelope(Feature):
@@ -233,8 +240,10 @@ class Envelope(Feature):
                 ("Report", mark("Properties", "Report of the run (JSON)")),
                 ("InputHash", mark("Properties", "Inputs of the stored result")),
                 ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
+                (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
             )
         ]
+        hidden.append(PLACED)
         return _INPUT + _ACCURACY + result + hidden
 
     def __init__(self, obj):
@@ -245,9 +254,20 @@ class Envelope(Feature):
         """Marks the result stale or current; keeps the mesh."""
         update_status(obj)
 
+    look = execute
+
+    def onChanged(self, obj, name):
+        missing.changed(obj, name)
+
     def onDocumentRestored(self, obj):
-        super().onDocumentRestored(obj)
-        containers.shorten(obj)  # documents of before may have circles
+        of_before = "Placed" not in obj.PropertiesList
+        with quietly(obj):
+            super().onDocumentRestored(obj)
+            containers.shorten(obj)  # documents of before may have circles
+            if of_before:
+                status.remember_place(obj)
+                plan = Plan.of(obj)
+                status.renew(obj, status.hash_or_problem(plan.hash_of_before)[0], plan.hash())
 
 
 def is_envelope(obj):
@@ -265,6 +285,7 @@ class Plan:
     SETTINGS = [name for _, name, *_ in _ACCURACY]
 
     def __init__(self, pairs, motion, values, motions=(), reference=None, reference_motion=None):
+        self.lost = ""  # what was deleted that the object needs
         self.pairs = list(pairs)
         self.motion = motion
         self.values = dict(values)
@@ -279,7 +300,7 @@ class Plan:
         for name, value in values.items():
             values[name] = getattr(value, "Value", value)
         seen_from = convert.pairs_of(obj.Reference)
-        return cls(
+        plan = cls(
             convert.pairs_of(obj.Generators),
             obj.Motion,
             values,
@@ -287,9 +308,12 @@ class Plan:
             seen_from[0] if seen_from else None,
             obj.ReferenceMotion,
         )
+        plan.lost = missing.text(obj)
+        return plan
 
     def write(self, obj):
         """Puts the plan into an envelope object."""
+        missing.forget(obj)
         containers.set_pairs(obj, "Generators", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
@@ -306,7 +330,9 @@ class Plan:
         return [obj for obj in found if obj is not None]
 
     def groups(self):
-        """Parts that move together: list of Moving."""
+        """Parts that move together: list of Moving. Raises InputProblem."""
+        if self.lost:
+            raise InputProblem(self.lost)
         if self.motions and len(self.motions) != len(self.pairs):
             raise InputProblem(
                 translate(
@@ -343,19 +369,26 @@ class Plan:
     def hash(self, without=()):
         """Short text that stands for all the result depends on; "" while inputs are unusable. without:
         options that are left out."""
+        return status.hash_or_problem(lambda: self.checked_hash(without))[0]
+
+    def checked_hash(self, without=()):
+        """As hash(); raises InputProblem that says why the inputs are unusable."""
+        if self._words is None:
+            self._words = [word for group in self.groups() for word in group.words()]
+        return status.VERSION + self._hash(self._words, without)
+
+    def hash_of_before(self):
+        """As version 1 had it; raises InputProblem."""
+        return self._hash([word for group in self.groups() for word in group.words_of_before()])
+
+    def _hash(self, inputs, without=()):
         options = self.options()
         for name in ("backend",) + tuple(without):  # the surface is the same whoever computes it
             del options[name]
         if not options["position_filter"]:
             del options["position_filter"]  # so are those made before there was one
         words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
-        try:
-            if self._words is None:
-                self._words = [word for group in self.groups() for word in group.words()]
-        except (InputProblem, RuntimeError, AttributeError):
-            return ""
-        words += self._words
-        return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+        return hashlib.sha256("\n".join(words + inputs).encode()).hexdigest()[:32]
 
     def cell(self, groups):
         """Edge of a cell (mm): as given, or from the resolution and the boxes of the parts."""
@@ -471,7 +504,17 @@ def can_recut(obj):
 def update_status(obj):
     """Compares inputs and stored result."""
     plan = Plan.of(obj)
-    mark_result(obj, plan.hash(), any(motion_feature.is_stale(o) for o in plan.objects()))
+    now, problem = status.hash_or_problem(plan.checked_hash)
+    if now and status.is_displaced(obj):
+        now += " moved"
+    waiting = any(map(status.is_behind, plan.objects() + convert.targets(plan.pairs)))
+    status.judge(obj, now, problem, waiting, notes_of(obj))
+
+
+def notes_of(obj):
+    """What is to be said of the stored result."""
+    report = report_of(obj) if obj.Report else None
+    return "\n".join(w["text"] for w in warnings_of(report)) if report else ""
 
 
 def report_of(obj):
@@ -489,8 +532,9 @@ def warnings_of(report):
 def apply(obj, outcome, hash_at_start):
     """Writes the result of a run that ended Ok."""
     mesh = outcome.mesh or convert.mesh_from_arrays(outcome.vertices, outcome.triangles)
-    mesh.Placement = _inside_groups(obj).multiply(mesh.Placement)
+    mesh.Placement = status.outer_inverse(obj).multiply(mesh.Placement)
     obj.Mesh = mesh
+    status.remember_place(obj)
     report = outcome.report
     obj.Volume = report["volume"]
     obj.Area = report["area"]
@@ -500,24 +544,16 @@ def apply(obj, outcome, hash_at_start):
     obj.UsedCellSize = report["cell"]
     obj.Seconds = report["seconds"]["total"]
     obj.Report = json.dumps(report)
-    obj.Message = "\n".join(w["text"] for w in warnings_of(report))
-    obj.InputHash = hash_at_start
+    obj.InputHash, obj.TriedHash = hash_at_start, ""
     kept.keep(obj.Document, outcome.key, outcome)
     update_status(obj)
+    status.tell_users(obj)
 
 
 def fail(obj, text, tried, cancelled=False):
     """Remembers a run that gave nothing; the stored mesh stays as it is. tried: hash of its inputs."""
-    mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
-
-
-def _inside_groups(obj):
-    """The envelope stands in world coordinates: undo the placement of groups around it."""
-    try:
-        outer = obj.getGlobalPlacement().multiply(obj.Placement.inverse())
-    except AttributeError:
-        return App.Placement()
-    return outer.inverse()
+    status.mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
+    status.tell_users(obj)
 
 
 def compute(obj, control=None):

@@ -3,20 +3,19 @@
 import FreeCAD as App
 import numpy as np
 
-from .. import core
+from .. import contents, core
 from ..convert import InputProblem, matrix_of
 from ..texts import mark, translate
 from ..trajectory import sources
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
-from . import containers
-from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
+from . import containers, missing, status
+from .base import HIDDEN, READ_ONLY, STALE, Feature, attach_view, kind_of, set_changed
 
 TYPE = "App::FeaturePython"
 UNITS = ["mm", "cm", "m", "in"]
-#: Status of a motion whose source changed after it was read.
-STALE = mark("Messages", "Stale")
 
 containers.watch()
+missing.watch()
 
 
 class Motion(Feature):
@@ -147,6 +146,14 @@ class Motion(Feature):
                 None,
                 HIDDEN,
             ),
+            (
+                "App::PropertyString",
+                missing.PROPERTY,
+                "Source",
+                mark("Properties", "Inputs that were deleted (JSON)"),
+                None,
+                HIDDEN,
+            ),
         ]
 
     def __init__(self, obj):
@@ -156,21 +163,28 @@ class Motion(Feature):
     def execute(self, obj):
         """Reads live sources again; others turn stale and wait for Reload motion."""
         try:
+            missing.check(obj)
             if sources.is_live(obj.SourceType):
                 store(obj, sources.read(settings_of(obj)), touch=False)
             poses = poses_of(obj)
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
+            status.tell_users(obj)  # whom FreeCAD passes over now
             raise
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
         set_changed(obj, "Duration", span)
 
+    def onChanged(self, obj, name):
+        missing.changed(obj, name)
+
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)
         if obj.SourceType == "File":  # the file may have changed while the document was closed
             look(obj)
+            if obj.Status:
+                status.tell_users(obj)
 
 
 def look(obj):
@@ -184,6 +198,12 @@ def look(obj):
 def is_stale(obj):
     """Whether the source of a motion changed since it was read."""
     return is_motion(obj) and obj.Status == STALE
+
+
+def check_usable(obj):
+    """Raises InputProblem where a motion cannot follow its source: its poses are those of before."""
+    if len(obj.Placements) and obj.Status not in ("", STALE):
+        raise InputProblem('"{}": {}'.format(obj.Label, obj.Status))
 
 
 def settings_of(obj):
@@ -224,6 +244,15 @@ def set_tangents(obj, tangents):
 
 def words(obj):
     """Texts that change with the way that the motion takes, for hashes."""
+    found = [obj.Interpolation, obj.Frame, contents.digest(np.round(obj.Times, 9))]
+    found.append(contents.matrices([placement.toMatrix().A for placement in obj.Placements]))
+    if obj.Interpolation == "Spline":
+        found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
+    return found
+
+
+def words_of_before(obj):
+    """The same as version 1 had them, to know its results again."""
     found = [obj.Interpolation, obj.Frame, repr([round(t, 9) for t in obj.Times])]
     for placement in obj.Placements:
         found.append(np.array2string(matrix_of(placement), precision=9))

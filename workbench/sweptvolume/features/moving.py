@@ -4,7 +4,7 @@ plain arrays for the core. Reads documents only in the thread of the GUI.
 """
 import numpy as np
 
-from .. import convert, core
+from .. import contents, convert, core
 from ..convert import InputProblem
 from ..texts import translate
 from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
@@ -27,6 +27,7 @@ class Moving:
             raise InputProblem(
                 translate("Messages", "no motion is given: make one with New motion and choose it.")
             )
+        motion_feature.check_usable(self.motion)
         if not self.pairs:
             raise InputProblem(convert.no_part_text())
         given = self.reference_motion
@@ -34,6 +35,16 @@ class Moving:
             raise InputProblem(
                 translate("Messages", '"{0}" is no motion: choose another one.').format(given.Label)
             )
+        if given is None and self.reference is not None:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "a reference part is given, but no motion of it: choose its motion, or take the "
+                    "reference part away.",
+                )
+            )
+        if given is not None:
+            motion_feature.check_usable(given)
         if given is not None and self.reference is None:
             raise InputProblem(
                 translate(
@@ -45,11 +56,22 @@ class Moving:
     def words(self):
         """Texts that change with the geometry and the motion. Raises InputProblem."""
         self.check()
-        words = [convert.signature(self.pairs)] + motion_feature.words(self.motion)
+        words = [contents.signature(self.pairs)] + motion_feature.words(self.motion)
+        if self.reference_motion is not None:
+            standing = convert.global_placement(*self.reference)
+            words.append(contents.matrices(convert.matrix_of(standing)))
+            words += motion_feature.words(self.reference_motion)
+        return words
+
+    def words_of_before(self):
+        """As version 1 had them, to know its results again."""
+        self.check()
+        words = [contents.signature_of_before(self.pairs)]
+        words += motion_feature.words_of_before(self.motion)
         if self.reference_motion is not None:
             standing = convert.global_placement(*self.reference)
             words.append(np.array2string(convert.matrix_of(standing), precision=9))
-            words += motion_feature.words(self.reference_motion)
+            words += motion_feature.words_of_before(self.reference_motion)
         return words
 
     def into_base(self):

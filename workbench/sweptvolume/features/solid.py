@@ -9,19 +9,32 @@ import tempfile
 
 import numpy as np
 
-from .. import convert, core
+from .. import contents, convert, core
 from ..convert import InputProblem
 from ..texts import mark, translate
 from . import envelope as envelope_feature
-from . import faceted
-from .base import HIDDEN, READ_ONLY, Feature, attach_view, kind_of, set_changed
-from .envelope import FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
+from . import faceted, missing, status
+from .base import (  # noqa: F401 (the states are read from here as well)
+    FAILED,
+    HIDDEN,
+    NOT_COMPUTED,
+    READ_ONLY,
+    STALE,
+    UP_TO_DATE,
+    Feature,
+    attach_view,
+    kind_of,
+    quietly,
+    set_changed,
+)
 
 TYPE = "Part::FeaturePython"
 
 #: Coordinates of a FreeCAD mesh carry 24 bits; flat regions are found within a few units of the last.
 SINGLE_PRECISION = 2.0**-22
 
+
+missing.watch()
 
 #: Budget of faces of a new solid.
 MAX_FACES = 20000
@@ -127,11 +140,42 @@ class Solid(Feature):
                 None,
                 HIDDEN,
             ),
+            (
+                "App::PropertyString",
+                "TriedHash",
+                "Result",
+                mark("Properties", "Inputs of the last run that gave nothing"),
+                None,
+                HIDDEN,
+            ),
+            (
+                "App::PropertyString",
+                missing.PROPERTY,
+                "Result",
+                mark("Properties", "Inputs that were deleted (JSON)"),
+                None,
+                HIDDEN,
+            ),
+            envelope_feature.PLACED,
         ]
 
     def execute(self, obj):
         """Marks the solid stale or current; keeps the shape."""
         update_status(obj)
+
+    look = execute
+
+    def onChanged(self, obj, name):
+        missing.changed(obj, name)
+
+    def onDocumentRestored(self, obj):
+        of_before = "Placed" not in obj.PropertiesList
+        with quietly(obj):
+            super().onDocumentRestored(obj)
+            if of_before:
+                status.remember_place(obj)
+                before = status.hash_or_problem(lambda: hash_of_before(obj))[0]
+                status.renew(obj, before, input_hash(obj))
 
 
 def is_solid(obj):
@@ -144,30 +188,63 @@ def can_be_source(obj):
 
 
 def input_hash(obj):
-    source = obj.Source
-    if source is None or not can_be_source(source):
-        return ""
-    words = [convert.signature([(source, "")]), str(obj.MergeCoplanar)]
+    """Short text that stands for all the result depends on; "" while inputs are unusable."""
+    return status.hash_or_problem(lambda: checked_hash(obj.Source, settings(obj)))[0]
+
+
+def checked_hash(source, wanted):
+    """The same, of a source and settings as DEFAULTS. Raises InputProblem."""
+    _check_source(source)
+    words = [contents.signature([convert.root_path(source)])] + _words(source, wanted)
+    return status.VERSION + _short(words)
+
+
+def hash_of_before(obj):
+    """As version 1 had it; raises InputProblem."""
+    _check_source(obj.Source)
+    words = [contents.signature_of_before([(obj.Source, "")])]
+    words += _words(obj.Source, settings(obj))
+    if envelope_feature.is_envelope(obj.Source):
+        # Made while the envelope had a hash of before; it may have become one of today by now.
+        plan = envelope_feature.Plan.of(obj.Source)
+        if obj.Source.InputHash == plan.hash():
+            words[-1] = plan.hash_of_before()
+    return _short(words)
+
+
+def _words(source, wanted):
+    words = [str(wanted["merge"])]
     # With the defaults as before these properties: solids of older documents stay current.
-    if obj.Tolerance.Value > 0:
-        words.append(repr(obj.Tolerance.Value))
-    if obj.MaxFaces != MAX_FACES:
-        words.append("at most {} faces".format(obj.MaxFaces))
+    if wanted["tolerance"] > 0:
+        words.append(repr(wanted["tolerance"]))
+    if wanted["max_faces"] != MAX_FACES:
+        words.append("at most {} faces".format(wanted["max_faces"]))
     if envelope_feature.is_envelope(source):
         words.append(source.InputHash)
+    return words
+
+
+def _short(words):
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
 
+def _check_source(source):
+    if source is None or not can_be_source(source):
+        raise InputProblem(
+            translate(
+                "Messages", "compute the envelope first: there is no mesh to make a solid of."
+            )
+        )
+
+
 def update_status(obj):
-    """Stale when the envelope's mesh changed, or when the envelope itself is stale."""
-    now = input_hash(obj)
-    if obj.InputHash and obj.InputHash == now:
-        source_stale = envelope_feature.is_envelope(obj.Source) and obj.Source.Status != UP_TO_DATE
-        set_changed(obj, "Status", STALE if source_stale else UP_TO_DATE)
-    elif obj.InputHash:
-        set_changed(obj, "Status", STALE)
-    elif obj.Status != FAILED:
-        set_changed(obj, "Status", NOT_COMPUTED)
+    """Compares inputs and stored result; what is made of a stale envelope is stale as well."""
+    lost = missing.text(obj)
+    now, problem = status.hash_or_problem(lambda: checked_hash(obj.Source, settings(obj)))
+    if now and status.is_displaced(obj):
+        now += " moved"
+    waiting = obj.Source is not None and status.is_behind(obj.Source)
+    status.judge(obj, now, lost or problem, waiting)
 
 
 class Request:
@@ -236,12 +313,7 @@ def request_for(source, world=False, **given):
     given: what differs from DEFAULTS.
 
     The solid of a conservative envelope is exact: simplified it could cut into the swept volume."""
-    if source is None or not can_be_source(source):
-        raise InputProblem(
-            translate(
-                "Messages", "compute the envelope first: there is no mesh to make a solid of."
-            )
-        )
+    _check_source(source)
     exact = envelope_feature.is_envelope(source) and bool(source.Conservative)
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
     if world:
@@ -269,6 +341,8 @@ def set_settings(obj, wanted):
 
 
 def request(obj):
+    """Raises InputProblem."""
+    missing.check(obj)
     return request_for(obj.Source, **settings(obj))
 
 
@@ -295,26 +369,33 @@ def apply(obj, value, hash_at_start):
         os.remove(path)
     if shape.ShapeType == "Compound" and len(shape.Solids) == 1:
         shape = shape.Solids[0]
-    shape.Placement = obj.Source.Placement
+    there = convert.global_placement(*convert.root_path(obj.Source))
+    shape.Placement = status.outer_inverse(obj).multiply(there)
     obj.Shape = shape
+    status.remember_place(obj)
     obj.Faces = len(shape.Faces)
     # The kernel's own figure is less exact where profiles were pushed along a direction.
     obj.Volume = report.get("volume") or shape.Volume
     obj.Deviation = report["deviation"]
-    obj.Message = ""
-    obj.InputHash = hash_at_start
+    obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
+    status.tell_users(obj)
 
 
-def fail(obj, text):
-    obj.Status = FAILED
-    obj.Message = text
+def fail(obj, text, tried, cancelled=False):
+    """Remembers a run that gave nothing; the stored shape stays as it is. tried: hash of its inputs."""
+    status.mark_failure(obj, input_hash(obj), text, tried, cancelled)
+    status.tell_users(obj)
 
 
 def compute(obj, control=None):
-    """Makes the solid in this thread (scripts, no GUI): one undo step."""
+    """Makes the solid in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
     hash_at_start = input_hash(obj)
-    value = work(request(obj), control or core.Control())
+    try:
+        value = work(request(obj), control or core.Control())
+    except (core.CoreError, InputProblem) as error:
+        fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
+        raise
     obj.Document.openTransaction(translate("Messages", "Make solid"))
     apply(obj, value, hash_at_start)
     obj.purgeTouched()

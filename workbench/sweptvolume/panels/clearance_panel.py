@@ -54,6 +54,8 @@ class ClearancePanel:
         self._build_result()
         self._show_neighbours()
         self.show_result()
+        if obj is not None and plan.lost:
+            widgets.show_message(self.message, plan.lost)
         self.watch = widgets.DocumentWatch(document, self.reject)
 
     # --- building
@@ -75,6 +77,8 @@ class ClearancePanel:
             self.motion.Name if self.motion is not None else "",
             [o.Label for o in motions],
         )
+        if self.obj is not None and self.motion is None and envelope is None:
+            self.path.setCurrentIndex(-1)  # what is missing is not filled in silently
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
         rows.addRow(translate("Panels", "Moving parts"), self.moving)
         rows.addRow(translate("Panels", "Motion"), self.path)

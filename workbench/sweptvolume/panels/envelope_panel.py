@@ -69,7 +69,7 @@ class EnvelopePanel(StartPanel):
         self.read_outs = ReadOuts()
         for widget in (self.box, self.message, self.read_outs):
             self.layout.addWidget(widget)  # on top: visible without scrolling
-        self.parts = PartsBox(document, plan, self.layout)
+        self.parts = PartsBox(document, plan, self.layout, obj is not None)
         self._build_accuracy(values)
         self._build_method(values)
         self.layout.addStretch(1)
@@ -80,6 +80,8 @@ class EnvelopePanel(StartPanel):
         self.preview = Preview(document, self.show_preview, self.report_preview, self.finest)
         self._connect()
         self.read_outs.show_result(obj)
+        if obj is not None:
+            widgets.show_message(self.message, plan.lost)
 
     # --- building
 
@@ -324,6 +326,6 @@ def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
     opened[:] = [panel]
     focus.show(panel)
-    if start:
+    if start and not panel.message.text():  # else something is to be chosen first
         panel.start()
     return panel

@@ -16,8 +16,10 @@ class PartsBox(QtCore.QObject):
 
     changed = QtCore.Signal()
 
-    def __init__(self, document, plan, layout):
+    def __init__(self, document, plan, layout, chosen=False):
+        """chosen: the plan is that of an object; what is missing there is not filled in silently."""
         super().__init__()
+        self.chosen = chosen
         self.document, self.pairs = document, list(plan.pairs)
         self.own = [None if m is plan.motion else m for m in plan.motions]
         self.own += [None] * (len(self.pairs) - len(self.own))
@@ -65,13 +67,18 @@ class PartsBox(QtCore.QObject):
         texts = [o.Label for o in self.known]
         if empty is not None:
             names, texts = [""] + names, [empty] + texts
-        return widgets.choice(names, now.Name if now is not None else "", texts)
+        box = widgets.choice(names, now.Name if now is not None else "", texts)
+        if now is None and empty is None and self.chosen:
+            box.setCurrentIndex(-1)
+        return box
 
     def _build_reference(self, plan, layout):
         self.reference_box = QtWidgets.QGroupBox(translate("Panels", "Seen from a moving part"))
         self.reference_box.setObjectName("SweptVolumeReference")
         self.reference_box.setCheckable(True)
-        self.reference_box.setChecked(plan.reference_motion is not None)
+        self.reference_box.setChecked(
+            plan.reference_motion is not None or (self.chosen and plan.reference is not None)
+        )
         self.reference_box.setToolTip(
             translate("Panels", "The envelope is what the moving parts take up for this part")
         )
@@ -165,8 +172,8 @@ class PartsBox(QtCore.QObject):
         return [own or self.motion() for own in self.own]
 
     def seen_from(self):
-        """(reference, its motion), both None where nothing is chosen."""
+        """(reference, its motion); both None where the box is off."""
         name = self.reference_motions.currentData()
-        if not self.reference_box.isChecked() or not name:
+        if not self.reference_box.isChecked():
             return None, None
-        return self.reference, self.document.getObject(name)
+        return self.reference, self.document.getObject(name) if name else None

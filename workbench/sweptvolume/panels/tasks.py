@@ -120,6 +120,7 @@ class SolidTask(Task):
         self.source = source or obj.Source
         self.settings = settings or (solid.settings(obj) if obj else solid.DEFAULTS)
         self.request = solid.request_for(self.source, **self.settings)
+        self.hash = solid.checked_hash(self.source, self.settings)
         self.watched = [self.source] + ([obj] if obj else [])
 
     def work(self, control):
@@ -133,15 +134,15 @@ class SolidTask(Task):
         except BaseException:
             os.remove(value[0])
             raise
-        solid.apply(self.obj, value, solid.input_hash(self.obj))
+        solid.apply(self.obj, value, self.hash)
         warn_of(value[1], self.obj.Label)
         self.obj.purgeTouched()
         if self.source.ViewObject is not None:
             self.source.ViewObject.Visibility = False
 
     def fail(self, text, cancelled=False):
-        if self.obj is not None and not cancelled:
-            solid.fail(self.obj, text)
+        if self.obj is not None:
+            solid.fail(self.obj, text, self.hash, cancelled)
 
 
 class ExportTask(Task):

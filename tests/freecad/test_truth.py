@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the document says of its results is what a fresh computation would justify."""
+import os
+import time
+
+import FreeCAD as App
+import Mesh
+import Part
+
+from case import Case, V, shift, turn
+from sweptvolume import contents, core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, envelope, motion, solid
+
+
+def plate(hole):
+    """A plate with a round hole at x = hole: same counts, area, length, volume and box for any."""
+    return Part.makeBox(40, 20, 4).cut(Part.makeCylinder(3, 4, V(hole, 10, 0)))
+
+
+class Contents(Case):
+    def test_a_hole_that_moves(self):
+        obj = self.doc.addObject("Part::Feature", "Plate")
+        obj.Shape = plate(10)
+        first = contents.signature([(obj, "")])
+        obj.Shape = plate(30)
+        self.assertNotEqual(contents.signature([(obj, "")]), first)
+        obj.Shape = plate(10)
+        self.assertEqual(contents.signature([(obj, "")]), first)
+
+    def test_a_pole_that_moves_between_the_points_looked_at(self):
+        poles = [[V(i, j, 0) for j in range(40)] for i in range(40)]
+        knots = [list(range(38)), [4] + [1] * 36 + [4]]
+        obj = self.doc.addObject("Part::Feature", "Sheet")
+
+        def sheet(height):
+            poles[17][30].z = height
+            surface = Part.BSplineSurface()
+            surface.buildFromPolesMultsKnots(
+                poles, knots[1], knots[1], knots[0], knots[0], False, False, 3, 3
+            )
+            obj.Shape = surface.toShape().extrude(V(0, 0, 20))
+            return contents.signature([(obj, "")])
+
+        self.assertNotEqual(sheet(0.0), sheet(0.01))
+
+    def test_meshed_placed_saved_it_is_the_same(self):
+        obj = self.doc.addObject("Part::Feature", "Plate")
+        obj.Shape = plate(10).fuse(Part.makeSphere(3, V(30, 10, 4))).fuse(Part.makeTorus(9, 1))
+        net = self.doc.addObject("Mesh::Feature", "Net")
+        net.Mesh = Mesh.createSphere(5.1, 20)
+        first = contents.shape_text(obj), contents.mesh_text(net)
+        obj.Shape.tessellate(0.1)
+        obj.Placement = net.Placement = turn(31, V(1, 2, 3), V(1000.1, 7, 0.3))
+        self.assertEqual((contents.shape_text(obj), contents.mesh_text(net)), first)
+        path = os.path.join(self.folder, "c.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        obj, net = self.doc.getObject("Plate"), self.doc.getObject("Net")
+        self.assertEqual((contents.shape_text(obj), contents.mesh_text(net)), first)
+
+    def test_a_mesh_that_changes_is_noticed_through_undo_too(self):
+        net = self.doc.addObject("Mesh::Feature", "Net")
+        net.Mesh = Mesh.createSphere(5, 20)
+        first = contents.mesh_text(net)
+        self.doc.openTransaction("Bend")
+        points = net.Mesh.Topology[0]
+        points[7] += V(0, 0, 0.001)
+        net.Mesh = Mesh.Mesh((points, net.Mesh.Topology[1]))
+        self.doc.commitTransaction()
+        bent = contents.mesh_text(net)
+        self.assertNotEqual(bent, first)
+        self.doc.undo()
+        self.assertEqual(contents.mesh_text(net), first)
+        self.doc.redo()
+        self.assertEqual(contents.mesh_text(net), bent)
+
+    def test_500_faces_are_cheap(self):
+        holes = [
+            Part.makeCylinder(1, 4, V(3 + 5 * (i % 25), 3 + 5 * (i // 25), 0)) for i in range(500)
+        ]
+        obj = self.doc.addObject("Part::Feature", "Sieve")
+        obj.Shape = Part.makeBox(130, 110, 4).cut(Part.makeCompound(holes))
+        self.assertGreater(len(obj.Shape.Faces), 500)
+        contents.signature([(obj, "")])
+        took = []
+        for k in range(5):
+            obj.Placement = shift(k)
+            begin = time.perf_counter()
+            contents.signature([(obj, "")])
+            took.append(time.perf_counter() - begin)
+        self.assertLess(min(took), 0.005)
+
+
+class Scene(Case):
+    """A box that moves, its envelope and solid, a check of all that is visible; all computed."""
+
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.doc.addObject("Part::Feature", "Plate")
+        self.part.Shape = plate(10)
+        self.path = self.line()
+        self.wall = self.box("Wall")
+        self.wall.Placement = shift(80)
+        self.swept = self.envelope([self.part], self.path, Resolution=24)
+        envelope.compute(self.swept)
+        self.body = solid.make_solid(self.doc, self.swept)
+        self.check = clearance.make_clearance(
+            self.doc, Generators=[(self.part, "")], Motion=self.path
+        )
+        self.doc.recompute()
+        if core.has_solids():
+            solid.compute(self.body)
+        clearance.compute(self.check)
+        self.doc.recompute()
+        self.assert_states(envelope.UP_TO_DATE, envelope.UP_TO_DATE, envelope.UP_TO_DATE)
+
+    def states(self):
+        return self.swept.Status, self.body.Status, self.check.Status
+
+    def assert_states(self, *wanted):
+        found = self.states()
+        if not core.has_solids():
+            found, wanted = found[::2], wanted[::2]
+        self.assertEqual(found, wanted)
+
+
+class Lost(Scene):
+    def test_a_deleted_motion_is_named(self):
+        other = self.line(12)
+        other.Label = "Another"
+        self.path.Label = "Slide in"
+        self.doc.openTransaction("Delete")
+        self.doc.removeObject(self.path.Name)
+        self.doc.commitTransaction()
+        self.doc.recompute()
+        self.assert_states(envelope.FAILED, envelope.STALE, envelope.FAILED)
+        for obj in (self.swept, self.check):
+            self.assertIn('"Slide in" was deleted', obj.Message)
+        facets = self.swept.Mesh.CountFacets
+        with self.assertRaisesRegex(InputProblem, "Slide in"):
+            envelope.compute(self.swept)
+        with self.assertRaisesRegex(InputProblem, "Slide in"):
+            clearance.compute(self.check)
+        self.assertEqual(self.swept.Mesh.CountFacets, facets)
+        self.doc.undo()
+        self.doc.recompute()
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        self.assertNotIn("deleted", self.swept.Message)
+
+    def test_another_motion_that_is_chosen_is_taken(self):
+        other = self.line(12)
+        self.doc.removeObject(self.path.Name)
+        self.doc.recompute()
+        self.swept.Motion = self.check.Motion = other
+        self.doc.recompute()
+        self.assert_states(*[envelope.STALE] * 3)
+        envelope.compute(self.swept)
+        self.assertEqual(self.swept.Status, envelope.UP_TO_DATE)
+
+    def test_one_of_several_parts(self):
+        second = self.box("Second")
+        self.swept.Generators = [(self.part, ""), (second, "")]
+        self.doc.recompute()
+        envelope.compute(self.swept)
+        self.doc.removeObject("Second")
+        self.doc.recompute()
+        self.assertEqual(self.swept.Status, envelope.FAILED)
+        self.assertIn('"Second"', self.swept.Message)
+        with self.assertRaisesRegex(InputProblem, "Second"):
+            envelope.compute(self.swept)
+        # Chosen anew, though what is left is the same.
+        self.swept.Generators = [(self.part, "")]
+        self.doc.recompute()
+        self.assertEqual(self.swept.Status, envelope.STALE)
+        envelope.compute(self.swept)
+        self.assertEqual(self.swept.Status, envelope.UP_TO_DATE)
+
+    def test_the_envelope_of_a_solid_and_the_wire_of_a_motion(self):
+        wire = self.doc.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        self.swept.Motion = path = motion.motion_from_source(self.doc, "Curve", [wire])
+        self.doc.recompute()
+        envelope.compute(self.swept)
+        self.doc.removeObject("Wire")
+        self.doc.recompute()
+        self.assertIn('"Wire" was deleted', path.Status)
+        self.assertEqual(self.swept.Status, envelope.FAILED)
+        self.assertIn('"Wire" was deleted', self.swept.Message)
+        motion.make_stored(path)  # the poses it has are its own from now on
+        self.doc.recompute()
+        self.assertEqual(self.swept.Status, envelope.UP_TO_DATE)
+        self.doc.removeObject(self.swept.Name)
+        self.doc.recompute()
+        self.assertIn("was deleted", self.body.Message)
+
+
+class Placed(Scene):
+    def test_an_envelope_that_was_moved_is_stale_until_it_is_put_back(self):
+        self.swept.Placement = shift(0, 0, 5)
+        self.doc.recompute()
+        self.assert_states(envelope.STALE, envelope.STALE, envelope.UP_TO_DATE)
+        envelope.compute(self.swept)
+        self.assert_placement(self.swept.getGlobalPlacement(), App.Placement())
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+
+    def test_a_solid_follows_its_envelope_through_containers(self):
+        group = self.doc.addObject("App::Part", "G")
+        group.Placement = turn(30, base=V(0, 100))
+        group.addObject(self.body)
+        self.doc.recompute()
+        self.assertEqual(self.body.Status, envelope.STALE)
+        if core.has_solids():
+            solid.compute(self.body)
+            self.assertEqual(self.body.Status, envelope.UP_TO_DATE)
+            self.assert_placement(self.body.getGlobalPlacement(), App.Placement(), 1e-9)
+
+    def test_a_solid_of_an_envelope_with_another_resolution(self):
+        self.swept.Resolution = 20
+        self.doc.recompute()
+        self.assert_states(envelope.STALE, envelope.STALE, envelope.UP_TO_DATE)
+        envelope.compute(self.swept)
+        self.assert_states(envelope.UP_TO_DATE, envelope.STALE, envelope.UP_TO_DATE)
+        self.doc.recompute()
+        self.assert_states(envelope.UP_TO_DATE, envelope.STALE, envelope.UP_TO_DATE)
+
+    def test_a_solid_that_failed_says_so_until_its_inputs_change(self):
+        self.body.MaxFaces = 1  # no solid has as few
+        self.doc.recompute()
+        with self.assertRaises((core.CoreError, InputProblem)):
+            solid.compute(self.body)
+        self.assertEqual(self.body.Status, envelope.FAILED)
+        text = self.body.Message
+        self.doc.recompute(None, True)
+        self.assertEqual((self.body.Status, self.body.Message), (envelope.FAILED, text))
+        self.body.MaxFaces = solid.MAX_FACES
+        self.doc.recompute()
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        self.assertEqual(self.body.Message, "")
+
+
+class Neighbours(Scene):
+    def test_whatever_happens_to_what_is_visible(self):
+        self.wall.Placement = shift(70)
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.STALE)
+        self.wall.Placement = shift(80)
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.UP_TO_DATE)
+        self.wall.Visibility = False
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.FAILED)  # nothing is left to be checked
+        self.wall.Placement = shift(75)  # hidden, and followed all the same
+        self.wall.Visibility = True
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.STALE)
+        self.wall.Placement = shift(80)
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.UP_TO_DATE)
+        new = self.box("New", 3)
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.STALE)
+        clearance.compute(self.check)
+        new.Length = 4
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.STALE)
+
+    def test_a_part_inside_a_group_and_one_that_the_check_drives(self):
+        group, inner = self.doc.addObject("App::Part", "Group"), self.box("Inner", 2)
+        group.addObject(inner)
+        group.Placement = shift(0, 60)
+        driven = self.box("Driven", 2)
+        driven.Placement = shift(0, -40)
+        driven.setExpression("Height", "{}.Smallest".format(self.check.Name))
+        self.doc.recompute()
+        clearance.compute(self.check)
+        self.doc.recompute()
+        for obj in self.doc.Objects:
+            self.assertNotIn(obj, obj.OutListRecursive, obj.Name)
+        inner.Placement = shift(1)
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.STALE)
+        clearance.compute(self.check)
+        group.Placement = shift(0, 61)
+        self.doc.recompute()
+        self.assertEqual(self.check.Status, clearance.STALE)
+
+    def test_chosen_means_checked(self):
+        other = self.envelope([self.wall], self.path, Resolution=20)
+        envelope.compute(other)
+        check = clearance.make_clearance(
+            self.doc,
+            Generators=[(self.part, "")],
+            Motion=self.path,
+            AllVisible=False,
+            Neighbours=[(other, "")],
+        )
+        self.doc.recompute()
+        report = clearance.compute(check)
+        self.assertEqual([row["name"] for row in report["neighbours"]], [other.Label])
+        other.Resolution = 18
+        self.doc.recompute()
+        self.assertEqual(check.Status, clearance.STALE)
+        envelope.compute(other)
+        self.assertEqual(check.Status, clearance.STALE)
+        wire = self.doc.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        for chosen, words in ((wire, "no solid"), (self.part, "moving part itself")):
+            check.Neighbours = [(self.wall, ""), (chosen, "")]
+            self.doc.recompute()
+            with self.assertRaisesRegex(InputProblem, chosen.Label + ".*" + words):
+                clearance.compute(check)
+
+    def test_results_that_are_left_out_are_named(self):
+        other = self.envelope([self.wall], self.line(5), Resolution=20)
+        other.Label = "Way of the wall"
+        envelope.compute(other)
+        clearance.compute(self.check)
+        self.assertIn("Way of the wall", self.check.Message)
+        self.assertNotIn('"{}"'.format(self.swept.Label), self.check.Message)
+
+
+class OfBefore(Scene):
+    def test_results_of_before_are_known_again(self):
+        """A document as version 1 left it: hashes of sizes, none of the properties that came since."""
+        plans = [
+            (self.swept, envelope.Plan.of(self.swept)),
+            (self.check, clearance.Plan.of(self.check)),
+        ]
+        before = [(obj, plan.hash_of_before()) for obj, plan in plans]
+        before.append((self.body, solid.hash_of_before(self.body)))
+        names = [obj.Name for obj, _ in before]
+        for obj, text in before:
+            for name in ("Placed", "Missing", "Seen"):
+                if name in obj.PropertiesList:
+                    obj.removeProperty(name)
+            if obj is not self.body or core.has_solids():
+                obj.InputHash = text
+        self.body.removeProperty("TriedHash")
+        for obj, _ in before:
+            obj.purgeTouched()
+        path = os.path.join(self.folder, "before.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        self.assertEqual([o.Name for o in self.doc.Objects if "Touched" in o.State], [])
+        self.doc.recompute(None, True)
+        self.swept, self.check, self.body = map(self.doc.getObject, names)
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        self.doc.getObject("Plate").Shape = plate(30)
+        self.doc.recompute()
+        self.assert_states(*[envelope.STALE] * 3)

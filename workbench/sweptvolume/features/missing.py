@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Inputs that were deleted. FreeCAD takes a deleted object out of all links, and then nothing tells that
+something is missing: another motion could be taken, or the rest of the parts. So an object of ours
+remembers the name of what it has lost until something else is chosen, or until undo brings it back.
+"""
+import json
+
+import FreeCAD as App
+
+from .. import convert
+from ..convert import InputProblem
+from ..texts import translate
+from .base import kind_of, stored
+
+#: Hidden property: [{property, label, name, left}]; left: what remained in the property.
+PROPERTY = "Missing"
+_SHAPE = [{"property": str, "label": str, "name": str, "left": [(str, str)]}]
+
+_observer = None
+
+
+def _value(holder, name):
+    """Value of a link property as a flat list of [object name, sub]."""
+    value = getattr(holder, name)
+    if value is None:
+        return []
+    if isinstance(value, App.DocumentObject):
+        return [[value.Name, ""]]
+    if isinstance(value, list) and all(isinstance(v, App.DocumentObject) for v in value):
+        return [[v.Name, ""] for v in value]
+    return [[obj.Name, sub] for obj, sub in convert.links_in(value)]
+
+
+def _links(holder):
+    """Names of the properties that are inputs."""
+    for name in holder.PropertiesList:
+        kind = holder.getTypeIdOfProperty(name)
+        if kind.startswith("App::PropertyLink") and not kind.endswith("Hidden") and name != "Seen":
+            yield name
+
+
+def _read(holder):
+    text = getattr(holder, PROPERTY, "")
+    return (stored(text, _SHAPE) or []) if text else []
+
+
+def _write(holder, found):
+    text = json.dumps(found) if found else ""
+    if getattr(holder, PROPERTY) != text:
+        setattr(holder, PROPERTY, text)
+
+
+def text(holder):
+    """What was deleted that this object needs, "" for nothing."""
+    found = [
+        entry
+        for entry in _read(holder)
+        if entry["property"] in holder.PropertiesList
+        and _value(holder, entry["property"]) == entry["left"]
+    ]
+    if not found:
+        return ""
+    return translate(
+        "Messages",
+        "{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo "
+        "the deletion.",
+    ).format(
+        ", ".join('"{}"'.format(entry["label"]) for entry in found),
+        '"{}"'.format(holder.Label),
+        ", ".join(sorted({entry["property"] for entry in found})),
+    )
+
+
+def check(holder):
+    """Raises InputProblem that names what was deleted."""
+    problem = text(holder)
+    if problem:
+        raise InputProblem(problem)
+
+
+def forget(holder, name=None):
+    """The inputs were chosen anew: all, or those of one property."""
+    found = _read(holder)
+    if found:
+        kept = [entry for entry in found if name is not None and entry["property"] != name]
+        _write(holder, kept)
+
+
+def changed(holder, name):
+    """A property was set: what was lost there before is no longer missed. The loss itself sets it too,
+    while the lost object is still there."""
+    document = holder.Document
+    if (
+        document is None
+        or getattr(document, "Restoring", False)
+        or not getattr(holder, PROPERTY, "")
+    ):
+        return
+    if document.Transacting:
+        return
+    entries = [entry for entry in _read(holder) if entry["property"] == name]
+    if entries and all(document.getObject(entry["name"]) is None for entry in entries):
+        forget(holder, name)
+
+
+class _Observer:
+    """Hears of objects that are deleted, while the links to them still stand."""
+
+    def slotDeletedObject(self, obj):  # noqa: N802
+        document = obj.Document
+        if document is None or document.Transacting or document.Restoring:
+            return
+        for holder in set(obj.InList):
+            if not kind_of(holder) or PROPERTY not in holder.PropertiesList:
+                continue
+            found = _read(holder)
+            for name in _links(holder):
+                value = _value(holder, name)
+                left = [pair for pair in value if pair[0] != obj.Name]
+                if left != value:
+                    found = [e for e in found if e["property"] != name or e["left"] == value]
+                    for entry in found:
+                        if entry["property"] == name:
+                            entry["left"] = left
+                    entry = {"property": name, "label": obj.Label, "name": obj.Name, "left": left}
+                    found.append(entry)
+            _write(holder, found)
+
+
+def watch():
+    """Begins to listen, once."""
+    global _observer
+    if _observer is None:
+        _observer = _Observer()
+        App.addDocumentObserver(_observer)
