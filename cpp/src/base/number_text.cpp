@@ -12,4 +12,11 @@ std::string numberText(double value, int digits) {
   return {text, end};
 }
 
+std::string fixedText(double value, int decimals) {
+  char text[512];  // the largest double has 309 digits before the point
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr;
+  return {text, end};
+}
+
 }  // namespace swept

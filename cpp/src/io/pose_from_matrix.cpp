@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Dense>
 #include <cmath>
-#include <sstream>
+#include <string>
 
 #include "base/number_text.h"
 #include "swept/io.h"
@@ -13,11 +13,9 @@ namespace {
 constexpr double kRigidLimit = 1e-4;
 
 [[noreturn]] void notRigid(std::int64_t index, const std::string& what) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << "pose " << index << ": " << what << " (limit " << kRigidLimit
-       << "); export placements as rotation and translation only";
-  throw Error(Status::InvalidInput, "NotRigid", text.str());
+  throw Error(Status::InvalidInput, "NotRigid",
+              textOf(6, "pose ", index, ": ", what, " (limit ", kRigidLimit,
+                     "); export placements as rotation and translation only"));
 }
 
 // Says what a linear part that is no rotation does instead.

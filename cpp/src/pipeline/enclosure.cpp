@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "base/number_text.h"
 #include "check/mesh_check.h"
 
 namespace swept {
@@ -44,13 +44,11 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
 
 [[noreturn]] void refuseCell(const char* what, const Prepared& prepared, RunContext& run) {
   const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body, run);
-  std::ostringstream text;
-  text.precision(3);
-  text << what << ": it is thinner than the cell of " << cell << " mm everywhere";
-  if (thickness > 0) text << ", about " << thickness << " mm";
-  text << "; use a smaller cell, try " << (thickness > 0 ? std::min(thickness, cell / 2) : cell / 2)
-       << " mm";
-  throw Error(Status::InvalidInput, "CellTooLarge", text.str());
+  std::string text = textOf(3, what, ": it is thinner than the cell of ", cell, " mm everywhere");
+  if (thickness > 0) text += textOf(3, ", about ", thickness, " mm");
+  const double better = thickness > 0 ? std::min(thickness, cell / 2) : cell / 2;
+  text += textOf(3, "; use a smaller cell, try ", better, " mm");
+  throw Error(Status::InvalidInput, "CellTooLarge", text);
 }
 
 }  // namespace
@@ -71,18 +69,16 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   const double share =
       2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
   const bool still = !prepared.motion.continuous;
-  std::ostringstream text;
-  text.precision(3);
-  text << "the body is open and " << 100 * share
-       << " % of the surface has the outside on both sides";
+  const std::string text = textOf(3, "the body is open and ", 100 * share,
+                                  " % of the surface has the outside on both sides");
   if (still && share > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
-                text.str() + "; close its holes, or move it so that the sweep closes it");
+                text + "; close its holes, or move it so that the sweep closes it");
   }
   report.warnings.push_back({"OpenSheets",
                              hermite.sheetEdges,
                              {},
-                             text.str() + "; these sheets get a thickness of 0.002 cell"});
+                             text + "; these sheets get a thickness of 0.002 cell"});
 }
 
 }  // namespace swept

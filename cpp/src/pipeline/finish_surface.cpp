@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/finish_surface.h"
 
-#include <sstream>
-
+#include "base/number_text.h"
 #include "contour/mend/mend.h"
 #include "contour/mend/specks.h"
 #include "contour/mend/surface_intersections.h"
@@ -19,12 +18,15 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
   const double most = with.prepared.motion.continuous ? kSpeckVolume : kFlatVolume;
   const Specks specks = swept::dropSpecks(surface, cell, most, pairs, with.run);
   if (specks.count == 0) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << specks.count << " specks that hang on the envelope by less than the grid can see were "
-       << "dropped, the largest " << specks.largestSize * cell << " mm across, "
-       << specks.largestVolume * cell * cell * cell << " mm^3";
-  report.warnings.push_back({"SpecksDropped", specks.count, {}, text.str()});
+  report.warnings.push_back(
+      {"SpecksDropped",
+       specks.count,
+       {},
+       textOf(3, specks.count,
+              " specks that hang on the envelope by less than the grid can see were dropped, the "
+              "largest ",
+              specks.largestSize * cell, " mm across, ", specks.largestVolume * cell * cell * cell,
+              " mm^3")});
 }
 
 bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishing& with,

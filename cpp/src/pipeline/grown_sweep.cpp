@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/grown_sweep.h"
 
-#include <sstream>
-
+#include "base/number_text.h"
 #include "crossings/hermite.h"
 #include "offset/offset_surface.h"
 
@@ -24,29 +23,25 @@ HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
 }
 
 Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
-  std::ostringstream text;
-  text.precision(4);
-  text << "grown by " << offset << " mm, measured from " << cover_.triangles.size();
+  std::string text = textOf(4, "grown by ", offset, " mm, measured from ", cover_.triangles.size());
   if (fromMesh) {
-    text << " triangles of the envelope: how far that leaves the true one adds to the deviation";
+    text += " triangles of the envelope: how far that leaves the true one adds to the deviation";
   } else {
-    text << " triangles of the body in motion, which lie within "
-         << (cover_.largestSlack + cover_.chord) * grid_.cell << " mm of the swept volume";
+    text += textOf(4, " triangles of the body in motion, which lie within ",
+                   (cover_.largestSlack + cover_.chord) * grid_.cell, " mm of the swept volume");
   }
-  return {"Offset", static_cast<std::int64_t>(cover_.triangles.size()), {}, text.str()};
+  return {"Offset", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
 }
 
 Finding GrownSweep::conservativeFinding(const offset::Containment& proof, double offset,
                                         double bound) const {
   const double cell = grid_.cell;
-  std::ostringstream text;
-  text.precision(4);
-  text << "the envelope holds the swept volume";
-  if (offset > 0) text << " grown by " << offset << " mm";
-  text << ": no point of it is nearer than " << proof.nearest * cell
-       << " mm to the sampled motion, which the true one leaves by at most " << cover_.chord * cell
-       << " mm; no point lies more than " << bound << " mm outside";
-  return {"Conservative", static_cast<std::int64_t>(cover_.triangles.size()), {}, text.str()};
+  std::string text = "the envelope holds the swept volume";
+  if (offset > 0) text += textOf(4, " grown by ", offset, " mm");
+  text += textOf(4, ": no point of it is nearer than ", proof.nearest * cell,
+                 " mm to the sampled motion, which the true one leaves by at most ",
+                 cover_.chord * cell, " mm; no point lies more than ", bound, " mm outside");
+  return {"Conservative", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
 }
 
 }  // namespace swept

@@ -2,9 +2,9 @@
 #include "pipeline/plan.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "base/memory.h"
+#include "base/number_text.h"
 #include "grid/plan_grid.h"
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
@@ -81,12 +81,13 @@ void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options&
   if (!(options.positionFilter > 0)) return;
   FilteredTrajectory filtered =
       filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), options.positionFilter);
-  std::ostringstream text;
-  text.precision(4);
-  text << filtered.dropped << " of " << p.givenPoses
-       << " poses were left out; no point of the body was farther than " << filtered.distance
-       << " mm from where it is at the kept pose before";
-  p.trajectory.findings.push_back({"PositionFiltered", filtered.dropped, {}, text.str()});
+  p.trajectory.findings.push_back(
+      {"PositionFiltered",
+       filtered.dropped,
+       {},
+       textOf(4, filtered.dropped, " of ", p.givenPoses,
+              " poses were left out; no point of the body was farther than ", filtered.distance,
+              " mm from where it is at the kept pose before")});
   p.trajectory.trajectory = std::move(filtered.trajectory);
   p.positionFilterDistance = filtered.distance;
 }
@@ -158,13 +159,11 @@ void requireMemory(const Estimate& e, const RunContext& run) {
   if (fitsMemory(e, run)) return;
   const std::uint64_t limit = memoryLimit(run);
   const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
-  std::ostringstream text;
-  text.precision(4);
-  text << "the run would take about " << e.memoryBytes / 1'000'000 << " MB for a grid of "
-       << e.grid[0] << " x " << e.grid[1] << " x " << e.grid[2] << " cells, the limit is "
-       << limit / 1'000'000 << " MB; the smallest cell that fits is about " << e.cellSize * ratio
-       << " mm";
-  throw Error(Status::ResourceLimit, "ResourceLimit", text.str());
+  throw Error(Status::ResourceLimit, "ResourceLimit",
+              textOf(4, "the run would take about ", e.memoryBytes / 1'000'000,
+                     " MB for a grid of ", e.grid[0], " x ", e.grid[1], " x ", e.grid[2],
+                     " cells, the limit is ", limit / 1'000'000,
+                     " MB; the smallest cell that fits is about ", e.cellSize * ratio, " mm"));
 }
 
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {

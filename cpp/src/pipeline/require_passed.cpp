@@ -2,19 +2,19 @@
 #include "pipeline/require_passed.h"
 
 #include <cstdint>
-#include <sstream>
+#include <string>
+
+#include "base/number_text.h"
 
 namespace swept {
 
 void requirePassed(const MeshCheck& check, const char* what, double cell) {
   if (check.passes()) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << what << " did not pass its own check and is not handed out:";
+  std::string text = textOf(3, what, " did not pass its own check and is not handed out:");
   const char* before = " ";
   const auto tell = [&](std::int64_t count, const char* fault) {
     if (count == 0) return;
-    text << before << count << " " << fault;
+    text += textOf(3, before, count, " ", fault);
     before = ", ";
   };
   tell(check.openEdges, "open edges");
@@ -22,14 +22,15 @@ void requirePassed(const MeshCheck& check, const char* what, double cell) {
   tell(check.nonManifoldVertices, "non-manifold vertices");
   tell(check.misorientedEdges, "misoriented edges");
   tell(check.degenerateTriangles, "degenerate triangles");
-  if (!check.finite) text << before << "coordinates that are not finite";
+  if (!check.finite) text += textOf(3, before, "coordinates that are not finite");
   if (check.finite && check.closed && !check.oriented && check.misorientedEdges == 0) {
-    text << before << "not each of " << check.shells << " shells has its right side out";
+    text += textOf(3, before, "not each of ", check.shells, " shells has its right side out");
   }
-  text << ". This is a fault of the program; another cell size mostly avoids it: try " << 0.9 * cell
-       << " mm instead of " << cell
-       << ", or mend where the body crosses itself. Please report it with body, motion and options";
-  throw Error(Status::InternalError, "CheckFailed", text.str());
+  text += textOf(
+      3, ". This is a fault of the program; another cell size mostly avoids it: try ", 0.9 * cell,
+      " mm instead of ", cell,
+      ", or mend where the body crosses itself. Please report it with body, motion and options");
+  throw Error(Status::InternalError, "CheckFailed", text);
 }
 
 }  // namespace swept

@@ -8,9 +8,7 @@
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <ios>
 #include <map>
@@ -22,6 +20,7 @@
 #include "base/parallel.h"
 #include "base/safe_file.h"
 #include "base/threads.h"
+#include "base/timer.h"
 #include "solid/kernel/kernel.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/shape_maker.h"
@@ -50,12 +49,6 @@ Format formatOf(const std::string& path) {
 
 [[noreturn]] void badOption(const std::string& text) {
   throw Error(Status::ExportFailed, "BadOption", text);
-}
-
-std::string withOneDecimal(double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.1f", value);
-  return buffer;
 }
 
 void requireLength(const char* name, double value) {
@@ -130,25 +123,12 @@ bool isWithinLimits(std::int64_t faces, const StepOptions& options, const Writin
       Status::ExportFailed, "TooManyFaces",
       "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
           numberText(options.tolerance, 3) + " mm; " + limit + "; the file would take about " +
-          withOneDecimal(megabytesOf(faces, writing)) + " MB and " +
+          fixedText(megabytesOf(faces, writing), 1) + " MB and " +
           std::to_string(
               static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)))) +
           " s. Allow a larger tolerance, raise the limit, or export a mesh file: PLY, STL, "
           "OBJ, OFF or 3MF hold it easily");
 }
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // Of the tolerance, for thinning a dense mesh before surfaces are looked for.
 constexpr double kThinFraction = 0.15;
@@ -245,7 +225,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
                         RunContext& run) {
   const Format format = formatOf(path);
   SafeFile file(path);
-  Stopwatch watch;
+  Timer watch;
   StepReport report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   KernelSession kernel;

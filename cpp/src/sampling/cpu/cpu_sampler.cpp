@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <sstream>
 
 #include "base/memory.h"
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "grid/crossing_records.h"
 #include "grid/rasterise.h"
@@ -60,13 +60,11 @@ class CrossingBudget {
   void add(std::size_t crossings) {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
     if (limit_ == 0 || bytes <= limit_) return;
-    std::ostringstream text;
-    text.precision(4);
-    text << "the faces that move cross the grid more than " << limit_ / kBytes
-         << " times, which takes more than the limit of " << limit_ / 1'000'000
-         << " MB; a cell larger than " << cell_
-         << " mm, a larger chord tolerance or a shorter motion takes less";
-    throw Error(Status::ResourceLimit, "ResourceLimit", text.str());
+    throw Error(Status::ResourceLimit, "ResourceLimit",
+                textOf(4, "the faces that move cross the grid more than ", limit_ / kBytes,
+                       " times, which takes more than the limit of ", limit_ / 1'000'000,
+                       " MB; a cell larger than ", cell_,
+                       " mm, a larger chord tolerance or a shorter motion takes less"));
   }
 
  private:

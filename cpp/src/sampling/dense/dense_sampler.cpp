@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "sampling/dense/candidates.h"
 #include "sampling/dense/leak_repair.h"
@@ -124,19 +124,16 @@ class DenseRun {
   Finding describe(const LeakSearch& leaks, int rounds, double margin) const {
     const double all = static_cast<double>(input_.body.triangles.size()) *
                        static_cast<double>(input_.motion.placements.size());
-    std::ostringstream text;
-    text.precision(3);
-    text << "dense motion: " << sampler_.pairs() << " of " << all
-         << " copies of faces were sampled (" << 100 * static_cast<double>(sampler_.pairs()) / all
-         << " %), " << rounds << " rounds of repair; of " << leaks.asked
-         << " surface points asked against all placements, " << leaks.covered
-         << " are still covered by more than " << margin << " mm";
-    if (leaks.covered > 0) text << ", by at most " << leaks.deepest << " mm";
-    text
-        << "; linear form good to " << space_.remainder()
-        << " mm. The result can only be too small by this, never hold too much; switch culling off "
-           "for all copies";
-    return {"DensePruned", leaks.covered, {}, text.str()};
+    std::string text = textOf(
+        3, "dense motion: ", sampler_.pairs(), " of ", all, " copies of faces were sampled (",
+        100 * static_cast<double>(sampler_.pairs()) / all, " %), ", rounds,
+        " rounds of repair; of ", leaks.asked, " surface points asked against all placements, ",
+        leaks.covered, " are still covered by more than ", margin, " mm");
+    if (leaks.covered > 0) text += textOf(3, ", by at most ", leaks.deepest, " mm");
+    text += textOf(3, "; linear form good to ", space_.remainder(),
+                   " mm. The result can only be too small by this, never hold too much; switch "
+                   "culling off for all copies");
+    return {"DensePruned", leaks.covered, {}, std::move(text)};
   }
 
   const SamplerInput& input_;

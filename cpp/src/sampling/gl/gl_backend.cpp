@@ -6,8 +6,8 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <sstream>
 
+#include "base/number_text.h"
 #include "base/timer.h"
 #include "sampling/gl/gl_sampler.h"
 #include "sampling/gl/gl_verify.h"
@@ -81,10 +81,8 @@ void requireFaster(const std::shared_ptr<GlDevice>& device, const GlSetup& setup
     ratio = found->second;
   }
   if (ratio < 1) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << name << " took " << ratio << " times as long as the CPU on a probe";
-  throw Error(Status::DeviceUnavailable, "DeviceSlower", text.str());
+  throw Error(Status::DeviceUnavailable, "DeviceSlower",
+              textOf(3, name, " took ", ratio, " times as long as the CPU on a probe"));
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
+#include <charconv>
 #include <cstdlib>
-#include <sstream>
+#include <iterator>
 
+#include "base/number_text.h"
+#include "base/timer.h"
 #include "swept/types.h"
 
 namespace swept::gl {
@@ -20,9 +22,8 @@ bool contains(const char* list, const char* word) {
   return list && std::string(list).find(word) != std::string::npos;
 }
 std::string hex(unsigned value) {
-  std::ostringstream text;
-  text << "0x" << std::hex << value;
-  return text.str();
+  char digits[16];
+  return "0x" + std::string(digits, std::to_chars(digits, std::end(digits), value, 16).ptr);
 }
 bool isSoftwareName(const std::string& device) {
   const std::string text = lower(device);
@@ -252,15 +253,12 @@ void GlContext::lost(const std::string& what) const {
 }
 
 double GlContext::finish(double timeoutSeconds) const {
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const Timer timer;
   GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   if (!fence) lost("no fence could be set");
   GLenum state = GL_TIMEOUT_EXPIRED;
-  while (state == GL_TIMEOUT_EXPIRED && elapsed() < timeoutSeconds) {
-    const double rest = std::min(0.1, timeoutSeconds - elapsed());
+  while (state == GL_TIMEOUT_EXPIRED && timer.seconds() < timeoutSeconds) {
+    const double rest = std::min(0.1, timeoutSeconds - timer.seconds());
     state = gl_.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT,
                                static_cast<GLuint64>(std::max(rest, 0.0) * 1e9));
   }
@@ -269,12 +267,10 @@ double GlContext::finish(double timeoutSeconds) const {
     lost("reset status " + hex(reset));
   }
   if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) {
-    std::ostringstream text;
-    text << "no answer within " << timeoutSeconds << " s";
-    lost(text.str());
+    lost(textOf(6, "no answer within ", timeoutSeconds, " s"));
   }
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) lost("GL error " + hex(error));
-  return elapsed();
+  return timer.seconds();
 }
 
 }  // namespace swept::gl

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
+#include "base/number_text.h"
 #include "grid/crossing_records.h"
 #include "sampling/exact_element.h"
 #include "signs/contributing_edges.h"
@@ -30,10 +30,7 @@ class Random {
 };
 
 std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
-  std::ostringstream text;
-  text << "lattice edge (" << i << ", " << j << ", " << k << ") along "
-       << "xyz"[axis];
-  return text.str();
+  return textOf(6, "lattice edge (", i, ", ", j, ", ", k, ") along ") + "xyz"[axis];
 }
 
 bool isMarked(const MarkedEdges& marked, int axis, std::int32_t i, std::int32_t j, std::int32_t k) {

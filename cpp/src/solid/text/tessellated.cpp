@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <map>
 
 #include "base/safe_file.h"
+#include "base/timer.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/text/step_lines.h"
 
@@ -281,23 +281,19 @@ TriMesh readTessellated(std::istream& text, RunContext& run) { return Reader(tex
 
 StepReport writeTessellated(const TriMesh& input, const std::string& path,
                             const StepOptions& options, RunContext& run) {
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  const auto seconds = [](auto from, auto to) {
-    return std::chrono::duration<double>(to - from).count();
-  };
   SafeFile file(path);
-  const auto begin = now();
+  Timer timer;
+  StepReport report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   checkOptions(mesh, options);
-  const auto built = now();
+  report.secondsBuild = timer.lap();
   Writer(mesh, file.stream(), options, run)
       .write(utf8FromPath(pathFromUtf8(file.target()).filename()));
   file.close();
-  const auto written = now();
+  report.secondsWrite = timer.lap();
   std::ifstream text(pathFromUtf8(file.temporary()), std::ios::binary);
   const HalfEdgeMesh read = buildHalfEdges(readTessellated(text, run), run);
   compare(read, mesh);
-  StepReport report;
   report.faces = static_cast<std::int64_t>(read.triangles.size());
   report.edges = 3 * report.faces / 2;
   report.solids = outerShells(read);
@@ -305,9 +301,7 @@ StepReport writeTessellated(const TriMesh& input, const std::string& path,
   report.valid = true;
   report.volume = read.volume;
   report.meshVolume = mesh.volume;
-  report.secondsBuild = seconds(begin, built);
-  report.secondsWrite = seconds(built, written);
-  report.secondsReread = seconds(written, now());
+  report.secondsReread = timer.lap();
   run.checkpoint(Phase::Export, 1, 1);
   report.fileBytes = file.commit();
   return report;
