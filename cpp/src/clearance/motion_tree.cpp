@@ -10,8 +10,6 @@
 namespace swept::clearance {
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr std::int32_t kBucket = 4;  // members of a cluster without child clusters
@@ -21,15 +19,6 @@ void forCorners(const Vector3d& centre, const Vector3d& half, F&& f) {
   for (int k = 0; k < 8; ++k)
     f(Vector3d(centre +
                half.cwiseProduct(Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1))));
-}
-
-// Shortest turn from a to b as axis and angle, in the world frame.
-void turnBetween(const Quaterniond& a, const Quaterniond& b, Vector3d& axis, double& angle) {
-  Quaterniond d = b * a.conjugate();
-  if (d.w() < 0) d.coeffs() = -d.coeffs();
-  const double s = d.vec().norm();
-  angle = 2 * std::atan2(s, d.w());
-  axis = s > 0 ? Vector3d(d.vec() / s) : Vector3d::UnitX();
 }
 
 }  // namespace
@@ -97,42 +86,10 @@ MotionTree::Affine MotionTree::affineOf(const Pose& pose) const {
 }
 
 MotionTree::Step MotionTree::makeStep(std::int64_t i) const {
-  const Pose& a = trajectory_.poses[i];
-  const Pose& b = trajectory_.poses[i + 1];
-  Step step;
-  turnBetween(a.rotation, b.rotation, step.axis, step.angle);
-  Vector3d pivot = a.translation;  // linear: the turn is about the body's origin, which moves
-  if (trajectory_.interpolation == Interpolation::Screw && step.angle > 1e-7) {
-    step.screw = true;
-    // x -> D x + e with D the turn: the part of e across the axis fixes the axis' place.
-    const Quaterniond turn(Eigen::AngleAxisd(step.angle, step.axis));
-    const Vector3d e = b.translation - turn * a.translation;
-    step.pitch = step.axis.dot(e);
-    const Vector3d across = e - step.pitch * step.axis;
-    step.pivot = 0.5 * (across + step.axis.cross(across) / std::tan(0.5 * step.angle));
-    pivot = step.pivot;
-  }
-  const Matrix3d rotation = a.rotation.toRotationMatrix();
-  forCorners(centre_, half_, [&](const Vector3d& c) {
-    step.radius =
-        std::max(step.radius, step.axis.cross(rotation * c + a.translation - pivot).norm());
-  });
+  Step step{{trajectory_.poses[i], trajectory_.poses[i + 1], trajectory_.interpolation}};
+  forCorners(centre_, half_,
+             [&](const Vector3d& c) { step.radius = std::max(step.radius, step.path.radius(c)); });
   return step;
-}
-
-Pose MotionTree::poseInStep(std::int64_t i, double s) const {
-  const Pose& a = trajectory_.poses[i];
-  const Pose& b = trajectory_.poses[i + 1];
-  const Step& step = steps_[i];
-  Pose pose;
-  pose.timeSeconds = a.timeSeconds + s * (b.timeSeconds - a.timeSeconds);
-  const Quaterniond turn(Eigen::AngleAxisd(s * step.angle, step.axis));
-  pose.rotation = (turn * a.rotation).normalized();
-  pose.translation =
-      step.screw
-          ? Vector3d(turn * (a.translation - step.pivot) + step.pivot + s * step.pitch * step.axis)
-          : Vector3d(a.translation + s * (b.translation - a.translation));
-  return pose;
 }
 
 Pose MotionTree::poseAt(double parameter) const {
@@ -140,7 +97,7 @@ Pose MotionTree::poseAt(double parameter) const {
     return trajectory_.poses[std::clamp<std::int64_t>(std::llround(parameter), 0, members_ - 1)];
   const auto i = std::clamp<std::int64_t>(static_cast<std::int64_t>(parameter), 0, members_ - 1);
   const double s = std::clamp(parameter - static_cast<double>(i), 0.0, 1.0);
-  return poseInStep(i, s);
+  return steps_[i].path.poseAt(s);
 }
 
 double MotionTree::timeAt(double parameter) const { return poseAt(parameter).timeSeconds; }
@@ -177,9 +134,7 @@ void MotionTree::buildCluster(std::int32_t node, std::int32_t first, std::int32_
   c.high = high - rep;
   eachPose([&](std::int32_t member, const Affine& a) {
     const Affine d = a - rep;
-    // In a step the body leaves the chord of its two ends by at most angle^2 radius / 8.
-    const double bulge =
-        continuous_ ? steps_[member].angle * steps_[member].angle * steps_[member].radius / 8 : 0.0;
+    const double bulge = continuous_ ? steps_[member].bulge() : 0.0;
     c.bulge = std::max(c.bulge, bulge);
     forCorners(Vector3d::Zero(), half_, [&](const Vector3d& y) {
       c.reach = std::max(c.reach, (d.leftCols<3>() * y + d.col(3)).norm() + bulge);
@@ -251,24 +206,28 @@ MotionBound MotionTree::bound(const MotionNode& node) const {
   }
   const Step& step = steps_[node.member];
   const double middle = 0.5 * (node.from + node.to);
-  const Pose pose = poseInStep(node.member, middle);
+  const Pose pose = step.path.poseAt(middle);
   b.kind_ = MotionBound::Kind::Flow;
   b.parameter = node.member + middle;
   b.R = pose.rotation.toRotationMatrix();
   b.t = pose.translation;
-  b.angular_ = step.angle * step.axis;
+  const double angle = step.path.angle();
+  b.angular_ = angle * step.path.axis();
   const Vector3d shift =
       trajectory_.poses[node.member + 1].translation - trajectory_.poses[node.member].translation;
-  b.linear_ = step.screw ? Vector3d(step.pitch * step.axis - b.angular_.cross(step.pivot))
-                         : Vector3d(shift - b.angular_.cross(pose.translation));
+  const bool screw = step.path.isScrew();
+  b.linear_ =
+      screw
+          ? Vector3d(step.path.pitch() * step.path.axis() - b.angular_.cross(step.path.axisPoint()))
+          : Vector3d(shift - b.angular_.cross(pose.translation));
   b.span_ = 0.5 * (node.to - node.from);
-  b.rest_ = 0.5 * b.span_ * b.span_ * step.angle * step.angle * step.radius;
+  b.rest_ = 4 * b.span_ * b.span_ * step.bulge();
   double speed = 0;
   forCorners(centre_, half_, [&](const Vector3d& c) {
     speed = std::max(speed, (b.linear_ + b.angular_.cross(b.R * c + b.t)).norm());
   });
-  const double everywhere = step.screw ? std::hypot(step.pitch, step.angle * step.radius)
-                                       : shift.norm() + step.angle * step.radius;
+  const double everywhere = screw ? std::hypot(step.path.pitch(), angle * step.radius)
+                                  : shift.norm() + angle * step.radius;
   b.reach = std::min(b.span_ * speed + b.rest_, b.span_ * everywhere);
   return b;
 }

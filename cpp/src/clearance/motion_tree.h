@@ -3,7 +3,7 @@
 //        The parameter of a motion is pose + s, s in [0, 1] within the step after it.
 // Out:   for every node a representative pose and a bound on how far any point of the body lies
 //        from where the representative puts it, also along one direction only.
-// Cost:  O(n log n), about 500 bytes a pose.
+// Cost:  O(n log n), about 600 bytes a pose.
 // Why the corners of a box suffice: a displacement is affine in the point, so its length is convex
 // and largest at a corner of any box round the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "motion/step_path.h"
 #include "swept/types.h"
 
 namespace swept::clearance {
@@ -70,12 +71,10 @@ class MotionTree {
 
  private:
   struct Step {  // from pose i to pose i + 1
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-    double angle = 0;
-    Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  ///< screw: a point of the axis
-    double pitch = 0;                                 ///< screw: mm along the axis
-    bool screw = false;
+    StepPath path;
     double radius = 0;  ///< of the body's box about the axis of the turn
+    /// In the step the body leaves the chord of its two ends by at most this, mm.
+    double bulge() const { return path.angle() * path.angle() * radius / 8; }
   };
   struct Cluster {
     std::int32_t first, last;  ///< members_ order, half open
@@ -89,7 +88,6 @@ class MotionTree {
 
   Step makeStep(std::int64_t i) const;
   Affine affineOf(const Pose& pose) const;
-  Pose poseInStep(std::int64_t step, double s) const;
   void buildCluster(std::int32_t node, std::int32_t first, std::int32_t last);
   static std::int32_t clusterNodes(std::int32_t members);
 

@@ -1,5 +1,7 @@
-// The way of a body from one pose to the next, and in how many pieces it is followed.
+// The motion of a body from one pose to the next, and in how many pieces it is followed. All parts
+// that move a body between poses ask this class, so that none takes another path than the rest.
 // Units: mm, rad, s. Cost: O(1) a question but for the sphere and the longest edge.
+// Sources: slerp, Shoemake 1985; the screw axis of a rigid motion, Chasles 1830.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,23 +18,38 @@ struct Sphere {
 
 Sphere boundingSphere(const TriMesh& body);
 
-/// At any s in [0, 1].
+/// At any fraction s in [0, 1] of the step.
 class StepPath {
  public:
   StepPath(const Pose& from, const Pose& to, Interpolation interpolation);
 
-  double angle() const { return angle_; }
-  /// Largest distance of a point of the sphere (body frame) from the centre line of rotation.
-  double radius(const Sphere& body) const;
+  Pose poseAt(double s) const;
   Placement at(double s) const;
 
- private:
-  void findScrewAxis();
+  /// Of the whole step, 0 to pi.
+  double angle() const { return angle_; }
+  /// True if all points turn about one fixed axis and slide along it; else the body's origin moves
+  /// along a straight line and the body turns about it.
+  bool isScrew() const { return screw_; }
+  /// mm, along the axis of a screw.
+  double pitch() const { return pitch_; }
+  /// World frame.
+  Eigen::Vector3d axis() const { return from_.rotation * axis_; }
+  /// World frame: a point of the axis of a screw.
+  Eigen::Vector3d axisPoint() const { return from_.rotation * axisPoint_ + from_.translation; }
+  /// How far a point of the body (body frame) lies from the line that it turns about.
+  double radius(const Eigen::Vector3d& point) const;
+  /// At least the largest radius of the sphere's points.
+  double radius(const Sphere& body) const;
 
-  Pose from_, to_;
-  bool screw_;
+ private:
+  Pose from_;
+  Eigen::Vector3d toTranslation_;
+  double toTime_;
+  bool screw_ = false;
   double angle_ = 0, pitch_ = 0;
-  Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ(), axisPoint_ = Eigen::Vector3d::Zero();
+  // Frame of the first pose.
+  Eigen::Vector3d axis_ = Eigen::Vector3d::UnitX(), axisPoint_ = Eigen::Vector3d::Zero();
 };
 
 double longestEdge(const TriMesh& body);
