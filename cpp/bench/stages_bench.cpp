@@ -128,7 +128,7 @@ void check(benchmark::State& state) {
 }
 void features(benchmark::State& state) {
   stage(state, [](Scene& s, RunContext&) {
-    benchmark::DoNotOptimize(findFeatureEdges(s.mended.mesh, s.neighbours.across));
+    benchmark::DoNotOptimize(findFeatureEdges(s.mended.mesh, s.neighbours.adjacency.across));
   });
 }
 

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
 
 #include "arrays.h"
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 
 namespace swept::python {
 namespace {
@@ -163,27 +162,6 @@ TriMesh thinned(const TriMesh& mesh, std::size_t most) {
 
 /// Corners of triangles round each vertex: those of vertex v stand in items from starts[v] to
 /// starts[v + 1], corner k of triangle t as 3 t + k.
-struct Stars {
-  std::vector<std::size_t> starts;
-  std::vector<std::uint32_t> items;
-};
-
-Stars starsOf(const TriMesh& mesh) {
-  Stars stars;
-  stars.starts.assign(mesh.vertices.size() + 1, 0);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::int32_t v : t) ++stars.starts[static_cast<std::size_t>(v) + 1];
-  }
-  std::partial_sum(stars.starts.begin(), stars.starts.end(), stars.starts.begin());
-  stars.items.resize(3 * mesh.triangles.size());
-  std::vector<std::size_t> next(stars.starts.begin(), stars.starts.end() - 1);
-  std::uint32_t corner = 0;
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::int32_t v : t) stars.items[next[v]++] = corner++;
-  }
-  return stars;
-}
-
 /// The point of a corner: one of vertex v with nearly this normal, or a new one.
 std::int32_t pointFor(Drawable& out, std::size_t first, const Vector3d& at,
                       const Vector3d& normal) {
@@ -212,15 +190,15 @@ Drawable drawableOf(const TriMesh& given, std::size_t most, double crease) {
     normals[t] = areaNormal(mesh, mesh.triangles[t]);
     units[t] = normals[t].normalized();
   }
-  const Stars stars = starsOf(mesh);
+  ListsByKey stars = halfEdgesByVertex(mesh);
   const double cosine = std::cos(crease), half = std::cos(crease / 2);
   Drawable out;
   out.points.reserve(mesh.vertices.size());
   out.normals.reserve(mesh.vertices.size());
   out.indices.assign(4 * mesh.triangles.size(), -1);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const std::uint32_t *begin = stars.items.data() + stars.starts[v],
-                        *end = stars.items.data() + stars.starts[v + 1];
+    const std::span<const std::uint32_t> star = stars.of(v);
+    const std::uint32_t *begin = star.data(), *end = star.data() + star.size();
     const std::size_t first = out.points.size();
     Vector3d all = Vector3d::Zero();
     for (const std::uint32_t* i = begin; i != end; ++i) all += normals[*i / 3];
@@ -249,8 +227,7 @@ std::string meshFile(const TriMesh& mesh) {
   const auto points = static_cast<std::uint32_t>(mesh.vertices.size());
   const auto facets = static_cast<std::uint32_t>(mesh.triangles.size());
   const std::array<std::uint32_t, 2> head = {0xA0B0C0D0, 0x010000}, counts = {points, facets};
-  const RawArray<std::uint32_t> across =
-      findAcross(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
+  const RawArray<std::uint32_t> across = findAdjacency(mesh).across;
   std::string bytes;
   bytes.reserve(296 + 12 * mesh.vertices.size() + 24 * mesh.triangles.size());
   append(bytes, head.data(), head.size());

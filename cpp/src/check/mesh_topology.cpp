@@ -3,74 +3,15 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
-
-#include "base/union_find.h"
 
 namespace swept {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 using Range = tbb::blocked_range<std::size_t>;
-
-struct EdgeSums {
-  std::int64_t open = 0, nonManifold = 0, odd = 0, misoriented = 0;
-};
-
-EdgeSums joinEdges(const EdgeTable& edges, RawArray<std::uint32_t>& across, RunContext& run) {
-  auto count = [&](const Range& range, EdgeSums sums) {
-    run.checkpoint(Phase::Check);
-    edges.forEachEdge(
-        static_cast<std::int64_t>(range.begin()), static_cast<std::int64_t>(range.end()),
-        [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
-          const std::int64_t n = last - first;
-          if (n == 2) {
-            const auto h = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[0]));
-            const auto g = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[1]));
-            across[h] = g;
-            across[g] = h;
-            sums.misoriented += EdgeTable::ascending(first[0]) == EdgeTable::ascending(first[1]);
-            return;
-          }
-          sums.open += n == 1;
-          sums.nonManifold += n > 2;
-          sums.odd += n % 2;
-          std::int64_t up = 0;
-          for (const std::uint64_t* r = first; r != last; ++r) up += EdgeTable::ascending(*r);
-          sums.misoriented += n > 2 && 2 * up != n;
-        });
-    return sums;
-  };
-  return tbb::parallel_reduce(Range(0, static_cast<std::size_t>(edges.vertexCount()), kGrain),
-                              EdgeSums{}, count, [](EdgeSums a, const EdgeSums& b) {
-                                a.open += b.open;
-                                a.nonManifold += b.nonManifold;
-                                a.odd += b.odd;
-                                a.misoriented += b.misoriented;
-                                return a;
-                              });
-}
-
-void joinAll(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
-  const EdgeTable edges(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
-  topology.across = RawArray<std::uint32_t>(3 * mesh.triangles.size());
-  tbb::parallel_for(Range(0, topology.across.size(), 1 << 16), [&](const Range& range) {
-    std::fill(topology.across.data() + range.begin(), topology.across.data() + range.end(),
-              kNoNeighbour);
-  });
-  const EdgeSums sums = joinEdges(edges, topology.across, run);
-  topology.openEdges = sums.open;
-  topology.nonManifoldEdges = sums.nonManifold;
-  topology.oddEdges = sums.odd;
-  topology.misorientedEdges = sums.misoriented;
-}
-
-std::uint32_t nextHalfEdge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-std::uint32_t previousHalfEdge(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 /// The triangles round one vertex, as the corners (half-edges that start at it) met on the way.
 struct Fan {
@@ -172,8 +113,8 @@ void walkFans(const TriMesh& mesh, bool withEntangled, MeshTopology& topology, R
       fan.corners.assign(1, corner[v]);
       fan.cycle = false;
       fan.consistent = true;
-      walk(mesh, topology.across, corner[v], true, fan);
-      if (!fan.cycle) walk(mesh, topology.across, corner[v], false, fan);
+      walk(mesh, topology.adjacency.across, corner[v], true, fan);
+      if (!fan.cycle) walk(mesh, topology.adjacency.across, corner[v], false, fan);
       for (const std::uint32_t c : fan.corners) seen[c] = 1;
       if (withEntangled) topology.entangled[v] = !isDisc(mesh, fan);
     }
@@ -193,34 +134,14 @@ void walkFans(const TriMesh& mesh, bool withEntangled, MeshTopology& topology, R
   for (const std::int32_t v : second) topology.entangled[v] = 1;
 }
 
-void findShells(const TriMesh& mesh, MeshTopology& topology, RunContext& run) {
-  auto& parent = topology.shellOf;
-  parent.resize(mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {
-    run.checkpoint(Phase::Check);
-    for (std::size_t t = range.begin(); t != range.end(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = topology.across[3 * t + k];
-        if (other == kNoNeighbour || other / 3 >= t) continue;
-        unite(parent, static_cast<std::int32_t>(t), static_cast<std::int32_t>(other / 3));
-      }
-    }
-  });
-  // Roots come before their members, so one pass replaces links by shell numbers.
-  for (std::size_t t = 0; t < parent.size(); ++t) {
-    const bool root = parent[t] == static_cast<std::int32_t>(t);
-    parent[t] = root ? static_cast<std::int32_t>(topology.shells++) : parent[parent[t]];
-  }
-}
-
 }  // namespace
 
 MeshTopology findTopology(const TriMesh& mesh, bool withEntangled, RunContext& run) {
   MeshTopology topology;
-  joinAll(mesh, topology, run);
+  topology.adjacency = findAdjacency(mesh);
+  run.checkpoint(Phase::Check);
   walkFans(mesh, withEntangled, topology, run);
-  findShells(mesh, topology, run);
+  topology.shells = shellsByEdges(topology.adjacency.across);
   return topology;
 }
 

@@ -9,24 +9,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/raw_array.h"
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
+#include "geometry/shells.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
 namespace swept {
 
 struct MeshTopology {
-  std::int64_t openEdges = 0;         ///< one triangle
-  std::int64_t nonManifoldEdges = 0;  ///< more than two triangles
-  std::int64_t oddEdges = 0;          ///< an odd number of triangles
-  std::int64_t misorientedEdges = 0;  ///< closed, but not as often one way as the other
+  Adjacency adjacency;
+  Shells shells;  ///< pieces joined by edges of two triangles
   std::int64_t nonManifoldVertices = 0;
   std::int64_t unusedVertices = 0;
-  std::int64_t shells = 0;  ///< pieces joined by edges of two triangles
-  /// Half-edge on the other side of each half-edge where the edge has two triangles.
-  RawArray<std::uint32_t> across;
-  std::vector<std::int32_t> shellOf;  ///< per triangle; shells are numbered by their first triangle
   /// 1: the triangles round this vertex are not known to be free of each other. All others, seen
   /// along some direction, lie round their vertex like the sectors of a disc, once round. Empty if
   /// not asked for.

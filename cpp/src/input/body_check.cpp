@@ -7,6 +7,7 @@
 
 #include "base/limits.h"
 #include "base/number_text.h"
+#include "geometry/mesh_numbers.h"
 #include "input/body_orientation.h"
 #include "input/body_weld.h"
 
@@ -31,39 +32,26 @@ void refuseUnusable(const TriMesh& body) {
     throw Error(Status::ResourceLimit, "TooManyVertices",
                 std::to_string(count) + " vertices; at most 2147483647 can be numbered");
   }
-  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
-    for (const std::int32_t v : body.triangles[t]) {
-      if (v >= 0 && v < count) continue;
-      throw Error(Status::InvalidInput, "BadIndex",
-                  "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
-                      "; the body has vertices 0 to " + std::to_string(count - 1) +
-                      "; the mesh is damaged, export it again");
-    }
+  if (const auto bad = findBadIndex(body)) {
+    throw Error(Status::InvalidInput, "BadIndex",
+                "triangle " + std::to_string(bad->triangle) + " refers to vertex " +
+                    std::to_string(bad->vertex) + "; the body has vertices 0 to " +
+                    std::to_string(count - 1) + "; the mesh is damaged, export it again");
   }
 }
 
 void refuseBadVertices(const TriMesh& body) {
-  std::vector<std::int64_t> first;
-  std::int64_t bad = 0;
-  double largest = 0;
-  for (std::size_t v = 0; v < body.vertices.size(); ++v) {
-    if (!body.vertices[v].allFinite()) {
-      ++bad;
-      if (first.size() < 8) first.push_back(static_cast<std::int64_t>(v));
-      continue;
-    }
-    largest = std::max(largest, body.vertices[v].cwiseAbs().maxCoeff());
-  }
-  if (bad > 0) {
+  const Coordinates found = measureCoordinates(body);
+  if (found.nonFinite > 0) {
     throw Error(Status::InvalidInput, "NonFiniteVertex",
-                std::to_string(bad) +
+                std::to_string(found.nonFinite) +
                     " vertices have a coordinate that is not a finite number "
                     "(first: " +
-                    list(first) + "); repair or export the mesh again");
+                    list(found.firstNonFinite) + "); repair or export the mesh again");
   }
-  if (largest > kLargestLength) {
+  if (found.largest > kLargestLength) {
     throw Error(Status::InvalidInput, "OutOfRange",
-                "the body reaches " + numberText(largest) +
+                "the body reaches " + numberText(found.largest) +
                     " mm from the origin; the limit is 1e9 mm; check the unit, or move it nearer");
   }
 }

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/union_find.h"
 #include "geometry/ray_columns.h"
+#include "geometry/shells.h"
 
 namespace swept {
 namespace {
@@ -27,30 +29,15 @@ struct Shell {
   bool closed = true;  ///< balanced at every edge
   bool consistent = true;
   bool mixed = false;
-  double volume = 0;  ///< signed, as the file has it
-  Eigen::Vector3d low, high;
-  std::vector<std::int32_t> samples;     ///< triangles asked in containment tests
+  ShellExtent extent;                    ///< as the file has it
   std::vector<std::int32_t> containers;  ///< closed shells that hold this one wholly
   int winding = 0;                       ///< inside this shell
   bool invert = false;
 };
 
-/// Half-edge across each half-edge where an edge has two triangles; bit 0: same direction.
-std::vector<std::int64_t> acrossEdges(const TriMesh& mesh, const EdgeTable& edges) {
-  std::vector<std::int64_t> across(3 * mesh.triangles.size(), -1);
-  edges.forEachEdge(
-      0, edges.vertexCount(),
-      [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
-        if (last - first != 2) return;
-        const std::int64_t same = EdgeTable::ascending(first[0]) == EdgeTable::ascending(first[1]);
-        across[EdgeTable::halfEdge(first[0])] = 2 * EdgeTable::halfEdge(first[1]) + same;
-        across[EdgeTable::halfEdge(first[1])] = 2 * EdgeTable::halfEdge(first[0]) + same;
-      });
-  return across;
-}
-
 Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
-  const std::vector<std::int64_t> across = acrossEdges(mesh, edges);
+  const RawArray<std::uint32_t> across = findAdjacency(edges).across;
+  const auto originOf = [&](std::uint32_t h) { return mesh.triangles[h / 3][h % 3]; };
   Patches patches;
   patches.ofTriangle.assign(mesh.triangles.size(), -1);
   patches.flip.assign(mesh.triangles.size(), 0);
@@ -63,11 +50,12 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
     patches.ofTriangle[seed] = patch;
     for (std::size_t head = 0; head < stack.size(); ++head) {
       const std::int32_t t = stack[head];
-      for (int k = 0; k < 3; ++k) {
-        const std::int64_t code = across[3 * static_cast<std::int64_t>(t) + k];
-        if (code < 0) continue;
-        const auto other = static_cast<std::int32_t>(code / 2 / 3);
-        const auto wanted = static_cast<std::uint8_t>(patches.flip[t] ^ (code & 1));
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * static_cast<std::uint32_t>(t) + k, g = across[h];
+        if (g == kNoNeighbour) continue;
+        const auto other = static_cast<std::int32_t>(g / 3);
+        const bool sameWay = originOf(h) == originOf(g);
+        const std::uint8_t wanted = (patches.flip[t] != 0) != sameWay ? 1 : 0;
         if (patches.ofTriangle[other] < 0) {
           patches.ofTriangle[other] = patch;
           patches.flip[other] = wanted;
@@ -91,16 +79,10 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
   return patches;
 }
 
-std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// Joins patches at edges where a patch alone is not balanced; returns shell of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
-  std::vector<std::int32_t> parent(patches.count());
-  std::iota(parent.begin(), parent.end(), 0);
+  auto parent = singleSets<std::int32_t>(patches.count());
   std::vector<std::pair<std::int32_t, int>> sums;  // patch, direction
   auto balance = [&](const std::uint64_t* first, const std::uint64_t* last, auto&& key) {
     sums.clear();
@@ -119,14 +101,11 @@ std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& pat
     sums.resize(kept);
   };
   edges.forEachEdge(
-      0, edges.vertexCount(),
       [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
         if (last - first == 2) return;
         balance(first, last, [](std::int32_t patch) { return patch; });
         for (std::size_t i = 1; i < sums.size(); ++i) {
-          const std::int32_t a = findRoot(parent, sums[0].first);
-          const std::int32_t b = findRoot(parent, sums[i].first);
-          parent[std::max(a, b)] = std::min(a, b);
+          unite(parent, sums[0].first, sums[i].first);
         }
       });
   std::vector<std::int32_t> shellOf(patches.count());
@@ -143,7 +122,6 @@ std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& pat
     shell.consistent = shell.consistent && patches.consistent[p] != 0;
   }
   edges.forEachEdge(
-      0, edges.vertexCount(),
       [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
         if (last - first == 2) return;
         balance(first, last, [&](std::int32_t patch) { return shellOf[patch]; });
@@ -152,77 +130,43 @@ std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& pat
   return shellOf;
 }
 
-void measureShells(const TriMesh& mesh, const std::vector<std::int32_t>& shellOfTriangle,
-                   std::vector<Shell>& shells) {
-  std::vector<std::int64_t> sizes(shells.size(), 0);
-  for (auto& shell : shells) {
-    shell.low.setConstant(HUGE_VAL);
-    shell.high.setConstant(-HUGE_VAL);
-  }
-  std::vector<Eigen::Vector3d> origin(shells.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::int32_t s = shellOfTriangle[t];
-    const auto& tri = mesh.triangles[t];
-    Shell& shell = shells[s];
-    if (sizes[s]++ == 0) origin[s] = mesh.vertices[tri[0]];
-    const Eigen::Vector3d a = mesh.vertices[tri[0]] - origin[s];
-    const Eigen::Vector3d b = mesh.vertices[tri[1]] - origin[s];
-    const Eigen::Vector3d c = mesh.vertices[tri[2]] - origin[s];
-    shell.volume += a.dot(b.cross(c)) / 6;
-    for (const std::int32_t v : tri) {
-      shell.low = shell.low.cwiseMin(mesh.vertices[v]);
-      shell.high = shell.high.cwiseMax(mesh.vertices[v]);
-    }
-  }
-  // Samples spread over each shell: first, middle and last triangle.
-  std::vector<std::int64_t> seen(shells.size(), 0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::int32_t s = shellOfTriangle[t];
+/// Triangles spread over each shell: its first, middle and last one.
+std::vector<std::vector<std::int32_t>> sampleShells(const Shells& shells) {
+  std::vector<std::int64_t> sizes(shells.count, 0), seen(shells.count, 0);
+  for (const std::int32_t s : shells.ofTriangle) ++sizes[s];
+  std::vector<std::vector<std::int32_t>> samples(shells.count);
+  for (std::size_t t = 0; t < shells.ofTriangle.size(); ++t) {
+    const std::int32_t s = shells.ofTriangle[t];
     const std::int64_t n = seen[s]++;
     if (n == 0 || n == sizes[s] / 2 || n == sizes[s] - 1) {
-      shells[s].samples.push_back(static_cast<std::int32_t>(t));
+      samples[s].push_back(static_cast<std::int32_t>(t));
     }
   }
+  return samples;
 }
 
-bool strictlyInside(const Shell& inner, const Shell& outer) {
-  return (inner.low.array() > outer.low.array()).all() &&
-         (inner.high.array() < outer.high.array()).all();
-}
-
-void findContainers(const TriMesh& mesh, const RayColumns& columns,
-                    const std::vector<std::int32_t>& shellOfTriangle, std::vector<Shell>& shells,
-                    RunContext& run) {
-  std::vector<RayColumns::Crossing> line;
-  std::vector<int> odd(shells.size());
+void findContainers(const ShellNesting& nesting,
+                    const std::vector<std::vector<std::int32_t>>& samples,
+                    std::vector<Shell>& shells, RunContext& run) {
+  std::vector<std::size_t> votes(shells.size(), 0);
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (s % 64 == 0) run.checkpoint(Phase::Input, s, shells.size());
     Shell& inner = shells[s];
     std::vector<std::int32_t> candidates;
     for (std::size_t o = 0; o < shells.size(); ++o) {
-      if (o != s && shells[o].closed && strictlyInside(inner, shells[o])) {
+      if (o != s && shells[o].closed &&
+          liesStrictlyInside(inner.extent.box, shells[o].extent.box)) {
         candidates.push_back(static_cast<std::int32_t>(o));
       }
     }
     if (candidates.empty()) continue;
-    for (const std::int32_t c : candidates) odd[c] = 0;
-    for (const std::int32_t t : inner.samples) {
-      // Odd weights: a point in general position on the triangle.
-      const auto& tri = mesh.triangles[t];
-      const Eigen::Vector3d p = 0.3137 * mesh.vertices[tri[0]] + 0.2731 * mesh.vertices[tri[1]] +
-                                0.4132 * mesh.vertices[tri[2]];
-      columns.crossings(p.y(), p.z(), line);
-      for (const std::int32_t c : candidates) {
-        int count = 0;
-        for (const auto& crossing : line) {
-          count += crossing.x > p.x() && shellOfTriangle[crossing.triangle] == c;
-        }
-        odd[c] += count % 2;
-      }
+    for (const std::int32_t c : candidates) votes[c] = 0;
+    for (const std::int32_t t : samples[s]) {
+      for (const std::int32_t c : nesting.shellsAround(t)) ++votes[c];
     }
     // Only a shell that lies inside with all its samples is nested; else the two overlap.
     for (const std::int32_t c : candidates) {
-      if (odd[c] == static_cast<int>(inner.samples.size())) inner.containers.push_back(c);
+      if (votes[c] == samples[s].size()) inner.containers.push_back(c);
     }
   }
 }
@@ -248,13 +192,13 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
     const int around = direct < 0 ? 0 : std::max(0, shells[direct].winding);
     bool cavity = false;
     if (around > 0) {
-      const bool opposite = (shell.volume < 0) != (shells[outermost].volume < 0);
+      const bool opposite = (shell.extent.volume < 0) != (shells[outermost].extent.volume < 0);
       // A shell whose own triangles disagreed says nothing by its direction: nesting decides.
       cavity = shell.mixed || shells[outermost].mixed ? around == 1 : opposite;
       cavity ? ++result.cavities : ++result.nested;
     }
     shell.winding = cavity ? around - 1 : around + 1;
-    shell.invert = cavity != (shell.volume < 0);
+    shell.invert = cavity != (shell.extent.volume < 0);
     if (shell.invert) ++result.inverted;
   }
 }
@@ -301,24 +245,19 @@ EdgeCounts countEdges(const EdgeTable& edges) {
   auto note = [](std::vector<std::int64_t>& list, std::int32_t v) {
     if (list.size() < 8) list.push_back(v);
   };
-  edges.forEachEdge(0, edges.vertexCount(),
-                    [&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
+  edges.forEachEdge([&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
                         const std::uint64_t* last) {
-                      const std::int64_t n = last - first;
-                      std::int64_t up = 0;
-                      for (const std::uint64_t* r = first; r != last; ++r)
-                        up += EdgeTable::ascending(*r);
-                      counts.unbalanced += 2 * up != n;
-                      if (n % 2 != 0) {
-                        ++counts.open;
-                        note(counts.firstOpen, low);
-                        counts.openVertices[low] = counts.openVertices[high] = 1;
-                      }
-                      if (n > 2) {
-                        ++counts.nonManifold;
-                        note(counts.firstNonManifold, low);
-                      }
-                    });
+    const std::int64_t n = last - first;
+    if (n % 2 != 0) {
+      ++counts.open;
+      note(counts.firstOpen, low);
+      counts.openVertices[low] = counts.openVertices[high] = 1;
+    }
+    if (n > 2) {
+      ++counts.nonManifold;
+      note(counts.firstNonManifold, low);
+    }
+  });
   return counts;
 }
 
@@ -330,33 +269,35 @@ OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool close
   result.mixed = patches.turned;
   std::vector<Shell> shells;
   const std::vector<std::int32_t> shellOfPatch = joinPatches(edges, patches, shells);
-  std::vector<std::int32_t> shellOf(mesh.triangles.size());
+  Shells numbers{std::vector<std::int32_t>(mesh.triangles.size()),
+                 static_cast<std::int32_t>(shells.size())};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    shellOf[t] = shellOfPatch[patches.ofTriangle[t]];
+    numbers.ofTriangle[t] = shellOfPatch[patches.ofTriangle[t]];
     if (patches.flip[t] != 0) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
   run.checkpoint(Phase::Input);
-  measureShells(mesh, shellOf, shells);
+  const std::vector<ShellExtent> extents = measureShells(mesh, numbers);
+  for (std::size_t s = 0; s < shells.size(); ++s) shells[s].extent = extents[s];
   result.shells = static_cast<std::int64_t>(shells.size());
 
   const RayColumns columns(mesh);
   run.checkpoint(Phase::Input);
-  findContainers(mesh, columns, shellOf, shells, run);
+  findContainers(ShellNesting(mesh, numbers, columns), sampleShells(numbers), shells, run);
   decideShells(shells, result);
   bool sound = closed;
   for (const Shell& shell : shells) {
     if (!shell.consistent) ++result.inconsistent;
-    const double size = (shell.high - shell.low).norm();
+    const double size = shell.extent.box.diagonal().norm();
     if (!shell.closed || !shell.consistent ||
-        std::abs(shell.volume) <= 1e-13 * size * size * size) {
+        std::abs(shell.extent.volume) <= 1e-13 * size * size * size) {
       sound = false;
     }
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (shells[shellOf[t]].invert) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    if (shells[numbers.ofTriangle[t]].invert) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
   run.checkpoint(Phase::Input);
-  if (sound) result.insideOut = !windingHolds(columns, shellOf, shells);
+  if (sound) result.insideOut = !windingHolds(columns, numbers.ofTriangle, shells);
   result.orientable = sound && !result.insideOut;
   return result;
 }

@@ -7,16 +7,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
 namespace swept {
 
 struct EdgeCounts {
-  std::int64_t open = 0;         ///< odd number of triangles
-  std::int64_t nonManifold = 0;  ///< neither one nor two triangles
-  std::int64_t unbalanced = 0;   ///< not as many triangles one way as the other
+  std::int64_t open = 0;                                  ///< odd number of triangles
+  std::int64_t nonManifold = 0;                           ///< more than two triangles
   std::vector<std::int64_t> firstOpen, firstNonManifold;  ///< smaller vertex of the edge, at most 8
   std::vector<std::uint8_t> openVertices;                 ///< 1: ends an open edge
 };

@@ -184,13 +184,12 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
   // Equal corners means equal edges: only edges at which two triangles have the same third corner
   // are looked at, and of those only the one made of the two smallest corners.
   dropUnused(mesh);
-  EdgeTable edges(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
+  EdgeTable edges(mesh);
   dead.assign(mesh.triangles.size(), 0);
   any = false;
   std::vector<std::pair<std::int32_t, std::int64_t>> thirds;
   std::vector<std::int64_t> group;
   edges.forEachEdge(
-      0, edges.vertexCount(),
       [&](std::int32_t, std::int32_t high, const std::uint64_t* first, const std::uint64_t* last) {
         if (last - first < 2) return;
         thirds.clear();
@@ -217,7 +216,7 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
   if (!any) return edges;
   keepOnly(mesh.triangles, dead);
   dropUnused(mesh);
-  return EdgeTable(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size()));
+  return EdgeTable(mesh);
 }
 
 }  // namespace swept

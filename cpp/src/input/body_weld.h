@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 #include "swept/types.h"
 
 namespace swept {

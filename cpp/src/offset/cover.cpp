@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/parallel.h"
+#include "geometry/shells.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/culling/swept_elements.h"
 
@@ -14,27 +14,6 @@ namespace {
 
 constexpr double kTwist = 0.005;  // cells: patches are cut along their edge until flat to this
 constexpr int kMaxParts = 256;
-
-/// One vertex of every connected piece of the body.
-std::vector<std::int32_t> pieces(const TriMesh& body) {
-  std::vector<std::int32_t> parent(body.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& t : body.triangles) {
-    for (int k = 1; k < 3; ++k) {
-      const std::int32_t a = root(t[0]), b = root(t[k]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  std::vector<std::int32_t> roots;
-  for (std::size_t v = 0; v < parent.size(); ++v) {
-    if (parent[v] == static_cast<std::int32_t>(v)) roots.push_back(parent[v]);
-  }
-  return roots;
-}
 
 /// Everything about one step that the elements at its ends need.
 struct Step {
@@ -223,7 +202,10 @@ std::size_t copiesOf(const SamplerInput& input) {
 Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   Cover cover;
   const std::size_t placements = input.motion.placements.size();
-  const std::vector<std::int32_t> roots = pieces(input.body);
+  // One vertex of every connected piece of the body.
+  std::vector<std::int32_t> roots = smallestJoinedVertices(input.body);
+  std::sort(roots.begin(), roots.end());
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
   const auto addInside = [&](std::size_t k) {
     const Placement p = input.grid.toGrid(input.motion.placements[k]);
     for (const std::int32_t v : roots) cover.inside.push_back(p.apply(input.body.vertices[v]));

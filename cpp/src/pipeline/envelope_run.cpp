@@ -83,8 +83,8 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
     simplify();
   }
   if (options_.tolerance <= 0 && !sketch_) {
-    result_.featureEdges = topology_.across.size() > 0
-                               ? findFeatureEdges(result_.mesh, topology_.across)
+    result_.featureEdges = topology_.adjacency.across.size() > 0
+                               ? findFeatureEdges(result_.mesh, topology_.adjacency.across)
                                : findFeatureEdges(result_.mesh);
   }
   stage("features");

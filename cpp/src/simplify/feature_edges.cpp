@@ -8,7 +8,7 @@
 
 #include "base/lists_by_key.h"
 #include "base/parallel.h"
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 #include "geometry/quadric.h"
 
 namespace swept {
@@ -101,8 +101,7 @@ std::vector<Edge> findFeatureEdges(const TriMesh& mesh, const RawArray<std::uint
 }
 
 std::vector<Edge> findFeatureEdges(const TriMesh& mesh) {
-  return findFeatureEdges(
-      mesh, findAcross(mesh.triangles, static_cast<std::int64_t>(mesh.vertices.size())));
+  return findFeatureEdges(mesh, findAdjacency(mesh).across);
 }
 
 }  // namespace swept

@@ -14,7 +14,7 @@
 namespace swept {
 
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh);
-/// The same where the half-edges across (geometry/edge_table.h) are known already.
+/// The same where the half-edges across (geometry/half_edges.h) are known already.
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh,
                                                           const RawArray<std::uint32_t>& across);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 #include "simplify/vertex_tree.h"
 
 namespace swept {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 #include "geometry/morton.h"
 
 namespace swept {

@@ -2,12 +2,15 @@
 #include "solid/mesh/half_edge.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "base/limits.h"
-#include "base/parallel.h"
+#include "geometry/half_edges.h"
+#include "geometry/mesh_numbers.h"
+#include "geometry/ray_columns.h"
+#include "geometry/shells.h"
 
 namespace swept::step {
 namespace {
@@ -21,80 +24,41 @@ namespace {
 
 void checkNumbers(const TriMesh& mesh) {
   if (mesh.triangles.empty()) refuse("EmptyMesh", "the mesh has no triangles");
-  const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+  if (const auto bad = findBadIndex(mesh)) {
+    refuse("BadIndex", "triangle " + std::to_string(bad->triangle) + " uses vertex " +
+                           std::to_string(bad->vertex) + " of " +
+                           std::to_string(mesh.vertices.size()));
+  }
+  const Coordinates found = measureCoordinates(mesh);
+  if (found.nonFinite > 0) {
+    refuse("NonFiniteVertex",
+           "vertex " + std::to_string(found.firstNonFinite[0]) + " is not finite");
+  }
+  if (found.largest > kLargestLength) {
+    throw Error(Status::ExportFailed, "OutOfRange",
+                "vertex " + std::to_string(found.farthest) +
+                    " lies more than 1e9 mm from the origin; move the mesh nearer, or check "
+                    "its unit");
+  }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const std::int64_t v = mesh.triangles[t][k];
-      if (v < 0 || v >= count) {
-        refuse("BadIndex", "triangle " + std::to_string(t) + " uses vertex " + std::to_string(v) +
-                               " of " + std::to_string(count));
-      }
-      if (!mesh.vertices[v].allFinite()) {
-        refuse("NonFiniteVertex", "vertex " + std::to_string(v) + " is not finite");
-      }
-      if (mesh.vertices[v].cwiseAbs().maxCoeff() > kLargestLength) {
-        throw Error(Status::ExportFailed, "OutOfRange",
-                    "vertex " + std::to_string(v) +
-                        " lies more than 1e9 mm from the origin; move the mesh nearer, or check "
-                        "its unit");
-      }
-      if (v == mesh.triangles[t][(k + 1) % 3]) {
-        refuse("DegenerateTriangle", "triangle " + std::to_string(t) + " repeats a vertex");
-      }
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (a == b || b == c || c == a) {
+      refuse("DegenerateTriangle", "triangle " + std::to_string(t) + " repeats a vertex");
     }
   }
 }
 
-struct EdgeKey {
-  std::int32_t low, high, halfEdge;
-};
-
-void pairHalfEdges(HalfEdgeMesh& mesh, RunContext& run) {
-  const auto count = static_cast<std::int32_t>(3 * mesh.triangles.size());
-  // Sorted by their lower vertex by counting, then the few of each vertex.
-  std::vector<std::int32_t> start(mesh.points.size() + 1, 0);
-  for (std::int32_t h = 0; h < count; ++h) ++start[std::min(mesh.origin(h), mesh.target(h))];
-  exclusiveScan(start);
-  std::vector<EdgeKey> keys(count);
-  {
-    std::vector<std::int32_t> at(start.begin(), start.end() - 1);
-    for (std::int32_t h = 0; h < count; ++h) {
-      const auto [low, high] = std::minmax({mesh.origin(h), mesh.target(h)});
-      keys[at[low]++] = {low, high, h};
-    }
+void refuseFaults(const EdgeFaults& faults) {
+  if (faults.open > 0) {
+    refuse("OpenMesh", std::to_string(faults.open) + " edges have one triangle only");
   }
-  parallelBlocks(mesh.points.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      std::sort(keys.begin() + start[v], keys.begin() + start[v + 1],
-                [](const EdgeKey& a, const EdgeKey& b) {
-                  return std::tie(a.high, a.halfEdge) < std::tie(b.high, b.halfEdge);
-                });
-    }
-  });
-  run.checkpoint(Phase::Export);
-  mesh.opposite.assign(count, -1);
-  std::int64_t open = 0, crowded = 0, turned = 0;
-  for (std::size_t i = 0; i < keys.size();) {
-    std::size_t j = i;
-    while (j < keys.size() && keys[j].low == keys[i].low && keys[j].high == keys[i].high) ++j;
-    if (j - i == 1) {
-      ++open;
-    } else if (j - i > 2) {
-      ++crowded;
-    } else if (mesh.origin(keys[i].halfEdge) == mesh.origin(keys[i + 1].halfEdge)) {
-      ++turned;
-    } else {
-      mesh.opposite[keys[i].halfEdge] = keys[i + 1].halfEdge;
-      mesh.opposite[keys[i + 1].halfEdge] = keys[i].halfEdge;
-    }
-    i = j;
+  if (faults.nonManifold > 0) {
+    refuse("NonManifold",
+           std::to_string(faults.nonManifold) + " edges have more than two triangles");
   }
-  if (open > 0) refuse("OpenMesh", std::to_string(open) + " edges have one triangle only");
-  if (crowded > 0)
-    refuse("NonManifold", std::to_string(crowded) + " edges have more than two triangles");
-  if (turned > 0) {
-    refuse("MixedOrientation",
-           std::to_string(turned) + " edges have triangles that disagree in orientation");
+  if (faults.misoriented > 0) {
+    refuse("MixedOrientation", std::to_string(faults.misoriented) +
+                                   " edges have triangles that disagree in orientation");
   }
 }
 
@@ -120,88 +84,31 @@ void splitFans(HalfEdgeMesh& mesh) {
   }
 }
 
-void findShells(HalfEdgeMesh& mesh) {
-  const std::size_t count = mesh.triangles.size();
-  mesh.shellOf.assign(count, -1);
-  std::vector<std::int32_t> stack;
-  for (std::size_t seed = 0; seed < count; ++seed) {
-    if (mesh.shellOf[seed] >= 0) continue;
-    const auto shell = static_cast<std::int32_t>(mesh.shellVolume.size());
-    // Relative to a point of the shell, or volumes of small shells far from the origin lose digits.
-    const Eigen::Vector3d base = mesh.points[mesh.triangles[seed][0]];
-    double volume = 0;
-    stack.assign(1, static_cast<std::int32_t>(seed));
-    mesh.shellOf[seed] = shell;
-    while (!stack.empty()) {
-      const std::int32_t t = stack.back();
-      stack.pop_back();
-      const auto& tri = mesh.triangles[t];
-      volume += (mesh.points[tri[0]] - base)
-                    .dot((mesh.points[tri[1]] - base).cross(mesh.points[tri[2]] - base)) /
-                6.0;
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t other = mesh.opposite[3 * t + k] / 3;
-        if (mesh.shellOf[other] >= 0) continue;
-        mesh.shellOf[other] = shell;
-        stack.push_back(other);
-      }
-    }
-    mesh.shellVolume.push_back(volume);
-  }
-}
-
-// Winding number of one shell about a point, by solid angles.
-double winding(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles,
-               const Eigen::Vector3d& point) {
-  double angle = 0;
-  for (const std::int32_t t : triangles) {
-    const Eigen::Vector3d a = mesh.points[mesh.triangles[t][0]] - point;
-    const Eigen::Vector3d b = mesh.points[mesh.triangles[t][1]] - point;
-    const Eigen::Vector3d c = mesh.points[mesh.triangles[t][2]] - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    const double det = a.dot(b.cross(c));
-    const double den = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    angle += 2 * std::atan2(det, den);
-  }
-  return angle / (4 * M_PI);
-}
-
-void findOwners(HalfEdgeMesh& mesh, RunContext& run) {
-  const auto shells = static_cast<std::int32_t>(mesh.shellVolume.size());
-  mesh.shellOwner.resize(shells);
-  std::iota(mesh.shellOwner.begin(), mesh.shellOwner.end(), 0);
-  if (std::all_of(mesh.shellVolume.begin(), mesh.shellVolume.end(),
-                  [](double v) { return v > 0; })) {
-    return;
-  }
-  std::vector<std::vector<std::int32_t>> members(shells);
-  std::vector<Eigen::Vector3d> low(shells, Eigen::Vector3d::Constant(1e300));
-  std::vector<Eigen::Vector3d> high(shells, Eigen::Vector3d::Constant(-1e300));
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::int32_t s = mesh.shellOf[t];
-    members[s].push_back(static_cast<std::int32_t>(t));
-    for (const std::int32_t v : mesh.triangles[t]) {
-      low[s] = low[s].cwiseMin(mesh.points[v]);
-      high[s] = high[s].cwiseMax(mesh.points[v]);
-    }
-  }
-  for (std::int32_t s = 0; s < shells; ++s) {
-    if (mesh.shellVolume[s] > 0) continue;
+/// Finds the outer shell of every cavity: the smallest one round it.
+void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<ShellExtent>& extents,
+                HalfEdgeMesh& result, RunContext& run) {
+  result.shellOwner.resize(shells.count);
+  std::iota(result.shellOwner.begin(), result.shellOwner.end(), 0);
+  const auto isOuter = [](const ShellExtent& s) { return s.volume > 0; };
+  if (std::all_of(extents.begin(), extents.end(), isOuter)) return;
+  const RayColumns columns(mesh);
+  const ShellNesting nesting(mesh, shells, columns);
+  for (std::int32_t s = 0; s < shells.count; ++s) {
+    if (isOuter(extents[s])) continue;
     run.checkpoint(Phase::Export);
-    const Eigen::Vector3d point = mesh.points[mesh.triangles[members[s][0]][0]];
     std::int32_t best = -1;
-    for (std::int32_t o = 0; o < shells; ++o) {
-      if (mesh.shellVolume[o] <= 0) continue;
-      if ((low[s] - low[o]).minCoeff() < 0 || (high[o] - high[s]).minCoeff() < 0) continue;
-      if (best >= 0 && mesh.shellVolume[o] > mesh.shellVolume[best]) continue;
-      if (winding(mesh, members[o], point) > 0.5) best = o;
+    for (const std::int32_t o : nesting.shellsAround(extents[s].first)) {
+      // A cavity may touch its shell's box: at a vertex the two may meet.
+      if (!isOuter(extents[o]) || !extents[o].box.contains(extents[s].box)) continue;
+      if (best < 0 || extents[o].volume <= extents[best].volume) best = o;
     }
     if (best < 0) {
+      const auto& of = shells.ofTriangle;
       refuse("InvertedShell", "shell " + std::to_string(s) + " with " +
-                                  std::to_string(members[s].size()) +
+                                  std::to_string(std::count(of.begin(), of.end(), s)) +
                                   " triangles faces inward and lies in no outer shell");
     }
-    mesh.shellOwner[s] = best;
+    result.shellOwner[s] = best;
   }
 }
 
@@ -218,11 +125,17 @@ HalfEdgeMesh buildHalfEdges(const TriMesh& mesh, RunContext& run) {
   HalfEdgeMesh result;
   result.points = mesh.vertices;
   result.triangles = mesh.triangles;
-  pairHalfEdges(result, run);
+  const Adjacency adjacency = findAdjacency(mesh);
+  refuseFaults(adjacency.faults);
+  const RawArray<std::uint32_t>& across = adjacency.across;
+  result.opposite.assign(across.data(), across.data() + across.size());
+  run.checkpoint(Phase::Export);
   splitFans(result);
-  findShells(result);
-  findOwners(result, run);
-  for (const double v : result.shellVolume) result.volume += v;
+  Shells shells = shellsByEdges(across);
+  const std::vector<ShellExtent> extents = measureShells(mesh, shells);
+  findOwners(mesh, shells, extents, result, run);
+  result.shellOf = std::move(shells.ofTriangle);
+  for (const ShellExtent& shell : extents) result.volume += shell.volume;
   for (std::size_t t = 0; t < result.triangles.size(); ++t) {
     result.area += 0.5 * result.areaVector(static_cast<std::int32_t>(t)).norm();
   }

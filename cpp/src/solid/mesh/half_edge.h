@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/half_edges.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -21,13 +22,12 @@ struct HalfEdgeMesh {
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int32_t> opposite;    ///< per half-edge
   std::vector<std::int32_t> shellOf;     ///< per triangle
-  std::vector<double> shellVolume;       ///< signed, mm^3; negative: a cavity
   std::vector<std::int32_t> shellOwner;  ///< outer shell a cavity lies in; itself for outer shells
   double area = 0;                       ///< mm^2
   double volume = 0;                     ///< mm^3, cavities taken off
 
-  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static std::int32_t next(std::int32_t h) { return nextHalfEdge(h); }
+  static std::int32_t previous(std::int32_t h) { return previousHalfEdge(h); }
   std::int32_t origin(std::int32_t h) const { return triangles[h / 3][h % 3]; }
   std::int32_t target(std::int32_t h) const { return origin(next(h)); }
   /// Twice the area times the unit normal.

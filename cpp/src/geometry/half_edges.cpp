@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/edge_table.h"
+#include "geometry/half_edges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <atomic>
 #include <string>
 
-#include "swept/types.h"
-
 namespace swept {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
+using Range = tbb::blocked_range<std::size_t>;
 
 void sortGroup(std::uint64_t* first, std::uint64_t* last) {
   if (last - first > 24) {
@@ -30,15 +30,13 @@ void sortGroup(std::uint64_t* first, std::uint64_t* last) {
 
 }  // namespace
 
-EdgeTable::EdgeTable(const std::vector<std::array<std::int32_t, 3>>& triangles,
-                     std::int64_t vertexCount) {
+EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
   // 32-bit half-edge numbers: 1.4 thousand million triangles, far above any memory budget.
   if (triangles.size() > 0xffffffffu / 3) {
     throw Error(Status::ResourceLimit, "TooManyTriangles",
                 std::to_string(triangles.size()) + " triangles; at most 1431655765 can be handled");
   }
-  using Range = tbb::blocked_range<std::size_t>;
-  start_.assign(static_cast<std::size_t>(vertexCount) + 1, 0);
+  start_.assign(vertexCount + 1, 0);
   // Atomic counters: the order in which a group fills varies, its sorted content does not.
   tbb::parallel_for(Range(0, triangles.size(), kGrain), [&](const Range& range) {
     for (std::size_t t = range.begin(); t != range.end(); ++t) {
@@ -71,29 +69,59 @@ EdgeTable::EdgeTable(const std::vector<std::array<std::int32_t, 3>>& triangles,
       }
     }
   });
-  const auto count = static_cast<std::size_t>(vertexCount);
-  tbb::parallel_for(Range(0, count, kGrain), [&](const Range& range) {
+  tbb::parallel_for(Range(0, vertexCount, kGrain), [&](const Range& range) {
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       sortGroup(records_.data() + start_[v], records_.data() + start_[v + 1]);
     }
   });
 }
 
-RawArray<std::uint32_t> findAcross(const std::vector<std::array<std::int32_t, 3>>& triangles,
-                                   std::int64_t vertexCount) {
-  const EdgeTable edges(triangles, vertexCount);
-  RawArray<std::uint32_t> across(3 * triangles.size());
-  std::fill(across.data(), across.data() + across.size(), kNoNeighbour);
-  edges.forEachEdge(
-      0, vertexCount,
-      [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
-        if (last - first != 2) return;
-        const auto h = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[0]));
-        const auto g = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[1]));
-        across[h] = g;
-        across[g] = h;
-      });
-  return across;
+Adjacency findAdjacency(const EdgeTable& edges) {
+  Adjacency found;
+  RawArray<std::uint32_t> across(edges.records().size());
+  tbb::parallel_for(Range(0, across.size(), kGrain), [&](const Range& range) {
+    std::fill(across.data() + range.begin(), across.data() + range.end(), kNoNeighbour);
+  });
+  const auto join = [&](const Range& range, EdgeFaults faults) {
+    edges.forEachEdge(
+        static_cast<std::int64_t>(range.begin()), static_cast<std::int64_t>(range.end()),
+        [&](std::int32_t, std::int32_t, const std::uint64_t* first, const std::uint64_t* last) {
+          const std::int64_t n = last - first;
+          if (n == 2) {
+            const auto h = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[0]));
+            const auto g = static_cast<std::uint32_t>(EdgeTable::halfEdge(first[1]));
+            across[h] = g;
+            across[g] = h;
+            faults.misoriented += EdgeTable::ascending(first[0]) == EdgeTable::ascending(first[1]);
+            return;
+          }
+          faults.open += n == 1;
+          faults.nonManifold += n > 2;
+          faults.odd += n % 2;
+          faults.misoriented += n > 2 && 2 * std::count_if(first, last, EdgeTable::ascending) != n;
+        });
+    return faults;
+  };
+  found.faults =
+      tbb::parallel_reduce(Range(0, static_cast<std::size_t>(edges.vertexCount()), kGrain),
+                           EdgeFaults{}, join, [](const EdgeFaults& a, const EdgeFaults& b) {
+                             return EdgeFaults{a.open + b.open, a.nonManifold + b.nonManifold,
+                                               a.odd + b.odd, a.misoriented + b.misoriented};
+                           });
+  found.across = std::move(across);
+  return found;
+}
+
+Adjacency findAdjacency(const TriMesh& mesh) { return findAdjacency(EdgeTable(mesh)); }
+
+ListsByKey halfEdgesByVertex(const TriMesh& mesh) {
+  return ListsByKey(mesh.vertices.size(), [&](const auto& use) {
+    tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {
+      for (std::size_t h = 3 * range.begin(); h != 3 * range.end(); ++h) {
+        use(static_cast<std::size_t>(mesh.triangles[h / 3][h % 3]), static_cast<std::uint32_t>(h));
+      }
+    });
+  });
 }
 
 }  // namespace swept
