@@ -769,8 +769,16 @@ Versucht:
    <translation>Einen Linienzug, eine Kante oder Skizze als Bahn wählen.</translation>
   </message>
   <message>
+   <source>an accuracy of {0:g} mm: it must be greater than 0.</source>
+   <translation>eine Genauigkeit von {0:g} mm: sie muss größer als 0 sein.</translation>
+  </message>
+  <message>
    <source>"{0}" has {1} separate pieces; a path must be one.</source>
    <translation>„{0}“ hat {1} getrennte Stücke; eine Bahn muss eines sein.</translation>
+  </message>
+  <message>
+   <source>an accuracy of {0:g} mm takes more than {1} poses along this path: allow more.</source>
+   <translation>eine Genauigkeit von {0:g} mm braucht auf diesem Weg mehr als {1} Posen: lassen Sie mehr zu.</translation>
   </message>
   <message>
    <source>"{0}" begins in the direction of the path "{1}": it does not say where up is. Move it sideways.</source>
@@ -1382,6 +1390,10 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
    <translation>Bewegung aus gesteuertem Wert</translation>
   </message>
   <message>
+   <source>How far the straight way between two poses may leave the path; corners are always poses</source>
+   <translation>Wie weit der gerade Weg zwischen zwei Posen die Bahn verlassen darf; Ecken sind immer Posen</translation>
+  </message>
+  <message>
    <source>Fixed</source>
    <translation>Fest</translation>
   </message>
@@ -1833,12 +1845,12 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
 Absolute: the placement the part has at that time, instead of the one it has now (default; captured placements and recorded motions are of this kind).
 Relative: a displacement on top of where the part stands now; the identity leaves it there.
 RelativeToFirst: as Relative, measured from the first pose: the motion starts where the part stands now.
-Several parts move rigidly together; Absolute places the first of them.</source>
+Several parts move rigidly together; Absolute places the first of them. A motion in a group counts in the coordinates of the group, and moves with it.</source>
    <translation>Was eine Lage bedeutet.
 Absolut: die Platzierung des Teils zu dieser Zeit anstelle der jetzigen (Vorgabe; so sind übernommene Platzierungen und aufgezeichnete Bewegungen).
 Relativ: eine Verschiebung gegenüber dem jetzigen Stand; die Einheit lässt es dort.
 Relativ zur ersten: wie Relativ, gemessen von der ersten Lage: Die Bewegung beginnt, wo das Teil jetzt steht.
-Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon.</translation>
+Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon. Eine Bewegung in einer Gruppe gilt in deren Koordinaten und bewegt sich mit ihr.</translation>
   </message>
   <message>
    <source>About so many triangles are drawn of a heavy mesh; 0: all</source>

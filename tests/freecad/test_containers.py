@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Our objects inside groups: no circle in the document, and what is moved with a group is noticed."""
+import itertools
 import os
 
 import FreeCAD as App
+import numpy as np
 
 from case import Case, V, shift, turn
 from sweptvolume import convert
 from sweptvolume.features import clearance, containers, envelope, motion
+from sweptvolume.trajectory.poses import FRAMES, base_of
 
 
 class Containers(Case):
@@ -50,7 +53,7 @@ class Containers(Case):
             self.assert_seen(obj)
             group.removeObject(obj)
             self.recompute()
-            self.assertEqual(obj.Generators, [(self.outer, ("Group.Slide.",))])
+            self.assertEqual(obj.Generators, [(self.part, ("",))])
 
     def test_envelope_that_its_part_joins(self):
         self.outer.removeObject(self.group)
@@ -97,6 +100,31 @@ class Containers(Case):
         self.recompute()
         self.assert_placement(path.Placements[-1], shift(0, 20), 1e-9)
 
+    def test_a_motion_keeps_its_place_in_the_world_where_its_source_does(self):
+        """Wherever a motion with a source is put: what is drawn lies on the source."""
+        import Part
+
+        wire = self.doc.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        path = motion.motion_from_source(self.doc, "Curve", [wire])
+        self.outer.Placement = turn(90, base=V(1, 2, 3))
+        self.group.Placement = turn(30, V(1, 1, 1), V(0, 7, 0))
+        self.recompute()
+        for group in (self.group, self.outer):
+            group.addObject(path)
+            self.recompute()
+            for frame in FRAMES:
+                path.Frame = frame
+                self.recompute()
+                base = base_of(
+                    motion.world_poses_of(path), frame, App.Placement(), motion.container_of(path)
+                )
+                found = [p.multiply(base.inverse()) for p in motion.world_poses_of(path).placements]
+                self.assert_placement(found[-1], shift(20), 1e-9)
+            group.removeObject(path)
+            self.recompute()
+        self.assert_placement(path.Placements[-1], shift(20), 1e-9)
+
     def test_a_restored_document_goes_on(self):
         obj = self.envelope([self.part], self.path)
         self.group.addObject(obj)
@@ -134,3 +162,117 @@ class Computed(Case):
         self.assert_placement(obj.getGlobalPlacement(), App.Placement())
         # FreeCAD gives the box as the group sees it.
         self.assertAlmostEqual(obj.Mesh.BoundBox.YMin + 50, 50, delta=obj.UsedCellSize.Value)
+
+
+class Rule(Case):
+    """One rule: poses count in the group that holds the motion, the part stands where it is seen, and the
+    envelope stands in the world, whichever group holds it."""
+
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.box()
+        self.part.Placement = shift(0, 20)
+        self.path = motion.motion_from_poses(
+            self.doc, [0, 1], [shift(0, 20), turn(60, base=V(30, 25, 0))]
+        )
+        self.groups = []
+        for k in range(2):  # the second inside the first
+            group = self.doc.addObject("App::Part", "Level{}".format(k))
+            if k:
+                self.groups[-1].addObject(group)
+            self.groups.append(group)
+        self.other = self.doc.addObject("App::Part", "Other")
+        self.doc.recompute()
+
+    def move_groups(self):
+        self.groups[0].Placement = turn(90, base=V(100, 0, 0))
+        self.groups[1].Placement = turn(90, V(1, 0, 0), V(0, 50, 0))
+        self.other.Placement = turn(-90, V(0, 1, 0), V(0, 0, 300))
+        self.doc.recompute()
+
+    def expected_box(self, frame, pair):
+        """Of the part at both poses, from the definition of a frame alone."""
+        group = motion.container_of(self.path)
+        standing = convert.global_placement(*pair)
+        placements = self.path.Placements
+        corners = convert.box_corners([pair])
+        low, high = corners.min(axis=0) + 1e9, corners.max(axis=0) - 1e9
+        for pose in placements:
+            if frame == "Absolute":
+                moved = group * pose * standing.inverse()
+            elif frame == "Relative":
+                moved = group * pose * group.inverse()
+            else:
+                moved = group * pose * placements[0].inverse() * group.inverse()
+            points = convert.transform(convert.matrix_of(moved), corners)
+            low = np.minimum(low, points.min(axis=0))
+            high = np.maximum(high, points.max(axis=0))
+        return low, high
+
+    def assert_computed(self, obj, frame, pair):
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        vertices = clearance.envelope_arrays(obj)[0]
+        low, high = self.expected_box(frame, pair)
+        cell = obj.UsedCellSize.Value
+        self.assertLess(abs(vertices.min(axis=0) - low).max(), cell)
+        self.assertLess(abs(vertices.max(axis=0) - high).max(), cell)
+
+    def test_each_combination(self):
+        """Part, motion and envelope each in the document, in a moved group, in a group in it, in another."""
+        places = [None, self.groups[0], self.groups[1], self.other]
+        self.path.Interpolation = "None"
+        obj = self.envelope([self.part], self.path, CellSize=2)
+        self.move_groups()
+        for k, combination in enumerate(itertools.product(places, repeat=3)):
+            for held, group in zip((self.part, self.path, obj), combination):
+                for old in containers.around(held)[:1]:
+                    old.removeObject(held)
+                if group is not None:
+                    group.addObject(held)
+            frame = FRAMES[k % 3]
+            self.path.Frame = frame
+            self.doc.recompute()
+            with self.subTest(groups=[g and g.Name for g in combination], frame=frame):
+                self.assertNotEqual(obj.Status, envelope.UP_TO_DATE)
+                pair = convert.root_path(self.part)
+                self.assertEqual(convert.pairs_of(obj.Generators), [pair])
+                self.assert_computed(obj, frame, pair)
+
+    def test_through_a_link(self):
+        link = self.doc.addObject("App::Link", "Copy")
+        link.LinkedObject, link.Placement = self.groups[0], turn(45, base=V(0, -200, 0))
+        self.groups[1].addObject(self.part)
+        self.other.addObject(self.path)
+        pair = (link, "Level1.Box.")
+        self.path.Interpolation = "None"
+        obj = self.envelope([pair], self.path, CellSize=2)
+        for frame in FRAMES:
+            self.path.Frame = frame
+            self.move_groups()
+            self.assert_computed(obj, frame, pair)
+            link.Placement = turn(45, base=V(0, -210, 0))
+            self.doc.recompute()
+            self.assertEqual(obj.Status, envelope.STALE)
+            link.Placement = turn(45, base=V(0, -200, 0))
+            self.doc.recompute()
+            self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+
+    def test_a_moved_group_of_all_moves_the_result(self):
+        for held in (self.part, self.path):
+            self.groups[1].addObject(held)
+        obj = self.envelope([self.part], self.path, Resolution=30)
+        self.groups[1].addObject(obj)
+        self.doc.recompute()
+        envelope.compute(obj)
+        volume = obj.Volume.Value
+        self.groups[0].Placement = turn(90, base=V(100, 0, 0))
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+        envelope.compute(obj)
+        self.assertAlmostEqual(obj.Volume.Value, volume, delta=0.02 * volume)
+        # The group is turned by 90 degrees: so is the way, which went along x.
+        vertices = clearance.envelope_arrays(obj)[0]
+        self.assertGreater(float(np.ptp(vertices[:, 1])), float(np.ptp(vertices[:, 0])))

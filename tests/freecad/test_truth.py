@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the document says of its results is what a fresh computation would justify."""
+import itertools
+import math
 import os
 import time
 
@@ -11,6 +13,7 @@ from case import Case, V, shift, turn
 from sweptvolume import contents, core
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import clearance, envelope, motion, solid
+from sweptvolume.trajectory.poses import course
 
 
 def plate(hole):
@@ -321,6 +324,96 @@ class Neighbours(Scene):
         clearance.compute(self.check)
         self.assertIn("Way of the wall", self.check.Message)
         self.assertNotIn('"{}"'.format(self.swept.Label), self.check.Message)
+
+
+class Wires(Case):
+    """A motion along a wire goes through its corners and leaves it by no more than was asked for."""
+
+    def wire(self, *edges):
+        obj = self.doc.addObject("Part::Feature", "Wire")
+        obj.Shape = Part.Wire(list(edges))
+        return obj
+
+    def assert_within(self, path, wire, accuracy):
+        at = course(motion.poses_of(path), path.Interpolation)
+        end = path.Times[-1]
+        for k in range(400):
+            point = Part.Vertex(at(end * k / 399).Base)
+            self.assertLessEqual(point.distToShape(wire.Shape)[0], accuracy * 1.001)
+        # The other way round: no part of the wire is cut off.
+        line = Part.makePolygon([p.Base for p in path.Placements])
+        for point in wire.Shape.discretize(Number=400):
+            self.assertLessEqual(Part.Vertex(point).distToShape(line)[0], accuracy * 1.001)
+
+    def test_corners_are_poses(self):
+        wire = self.wire(Part.makeLine(V(), V(50, 0, 0)), Part.makeLine(V(50, 0, 0), V(50, 37, 0)))
+        path = motion.motion_from_source(self.doc, "Curve", [wire], duration=8.0)
+        self.doc.recompute()
+        self.assertEqual(
+            [tuple(p.Base) for p in path.Placements], [(0, 0, 0), (50, 0, 0), (50, 37, 0)]
+        )
+        self.assertEqual(path.Times[-1], 8.0)
+        self.assert_within(path, wire, 1e-9)
+        if core.available():
+            obj = self.envelope([self.box(size=10)], path, CellSize=1)
+            envelope.compute(obj)
+            exact = 60 * 10 * 10 + 37 * 10 * 10
+            self.assertAlmostEqual(obj.Volume.Value, exact, delta=1e-6 * exact)
+
+    def test_accuracy_holds_on_curves(self):
+        poles = [V(0, 0, 0), V(40, 60, 0), V(80, -60, 30), V(120, 0, 0)]
+        spline = Part.BSplineCurve(poles)
+        arc = Part.Arc(V(120, 0, 0), V(150, 30, 0), V(120, 60, 0)).toShape()
+        wire = self.wire(spline.toShape(), arc)
+        counts = []
+        for orientation in ("Fixed", "Tangent"):
+            for accuracy in (1.0, 0.1, 0.01):
+                path = motion.motion_from_source(
+                    self.doc, "Curve", [wire], accuracy=accuracy, orientation=orientation
+                )
+                self.doc.recompute()
+                self.assert_within(path, wire, accuracy)
+                counts.append(path.Count)
+        self.assertEqual(counts[:3], sorted(counts[:3]))
+        self.assertLess(counts[2], 400)
+        self.assertTrue(all(a <= b for a, b in zip(counts[:3], counts[3:])), counts)
+
+    def test_a_part_that_follows_the_tangent_turns_at_a_corner(self):
+        back = Part.makeLine(V(50, 0, 0), V(20, 0, 0))
+        for last, angle in ((Part.makeLine(V(50, 0, 0), V(50, 37, 0)), 90), (back, 180)):
+            wire = self.wire(Part.makeLine(V(), V(50, 0, 0)), last)
+            path = motion.motion_from_source(self.doc, "Curve", [wire], orientation="Tangent")
+            self.doc.recompute()
+            turned = path.Placements[0].Rotation.inverted().multiply(path.Placements[-1].Rotation)
+            self.assertAlmostEqual(math.degrees(turned.Angle), angle, 6)
+            for a, b in zip(path.Placements, path.Placements[1:]):
+                step = a.Rotation.inverted().multiply(b.Rotation).Angle
+                self.assertLess(math.degrees(step), 91)
+                self.assertTrue(step < 1e-9 or (a.Base - b.Base).Length < 1e-9, "turns in place")
+
+    def test_directions_that_rounding_alone_tells_apart(self):
+        helix = self.doc.addObject("Part::Helix", "Helix")
+        for turns, orientation in itertools.product((1, 2, 4, 12), ("Fixed", "Tangent")):
+            # The same direction and the same side after each turn.
+            helix.Pitch, helix.Height, helix.Radius = 10, 10 * turns, 20
+            self.doc.recompute()
+            path = motion.motion_from_source(
+                self.doc, "Curve", [helix], accuracy=0.2, orientation=orientation
+            )
+            self.doc.recompute()
+            self.assert_within(path, helix, 0.2)
+
+    def test_what_cannot_be_is_refused(self):
+        ring = self.doc.addObject("Part::Circle", "Ring")
+        ring.Radius = 1000
+        self.doc.recompute()
+        for accuracy, words in (
+            (0.0, "greater than 0"),
+            (-1.0, "greater than 0"),
+            (1e-7, "allow more"),
+        ):
+            with self.assertRaisesRegex(InputProblem, words):
+                motion.motion_from_source(self.doc, "Curve", [ring], accuracy=accuracy)
 
 
 class OfBefore(Scene):

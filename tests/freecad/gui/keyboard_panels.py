@@ -102,8 +102,8 @@ def from_wire(keyboard, doc):
     yield from keyboard.press(*entry("MotionFromSource"))
     yield opened
     yield 0.4
-    assert focused() in ("SweptVolumeCount", "qt_spinbox_lineedit"), focused()
-    yield from keyboard.type("40", "Tab")
+    assert focused() in ("SweptVolumeAccuracy", "qt_spinbox_lineedit"), focused()
+    yield from keyboard.type("0.2", "Tab")
     yield from keyboard.tab_to("SweptVolumeOrientation")
     yield from keyboard.press("Down")
     assert find(QtWidgets.QComboBox, "SweptVolumeOrientation").currentData() == "Tangent"
@@ -112,7 +112,8 @@ def from_wire(keyboard, doc):
     yield from keyboard.press("Return")
     yield no_panel
     made = motions(doc)[-1]
-    assert (made.Count, made.SourceType) == (40, "Curve"), (made.Count, made.SourceType)
+    assert made.Count > 20 and made.SourceType == "Curve", (made.Count, made.SourceType)
+    assert '"accuracy": 0.2' in made.SourceSettings, made.SourceSettings
 
 
 def from_value(keyboard, doc):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Our objects and groups (App::Part and the like). A group depends on what it holds: a link of ours that
-begins at a group around its own object would close a circle, so it begins below that group; and as
-such a link does not tell that the group was moved, an observer does.
+begins at a group around its own object would close a circle; and a link that leads through a group ends
+where the part leaves it. So links of ours begin at the part itself, below all groups; and as such a link
+does not tell that a group was moved, an observer does.
 """
 import FreeCAD as App
 
@@ -49,17 +50,23 @@ def links_for(holder, pairs):
     outer, found, waiting = around(holder), [], list(reversed(pairs))
     while waiting:
         root, sub = waiting.pop()
-        if root not in outer:
+        child = _held_by(root, sub)
+        if child is not None:
+            waiting.append((child, sub.split(".", 1)[1]))
+        elif root not in outer or sub:
             found.append((root, sub))
-        elif sub:
-            name, rest = sub.split(".", 1)
-            child = root.getSubObject(name + ".", retType=1)
-            if child is not None:
-                waiting.append((child, rest))
         else:
             parts = [o for o in root.Group if o.Visibility or o in outer]
             waiting += [(o, "") for o in reversed(parts) if not kind_of(o)]
     return found
+
+
+def _held_by(root, sub):
+    """The object that a group holds itself, where a path goes on to it; None through links."""
+    if "." not in sub or "Group" not in root.PropertiesList:
+        return None
+    child = root.getSubObject(sub.split(".", 1)[0] + ".", retType=1)
+    return child if child in root.Group else None
 
 
 def set_pairs(holder, name, pairs):

@@ -573,16 +573,15 @@ def compute(obj, control=None):
     return outcome
 
 
-def links_of(generators):
-    """Objects or (object, sub path) tuples -> value of the property Generators."""
-    links = []
+def pairs_of_items(generators):
+    """Objects or (object, sub path) tuples -> (root, sub) pairs."""
+    pairs = []
     for item in generators:
         if isinstance(item, (tuple, list)):
-            root, sub = item[0], item[1]
-            links.append((root, convert.split_path(root, sub)))
+            pairs.append((item[0], convert.split_path(item[0], item[1])))
         else:
-            links.append(convert.root_path(item))
-    return links
+            pairs.append(convert.root_path(item))
+    return pairs
 
 
 def make_envelope(document, generators, motion, label=None, **settings):
@@ -590,7 +589,7 @@ def make_envelope(document, generators, motion, label=None, **settings):
     obj = document.addObject(TYPE, "Envelope")
     Envelope(obj)
     obj.Label = label or translate("Messages", "Envelope")
-    obj.Generators = links_of(generators)
+    containers.set_pairs(obj, "Generators", pairs_of_items(generators))
     obj.Motion = motion
     for name, value in settings.items():
         setattr(obj, name, value)

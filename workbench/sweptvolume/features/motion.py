@@ -4,7 +4,7 @@ import FreeCAD as App
 import numpy as np
 
 from .. import contents, core
-from ..convert import InputProblem, matrix_of
+from ..convert import InputProblem, global_placement, matrix_of, root_path
 from ..texts import mark, translate
 from ..trajectory import sources
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
@@ -165,7 +165,7 @@ class Motion(Feature):
         try:
             missing.check(obj)
             if sources.is_live(obj.SourceType):
-                store(obj, sources.read(settings_of(obj)), touch=False)
+                store(obj, _read(obj), touch=False)
             poses = poses_of(obj)
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
@@ -190,7 +190,7 @@ class Motion(Feature):
 def look(obj):
     """Compares the source with what was read from it and says so in Status."""
     text = "" if len(obj.Placements) else translate("Messages", "no poses yet")
-    if obj.SourceHash and obj.SourceHash != sources.signature(settings_of(obj)):
+    if obj.SourceHash and obj.SourceHash != _signature(obj):
         text = STALE
     set_changed(obj, "Status", text)
 
@@ -229,6 +229,52 @@ def poses_of(obj):
         raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
 
 
+def container_of(obj):
+    """Placement of the group that holds a motion, through all groups around it: its poses count there, as the
+    line that is drawn does."""
+    return global_placement(*root_path(obj))
+
+
+def world_poses_of(obj):
+    """Poses seen from the document; raises InputProblem naming the motion."""
+    return seen_from_document(poses_of(obj), container_of(obj))
+
+
+def seen_from_document(poses, container):
+    """Poses of a group with that placement, as the document sees them."""
+    if container.isIdentity():
+        return poses
+    tangents = [
+        (kind, None if v is None else container.Rotation.multVec(v)) for kind, v in poses.tangents
+    ]
+    return Poses(poses.times, [container.multiply(p) for p in poses.placements], tangents)
+
+
+def from_world(obj, placement):
+    """A pose of a motion (by its Frame) that is given as seen from the document."""
+    container = container_of(obj)
+    inside = container.inverse().multiply(placement)
+    return inside.multiply(container) if obj.Frame == "Relative" else inside
+
+
+def _read(obj):
+    """Poses of the source as this motion keeps them. A file is read as it is."""
+    poses = sources.read(settings_of(obj))
+    if obj.SourceType != "File" and not container_of(obj).isIdentity():
+        return Poses(poses.times, [from_world(obj, p) for p in poses.placements])
+    return poses
+
+
+def _signature(obj):
+    """State of a source that is not live, and of the group in which its poses were put down."""
+    found = sources.signature(settings_of(obj))
+    container = container_of(obj)
+    if found and obj.SourceType != "File" and not container.isIdentity():
+        relative = " relative" if obj.Frame == "Relative" else ""
+        found += " in " + contents.matrices(matrix_of(container)) + relative
+    return found
+
+
 def tangents_of(obj):
     """(kind, velocity) for each key that has one (trajectory/spline.py)."""
     known = list(obj.Velocities)
@@ -248,11 +294,18 @@ def words(obj):
     found.append(contents.matrices([placement.toMatrix().A for placement in obj.Placements]))
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
+    if not container_of(obj).isIdentity():
+        found.append(contents.matrices(matrix_of(container_of(obj))))
     return found
 
 
 def words_of_before(obj):
-    """The same as version 1 had them, to know its results again."""
+    """The same as version 1 had them, to know its results again; raises InputProblem where poses meant
+    something else."""
+    if not container_of(obj).isIdentity():
+        raise InputProblem(
+            "poses of a motion in a group that stands elsewhere were those of the world"
+        )
     found = [obj.Interpolation, obj.Frame, repr([round(t, 9) for t in obj.Times])]
     for placement in obj.Placements:
         found.append(np.array2string(matrix_of(placement), precision=9))
@@ -278,8 +331,9 @@ def _same(a, b):
 
 def reload_source(obj):
     """Reads the source again, whatever its kind (not for stored poses)."""
-    store(obj, sources.read(settings_of(obj)))
-    obj.SourceHash = sources.signature(settings_of(obj))
+    missing.check(obj)
+    store(obj, _read(obj))
+    obj.SourceHash = _signature(obj)
 
 
 def make_motion(document, label=None):
@@ -336,11 +390,13 @@ def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
 
 
 def capture(obj, placement, time=None):
-    """Adds the given placement as the last pose; the motion becomes one of stored poses."""
+    """Adds a placement (seen from the document) as the last pose; the motion becomes one of stored
+    poses."""
     times = list(obj.Times)
     if time is None:
         time = times[-1] + 1.0 if times else 0.0
-    poses = Poses(times + [time], list(obj.Placements) + [placement])
+    here = from_world(obj, placement)
+    poses = Poses(times + [time], list(obj.Placements) + [here])
     make_stored(obj)
     store(obj, poses)
 
@@ -355,6 +411,8 @@ def make_stored(obj):
 __all__ = [
     "Motion",
     "capture",
+    "container_of",
+    "from_world",
     "even_times",
     "is_motion",
     "is_stale",
@@ -367,9 +425,12 @@ __all__ = [
     "motion_from_poses",
     "poses_of",
     "reload_source",
+    "seen_from_document",
     "set_tangents",
     "settings_of",
     "store",
     "tangents_of",
     "words",
+    "words_of_before",
+    "world_poses_of",
 ]

@@ -11,6 +11,13 @@ from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
 from . import motion as motion_feature
 
 
+def _in_world(motion, standing):
+    """(poses, base): the poses of a motion seen from the document, and the frame in which they take a part
+    that stands there."""
+    poses = motion_feature.world_poses_of(motion)
+    return poses, base_of(poses, motion.Frame, standing, motion_feature.container_of(motion))
+
+
 class Moving:
     """Generators with one motion. reference: (root, sub) of a part that moves itself by
     reference_motion; the generators are then seen from it, where it stands now."""
@@ -80,9 +87,8 @@ class Moving:
 
     def _base(self):
         self.check()
-        poses = motion_feature.poses_of(self.motion)
         standing = convert.global_placement(*self.pairs[0])
-        return poses, base_of(poses, self.motion.Frame, standing)
+        return _in_world(self.motion, standing)
 
     def corners(self):
         """Corners of the boxes of the parts in the base frame (k,3): cheap."""
@@ -110,9 +116,8 @@ class Moving:
         return straightened(at, knots, reach, tolerance), INTERPOLATIONS["Linear"]
 
     def _seen_from_reference(self, at, knots):
-        poses = motion_feature.poses_of(self.reference_motion)
         standing = convert.global_placement(*self.reference)
-        base = base_of(poses, self.reference_motion.Frame, standing)
+        poses, base = _in_world(self.reference_motion, standing)
         there = course(poses, self.reference_motion.Interpolation)
 
         def seen(time):

@@ -42,6 +42,8 @@ class MotionPanel:
         self.pair = pair or selection.moved_part(obj)
         self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
         self.before = _content(self.keys)
+        # Keys count in the group that holds the motion; all that is drawn stands in the world.
+        self.container = motion.container_of(obj) if obj else App.Placement()
         self.body, self.ghosts, self.coarse, self.dragger = None, None, None, None
         self.light, self.undrawn, self.drawn = None, None, 0.0
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
@@ -137,7 +139,7 @@ class MotionPanel:
         if name in ("Capture", "Update") and self.frame.currentData() != "Absolute":
             raise InputProblem(translate("Messages", "only Absolute poses can be captured."))
         if name == "Capture":
-            return keys.append(self.standing())
+            return keys.append(self.container.inverse().multiply(self.standing()))
         if name == "Insert":
             return keys.insert_after(row, self.interpolation.currentData())
         if name == "Reverse":
@@ -153,7 +155,7 @@ class MotionPanel:
         if name in ("Up", "Down"):
             return keys.move(row, -1 if name == "Up" else 1)
         if name == "Update":
-            keys.update(row, self.standing())
+            keys.update(row, self.container.inverse().multiply(self.standing()))
         elif name == "Round":
             keys.update(row, snapped(keys.placements[row], *self._snap_steps()))
         elif name == "Delete":
@@ -257,7 +259,12 @@ class MotionPanel:
     def base(self):
         """The frame in which the body stands for the poses (poses.base_of)."""
         # The ghosts' points are those of the body as it stood when they were made.
-        return base_of(self.keys.poses(), self.frame.currentData(), self.body.placement)
+        poses, frame = self.world_poses(), self.frame.currentData()
+        return base_of(poses, frame, self.body.placement, self.container)
+
+    def world_poses(self):
+        """The keys as they are seen from the document."""
+        return motion.seen_from_document(self.keys.poses(), self.container)
 
     def show_dragger(self):
         """The dragger at the chosen key."""
@@ -267,7 +274,7 @@ class MotionPanel:
         if not self.drag_box.isChecked() or not 0 <= row < len(self.keys):
             self.dragger.hide()
             return
-        there = self.keys.placements[row].multiply(self.base().inverse())
+        there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())
         self.dragger.show(there.multiply(self.body.placement).multiply(self.handle))
 
     def dragged(self, placement):
@@ -280,7 +287,7 @@ class MotionPanel:
             return  # the first pose is where the part stands
         world = placement.multiply(self.handle.inverse())
         place = world.multiply(self.body.placement.inverse()).multiply(base)
-        self.keys.update(row, place)
+        self.keys.update(row, self.container.inverse().multiply(place))
         self.undrawn = row
         if self.preview_box.isChecked():
             self.ask_preview(take=False)
@@ -303,7 +310,7 @@ class MotionPanel:
         self.show_dragger()
 
     def _applied(self, placements):
-        """Placements that take the body to each pose."""
+        """Placements that take the body to each pose (seen from the document)."""
         back = self.base().inverse()
         return [p.multiply(back) for p in placements]
 
@@ -319,15 +326,16 @@ class MotionPanel:
     def draw_ghosts(self):
         if self.ghosts is not None:
             step = max(1, len(self.keys) // MOST_GHOSTS)
-            placements = self.keys.placements[::step]
+            poses = self.world_poses()
+            placements = poses.placements[::step]
             self.ghosts.show_keys(self._applied(placements) if placements else [])
-            self.ghosts.show_path(self.keys.poses(), self.interpolation.currentData())
+            self.ghosts.show_path(poses, self.interpolation.currentData())
         self.show_moving()
 
     def show_moving(self):
         if len(self.keys) and self.ghosts is not None:
             now = self.player.now()
-            here = at_time(self.keys.poses(), self.interpolation.currentData(), now)
+            here = at_time(self.world_poses(), self.interpolation.currentData(), now)
             self.ghosts.show_moving(self._applied([here])[0])
 
     def ask_preview(self, take=True):
@@ -338,10 +346,8 @@ class MotionPanel:
             self.preview.stop()
             self.coarse.clear()
             return
-        rules = self.frame.currentData(), self.interpolation.currentData()
-        keys = Keys(self.keys.times, self.keys.placements, self.keys.tangents)
         try:
-            poses = keys.poses()
+            poses, rules = self.world_poses(), (self.base(), self.interpolation.currentData())
             self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)], take)
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))

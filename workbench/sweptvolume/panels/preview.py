@@ -10,7 +10,7 @@ from .. import convert, core, runner, settings
 from ..convert import InputProblem
 from ..features import envelope
 from ..runner import Task
-from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
+from ..trajectory.poses import INTERPOLATIONS, course, straightened
 from ..views.surface import drawn
 from .widgets import alive
 
@@ -30,9 +30,9 @@ SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
 STRAIGHT = 1e-3
 
 
-def request_for(body, poses, frame, interpolation, resolution):
-    """Run for a body as it stands now (convert.Body), no document behind it."""
-    vertices = body.seen(convert.matrix_of(base_of(poses, frame, body.placement).inverse()))
+def request_for(body, poses, base, interpolation, resolution):
+    """Run for a body as it stands now (convert.Body), no document behind it. base: as poses.base_of()."""
+    vertices = body.seen(convert.matrix_of(base.inverse()))
     if interpolation == "Spline":
         reach = float(np.linalg.norm(vertices, axis=1).max())
         size = float(np.ptp(convert.pose_arrays(poses.placements)[0], axis=0).max()) + reach

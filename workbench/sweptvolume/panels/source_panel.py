@@ -7,7 +7,7 @@ from ..features import motion
 from ..texts import translate
 from ..trajectory import driven
 from ..trajectory.cam import CONVENTIONS
-from ..trajectory.curve import ORIENTATIONS
+from ..trajectory.curve import ACCURACY, ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from . import focus, widgets
 from .widgets import QtWidgets
@@ -40,7 +40,17 @@ class SourcePanel:
     # --- what each kind asks for
 
     def _build_curve(self, rows):
-        self._count(rows, 32)
+        accuracy = widgets.length(ACCURACY, 1e-4, 0.01)
+        accuracy.setObjectName("SweptVolumeAccuracy")
+        widgets.hint(
+            accuracy,
+            translate(
+                "Panels",
+                "How far the straight way between two poses may leave the path; corners are always poses",
+            ),
+        )
+        rows.addRow(translate("Panels", "Accuracy"), accuracy)
+        self.values["accuracy"] = lambda: float(accuracy.property("rawValue"))
         names, now = ORIENTATIONS, "Fixed"
         if len(self.objects) > 1:
             names, now = ["SecondCurve"], "SecondCurve"

@@ -24,7 +24,8 @@ FRAME_HELP = mark(
     "Relative: a displacement on top of where the part stands now; the identity leaves it there.\n"
     "RelativeToFirst: as Relative, measured from the first pose: the motion starts where the part "
     "stands now.\n"
-    "Several parts move rigidly together; Absolute places the first of them.",
+    "Several parts move rigidly together; Absolute places the first of them. A motion in a group counts in "
+    "the coordinates of the group, and moves with it.",
 )
 
 
@@ -67,15 +68,16 @@ def even_times(count, step=1.0):
     return [i * step for i in range(count)]
 
 
-def base_of(poses, frame, standing):
+def base_of(poses, frame, standing, container=None):
     """The frame in which the body is to be given: x_world(t) = placement(t) * base^-1 * x_world(now).
-    standing: where the first part stands now."""
+    standing: where the first part stands now; container: of the group that holds the motion, in which
+    displacements count, none where it stands in the document itself."""
     if not poses.placements:
         raise InputProblem(translate("Messages", "the motion has no poses: add at least one."))
     if frame == "Absolute":
         return App.Placement(standing)
     if frame == "Relative":
-        return App.Placement()
+        return App.Placement(container or App.Placement())
     if frame == "RelativeToFirst":
         return App.Placement(poses.placements[0])
     raise InputProblem(

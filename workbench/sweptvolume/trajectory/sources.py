@@ -81,12 +81,11 @@ def _placements(settings):
 
 
 def _curve(settings):
-    return curve.poses(
-        settings.objects,
-        settings.count(32),
-        settings.get("orientation", "Fixed"),
-        float(settings.get("duration", 10.0)),
-    )
+    how = settings.get("orientation", "Fixed"), float(settings.get("duration", 10.0))
+    if "count" in settings.values:  # older documents
+        return curve.poses(settings.objects, settings.count(32), *how)
+    accuracy = float(settings.get("accuracy", curve.ACCURACY))
+    return curve.poses_within(settings.objects, accuracy, *how)
 
 
 def _robot(settings):
