@@ -17,9 +17,9 @@ from .poses import Poses, even_times
 #: Fixed: none. Tangent: x of the part stays on the tangent. SecondCurve: x on the tangent, z towards
 #: the point of a second curve at the same part of its length.
 ORIENTATIONS = ["Fixed", "Tangent", "SecondCurve"]
-#: How far (mm) the straight way between two poses may leave the curve where nothing else is asked for: as
-#: the chords of meshed neighbours in clearance checks.
-ACCURACY = 0.05
+#: How far (mm) the straight way between two poses may leave the curve where nothing else is asked for: the
+#: least that FreeCAD's fields show in mm; a number typed into a field of micrometres would be one of those.
+ACCURACY = 0.1
 #: A motion of more takes the window's time for seconds at every recompute.
 MAX_POSES = 20_000
 #: An edge is halved at most this often; its pieces are then about as near as points can be told apart.
@@ -106,6 +106,27 @@ class _Track:
         along = min(max(along, 0.0), edge.Length)
         back = edge.Orientation == "Reversed"
         parameter = edge.getParameterByLength(edge.Length - along if back else along)
+        return self._there(edge, parameter, back)
+
+    def at_part(self, k, part):
+        """(point, unit tangent) on edge k, by the part of its range of parameters: quicker by far."""
+        return self._there(
+            self.edges[k], self._parameter(k, part), self.edges[k].Orientation == "Reversed"
+        )
+
+    def length_between(self, k, a, b):
+        """Arc length (mm) between two parts of edge k."""
+        ends = sorted((self._parameter(k, a), self._parameter(k, b)))
+        return self.edges[k].Curve.length(*ends)
+
+    def _parameter(self, k, part):
+        first, last = self.edges[k].ParameterRange
+        if self.edges[k].Orientation == "Reversed":
+            first, last = last, first
+        return first + (last - first) * part
+
+    @staticmethod
+    def _there(edge, parameter, back):
         tangent = edge.Curve.tangent(parameter)[0] * (-1.0 if back else 1.0)
         return edge.valueAt(parameter), App.Vector(tangent).normalize()
 
@@ -115,7 +136,7 @@ def _adaptive(track, accuracy, turning):
     a part that is turning, goes on at corners."""
     box = Part.Compound(track.edges).BoundBox
     reach = box.DiagonalLength if turning else 0.0
-    samples, lengths, clock = [track.on_edge(0, 0.0)], [0.0], [0.0]
+    samples, lengths, clock = [track.at_part(0, 0.0)], [0.0], [0.0]
 
     def put(sample, length, time):
         if len(samples) >= MAX_POSES:
@@ -129,36 +150,40 @@ def _adaptive(track, accuracy, turning):
         lengths.append(length)
         clock.append(time)
 
-    for k, edge in enumerate(track.edges):
-        first = track.on_edge(k, 0.0)
+    for k in range(len(track.edges)):
+        first = track.at_part(k, 0.0)
         if turning and _angle(first[1], samples[-1][1]) > CORNER:
             for step, tangent in _turn_in_place(samples[-1][1], first[1]):
                 put((first[0], tangent), track.ends[k], clock[-1] + step * TURN_SHARE * track.total)
         here, done = first, 0.0
-        waiting = [(track.on_edge(k, edge.Length), edge.Length, 0)]
+        waiting = [(track.at_part(k, 1.0), 1.0, 0)]
         while waiting:
-            there, along, depth = waiting[-1]
+            there, part, depth = waiting[-1]
             ask = depth < MAX_HALVINGS
-            if ask and _leaves(track, k, done, here, along, there, reach) > accuracy:
-                middle = 0.5 * (done + along)
-                waiting[-1] = (there, along, depth + 1)
-                waiting.append((track.on_edge(k, middle), middle, depth + 1))
+            if ask and _leaves(track, k, done, here, part, there, reach) > accuracy:
+                middle = 0.5 * (done + part)
+                waiting[-1] = (there, part, depth + 1)
+                waiting.append((track.at_part(k, middle), middle, depth + 1))
             else:
-                put(there, track.ends[k] + along, clock[-1] + along - done)
-                here, done = there, along
+                step = track.length_between(k, done, part)
+                put(there, min(lengths[-1] + step, track.total), clock[-1] + step)
+                here, done = there, part
                 waiting.pop()
+        lengths[-1] = track.ends[k + 1]
     return samples, lengths, clock
 
 
 def _leaves(track, k, a, here, b, there, reach):
     """How far (mm) the straight way between two samples leaves edge k, at a distance `reach` from it with
     the turn between their tangents, looked at at three points."""
-    turn, most = _least_turn(here[1], there[1]), 0.0
+    turn, way, most = _least_turn(here[1], there[1]), there[0] - here[0], 0.0
     for u in LOOK_AT:
-        point, tangent = track.on_edge(k, a + (b - a) * u)
-        off = (point - here[0] - (there[0] - here[0]) * u).Length
+        point, tangent = track.at_part(k, a + (b - a) * u)
+        share = (point - here[0]).dot(way) / max(way.dot(way), 1e-300)
+        share = min(max(share, 0.0), 1.0)  # where the straight way is nearest
+        off = (point - here[0] - way * share).Length
         if reach:
-            part = App.Rotation(turn.Axis, math.degrees(turn.Angle) * u)
+            part = App.Rotation(turn.Axis, math.degrees(turn.Angle) * share)
             off += reach * _angle(part.multVec(here[1]), tangent)
         most = max(most, off)
     return most
