@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Wheel of the compiled core `_swept`, without FreeCAD and OpenCASCADE.
+"""Wheel of the package `swept_volume` and its compiled core `_swept`, without FreeCAD and OpenCASCADE.
 
     python3 -m pip wheel --no-build-isolation --no-deps --wheel-dir out .
 
@@ -39,7 +39,9 @@ setup(
     license="LGPL-2.1-or-later",
     python_requires=">=3.9",
     install_requires=["numpy"],
-    packages=[],
+    packages=["swept_volume"],
+    package_dir={"": "python"},
+    package_data={"swept_volume": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("_swept", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
     options={

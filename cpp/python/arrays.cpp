@@ -27,7 +27,15 @@ void checkShape(const py::array& array, const char* name, const std::vector<py::
                         wanted);
 }
 
+/// Its numbers would be taken and its mask forgotten.
+void refuseMasked(const py::object& object, const char* name) {
+  if (!py::isinstance(object, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) return;
+  throw py::type_error(std::string(name) +
+                       " is a masked array: fill or remove the masked entries first");
+}
+
 Doubles doublesFrom(const py::object& object, const char* name) {
+  refuseMasked(object, name);
   const py::array any = py::array::ensure(object);
   const char kind = any ? any.dtype().kind() : 'O';
   if (kind != 'f' && kind != 'i' && kind != 'u') {
@@ -81,6 +89,7 @@ void takeTriangles(const Index* indices, TriMesh& mesh) {
 TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) {
   const Doubles points = doublesFrom(vertices, "vertices");
   checkShape(points, "vertices", {-1, 3}, "(N, 3)");
+  refuseMasked(triangles, "triangles");
   const py::array any = py::array::ensure(triangles);
   const char kind = any ? any.dtype().kind() : 'O';
   // An empty list arrives as float; everything else must be whole numbers by type.

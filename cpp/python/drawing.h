@@ -1,37 +1,10 @@
-// Meshes as a 3D view takes them, light enough to be drawn and handed over without a pause.
-//
-// In:   closed or open triangle meshes (mm).
-// Out:  drawableOf: points with unit normals, single precision, vertices split along creases; a
-// mesh
-//       of more than `most` triangles is thinned first: what lies in one cell of a grid becomes one
-//       point, where the planes of its triangles meet. To be looked at, not to be measured.
-//       meshFile: the bytes of a mesh file of FreeCAD (.bms), neighbours of each triangle included,
-//       so that nothing is left to be found out by the reader.
-// Cost: O(n log n); 0.2 s for a million triangles.
-// Paper: Lindstrom 2000, out-of-core simplification (the point of a cell).
+// Meshes for 3D views and for FreeCAD's mesh files, for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <pybind11/pybind11.h>
 
-#include <Eigen/Core>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include "swept/types.h"
-
 namespace swept::python {
-
-struct Drawable {
-  std::vector<Eigen::Vector3f> points, normals;
-  std::vector<std::int32_t> indices;  ///< three points and -1 for each triangle
-};
-
-/// `crease`: rad; edges that turn by more stay sharp.
-Drawable drawableOf(const TriMesh& mesh, std::size_t most, double crease);
-
-std::string meshFile(const TriMesh& mesh);
 
 void bindDrawing(pybind11::module_& module);
 

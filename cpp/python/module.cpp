@@ -3,17 +3,17 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
+#include <optional>
 
 #include "arrays.h"
-#include "base/report_json.h"
-#include "base/safe_file.h"
 #include "clearance_bindings.h"
 #include "docstrings.h"
 #include "drawing.h"
 #include "errors.h"
 #include "job.h"
 #include "priority.h"
+#include "swept/body.h"
+#include "swept/check_text.h"
 #include "swept/compute.h"
 #include "swept/io.h"
 #include "swept/preview.h"
@@ -34,6 +34,8 @@ using RunPointer = std::shared_ptr<RunContext>;
 /// A mesh whose arrays Python looks at without copying.
 struct Mesh {
   std::shared_ptr<const TriMesh> data;
+  double chordError = 0;           ///< mm, of a tessellated solid
+  py::list findings = py::list();  ///< of how it was read
 
   py::array vertices() const {
     return readOnlyView(reinterpret_cast<const double*>(data->vertices.data()),
@@ -49,7 +51,7 @@ struct ComputeResult {
   std::shared_ptr<const Result> data;
   py::object report;
 
-  Mesh mesh() const { return {std::shared_ptr<const TriMesh>(data, &data->mesh)}; }
+  Mesh mesh() const { return {std::shared_ptr<const TriMesh>(data, &data->mesh), 0, py::list()}; }
   py::array contactTime() const {
     return readOnlyView(data->contactTime.data(),
                         {static_cast<py::ssize_t>(data->contactTime.size())}, data);
@@ -200,19 +202,37 @@ py::object pyCheckMesh(const py::object& vertices, const py::object& triangles,
   const RunPointer context = runFromObject(run);
   const TriMesh mesh = meshFromArrays(vertices, triangles);
   const MeshCheck check = runWithoutLock(*context, [&] { return checkMesh(mesh, *context); });
-  JsonWriter json;
-  json.beginObject();
-  json.field("passes", check.passes());
-  writeCheckFields(check, json);
-  json.endObject();
-  return parseJson(json.text());
+  return parseJson(toJson(check));
 }
 
 Mesh pyReadMesh(const py::object& path, const std::string& unit) {
   const std::string name = pathFromObject(path);
   const double scale = parseLengthUnit(unit);
-  const py::gil_scoped_release release;
-  return {std::make_shared<const TriMesh>(readMesh(name, scale))};
+  auto mesh = std::make_shared<TriMesh>();
+  {
+    const py::gil_scoped_release release;
+    *mesh = readMesh(name, scale);
+  }
+  return {mesh, 0, py::list()};
+}
+
+Mesh pyReadBody(const py::object& path, const std::string& unit,
+                const std::optional<double>& tolerance, const std::optional<double>& cell,
+                int resolution, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution};
+  Body body = runWithoutLock(*context, [&] { return readBody(name, options, *context); });
+  py::list findings;
+  for (const Finding& finding : body.findings) {
+    py::dict item;
+    item["code"] = finding.code;
+    item["count"] = finding.count;
+    item["first"] = py::cast(finding.first);
+    item["text"] = finding.text;
+    findings.append(item);
+  }
+  return {std::make_shared<const TriMesh>(std::move(body.mesh)), body.chordError, findings};
 }
 
 void pyWriteMesh(const py::object& path, const py::object& vertices, const py::object& triangles) {
@@ -231,6 +251,11 @@ py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
     trajectory = readTrajectoryCsv(name, scale, Interpolation::None);
   }
   return trajectoryToArrays(trajectory);
+}
+
+/// Rigid matrices as the quaternions and translations nearest to them.
+py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrices) {
+  return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
 #ifdef HAVE_SWEPT_SOLID
@@ -297,10 +322,8 @@ py::dict pyWriteSolid(const py::object& path, const py::object& vertices,
   const std::string name = pathFromObject(path);
   const TriMesh mesh = meshFromArrays(vertices, triangles);
   const StepOptions options = solidOptions(keywords);
-  return solidReport(runWithoutLock(*context, [&] {
-    checkTarget(name);
-    return writeSolid(mesh, name, options, *context);
-  }));
+  return solidReport(
+      runWithoutLock(*context, [&] { return writeSolid(mesh, name, options, *context); }));
 }
 
 py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles,
@@ -339,13 +362,18 @@ void bindClasses(py::module_& module) {
       .def_property_readonly(
           "phase", [](const RunContext& run) { return phaseName(run.phase()); },
           "Name of the stage under way.")
-      .def_property_readonly("checkpoints", &RunContext::checkpoints)
       .def_readwrite("threads", &RunContext::threads)
-      .def_readwrite("cancel_at_checkpoint", &RunContext::cancelAtCheckpoint,
-                     "For tests: cancel at this checkpoint, counted from 1; 0: never.");
+      // For tests.
+      .def_property_readonly("_checkpoints", &RunContext::checkpoints)
+      .def("_cancel_at_checkpoint",
+           [](RunContext& run, std::uint64_t n) { run.cancelAtCheckpoint = n; });
   py::class_<Mesh>(module, "Mesh", kMeshDoc)
       .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
-      .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only");
+      .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only")
+      .def_readonly("chord_error", &Mesh::chordError,
+                    "mm: how far triangles of a solid may leave its surface; 0: a mesh file")
+      .def_readonly("findings", &Mesh::findings,
+                    "How a solid was read, as in a report's warnings.");
   py::class_<ComputeResult>(module, "Result", kResultDoc)
       .def_property_readonly("mesh", &ComputeResult::mesh)
       .def_property_readonly(
@@ -367,9 +395,7 @@ void bindPreview(py::module_& module) {
       .def(py::init(&pyPreviewSession), py::arg("vertices"), py::arg("triangles"))
       .def("compute", &pyPreview, kPreviewDoc, py::arg("motion"),
            py::arg("interpolation") = "linear", py::arg("run") = py::none(),
-           py::arg("sketch") = false)
-      .def_property_readonly("steps_kept", &PreviewSession::stepsKept,
-                             "Steps so far that were those of the call before.");
+           py::arg("sketch") = false);
 }
 
 void bindFunctions(py::module_& module) {
@@ -390,10 +416,17 @@ void bindFunctions(py::module_& module) {
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
   module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
+  module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
+             py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),
+             py::arg("resolution") = 128, py::arg("run") = py::none());
   module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"));
   module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),
              py::arg("unit") = "mm");
+  module.def("poses_from_matrices", &pyPosesFromMatrices,
+             "poses_from_matrices(times (K,), matrices (K, 4, 4)) -> (times, quaternions (K, 4), "
+             "translations (K, 3))",
+             py::arg("times"), py::arg("matrices"));
 #ifdef HAVE_SWEPT_SOLID
   module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"), py::arg("run") = py::none());

@@ -88,7 +88,7 @@ class BadInput(BadCase):
         envelope.compute(obj)
         facets = obj.Mesh.CountFacets
         control = core.Control()
-        control.context.cancel_at_checkpoint = 9
+        control.context._cancel_at_checkpoint(9)
         with self.assertRaises(core.CoreError):
             envelope.compute(obj, control)
         self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.CANCELLED, facets))

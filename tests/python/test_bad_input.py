@@ -280,7 +280,7 @@ def test_bad_input_24_and_25_cancel(box):
     with pytest.raises(_swept.Cancelled):
         _swept.compute(*box, slide(), run=run)
     run = _swept.RunContext(1)
-    run.cancel_at_checkpoint = 7
+    run._cancel_at_checkpoint(7)
     with pytest.raises(_swept.Cancelled):
         _swept.compute(*box, slide(), run=run, resolution=24)
     assert _swept.compute(*box, slide(), resolution=24).report["status"] == "Ok"

@@ -205,11 +205,11 @@ def test_cancel_before_the_start_and_after_the_end(box, still):
 def test_cancel_at_any_checkpoint_then_run_again(box, slide):
     counted = _swept.RunContext()
     expected = _swept.compute(*box, slide, run=counted, resolution=16).vertices.tobytes()
-    total = counted.checkpoints
+    total = counted._checkpoints
     assert total > 3
     for k in sorted({1, 2, total // 3, total // 2, total - 1, total}):
         run = _swept.RunContext(threads=1)
-        run.cancel_at_checkpoint = k
+        run._cancel_at_checkpoint(k)
         with pytest.raises(_swept.Cancelled) as caught:
             _swept.compute(*box, slide, run=run, resolution=16)
         assert caught.value.report["status"] == "Cancelled"

@@ -75,7 +75,7 @@ def one_run(rng, size):
     run = _swept.RunContext(rng.choice([1, 2, 3]))
     timer = None
     if rng.random() < 0.2:
-        run.cancel_at_checkpoint = rng.randrange(1, 400)
+        run._cancel_at_checkpoint(rng.randrange(1, 400))
     elif rng.random() < 0.25:
         timer = threading.Timer(rng.uniform(0, 0.3), run.cancel)
         timer.start()

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/memory.h"
 
+#include <algorithm>
+#include <chrono>
+#include <exception>
 #include <fstream>
 #include <string>
 #ifdef __GLIBC__
 #include <malloc.h>
+#endif
+#ifdef __linux__
+#include <unistd.h>
 #endif
 
 namespace swept {
@@ -24,11 +30,50 @@ std::uint64_t lineOf(const char* path, const std::string& name) {
 
 }  // namespace
 
-void resetPeakMemory() {
-  std::ofstream file("/proc/self/clear_refs");
-  file << "5";
+std::uint64_t residentMemoryBytes() {
+#ifdef __linux__
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t all = 0, resident = 0;
+  if (file >> all >> resident) {
+    return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  }
+#endif
+  return 0;
 }
-std::uint64_t peakMemoryBytes() { return lineOf("/proc/self/status", "VmHWM:"); }
+
+MemoryWatch::MemoryWatch()
+    : processPeak_(lineOf("/proc/self/status", "VmHWM:")), most_(residentMemoryBytes()) {
+  try {
+    thread_ = std::thread([this] { look(); });
+  } catch (const std::exception&) {  // the system gives no more threads: less is known, that is all
+  }
+}
+
+MemoryWatch::~MemoryWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  wake_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void MemoryWatch::look() {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, std::chrono::milliseconds(kMemoryMilliseconds),
+                         [this] { return ended_; })) {
+    try {
+      most_ = std::max(most_.load(), residentMemoryBytes());
+    } catch (const std::exception&) {  // no memory to read a file with: look again later
+    }
+  }
+}
+
+std::uint64_t MemoryWatch::peakBytes() const {
+  const std::uint64_t peak = lineOf("/proc/self/status", "VmHWM:");
+  return peak > processPeak_ ? peak : std::max(most_.load(), residentMemoryBytes());
+}
+
 void returnFreeMemory() {
 #ifdef __GLIBC__
   malloc_trim(0);

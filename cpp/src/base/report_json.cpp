@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/report_json.h"
 
+#include "swept/check_text.h"
+
 namespace swept {
 namespace {
 
@@ -80,6 +82,15 @@ std::string toJson(const Report& report) {
   JsonWriter json;
   json.beginObject();
   writeReportFields(report, json);
+  json.endObject();
+  return json.text() + "\n";
+}
+
+std::string toJson(const MeshCheck& check) {
+  JsonWriter json;
+  json.beginObject();
+  json.field("passes", check.passes());
+  writeCheckFields(check, json);
   json.endObject();
   return json.text() + "\n";
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/compute.h"
 
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -23,15 +22,15 @@ namespace {
 enum class Freed : std::uint8_t { Returned, Kept };
 
 /// Runs work(run) in an arena of the wanted number of threads and puts how it went in the report.
+/// The arena is all that is limited: what the process does beside the run goes on as it is.
 template <class Work>
 Result runWith(const Options& options, RunContext& run, Freed freed, const Work& work) {
   Result result;
   const Timer total;
+  const MemoryWatch memory;
   guarded(result, [&] {
     const int threads = threadsOf(run);
     result.report.threads = threads;
-    resetPeakMemory();
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(threads);
     arena.execute([&] {
       EnvelopeRun one(options, run, result);
@@ -41,7 +40,7 @@ Result runWith(const Options& options, RunContext& run, Freed freed, const Work&
   });
   const auto close = [&] {
     result.report.seconds.push_back({"total", total.seconds()});
-    result.report.peakMemoryBytes = peakMemoryBytes();
+    result.report.peakMemoryBytes = memory.peakBytes();
     if (freed == Freed::Returned) returnFreeMemory();
   };
   if (result.report.status == Status::Ok) {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/safe_file.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_scan.h"
 
@@ -49,6 +50,17 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export it once more from where it comes from");
 }
 
+/// By its suffix; where that is neither's, by how it begins.
+bool isBrep(const std::filesystem::path& file) {
+  const std::string suffix = suffixOf(utf8FromPath(file));
+  if (suffix == "brep" || suffix == "brp") return true;
+  if (suffix == "step" || suffix == "stp") return false;
+  std::string head(256, ' ');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.find("ISO-10303-21") == std::string::npos;
+}
+
 TriMesh meshOf(const TopoDS_Shape& shape) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
@@ -63,9 +75,7 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
   step::KernelSession kernel;
   const std::filesystem::path file(path);
   try {
-    const std::string suffix = file.extension().string();
-    const bool brep =
-        suffix == ".brep" || suffix == ".brp" || suffix == ".BREP" || suffix == ".BRP";
+    const bool brep = isBrep(file);
     if (!brep) checkStructure(file, path);
     const TopoDS_Shape shape =
         brep ? step::readBrepFile(path, run) : step::readStepFile(path, kernel, run);

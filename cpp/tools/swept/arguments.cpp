@@ -20,6 +20,14 @@ bool parseWhole(const std::string& text, T& value) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
+double numberOf(const std::string& name, const std::string& text) {
+  double number = 0;
+  if (!parseWhole(text, number) || !std::isfinite(number)) {
+    badOption(name + " is '" + text + "'; expected a number such as 0.25");
+  }
+  return number;
+}
+
 }  // namespace
 
 void Arguments::with(const std::string& name, std::function<void(const std::string&)> take) {
@@ -34,11 +42,11 @@ void Arguments::text(const std::string& name, std::string& target) {
 }
 
 void Arguments::number(const std::string& name, double& target) {
-  with(name, [name, &target](const std::string& value) {
-    if (!parseWhole(value, target) || !std::isfinite(target)) {
-      badOption(name + " is '" + value + "'; expected a number such as 0.25");
-    }
-  });
+  with(name, [name, &target](const std::string& value) { target = numberOf(name, value); });
+}
+
+void Arguments::number(const std::string& name, std::optional<double>& target) {
+  with(name, [name, &target](const std::string& value) { target = numberOf(name, value); });
 }
 
 void Arguments::integer(const std::string& name, std::int64_t& target, std::int64_t least,

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ class Arguments {
   /// `--name VALUE` and `--name=VALUE`.
   void text(const std::string& name, std::string& target);
   void number(const std::string& name, double& target);
+  void number(const std::string& name, std::optional<double>& target);
   void integer(const std::string& name, std::int64_t& target, std::int64_t least,
                std::int64_t most);
   void flag(const std::string& name, bool& target, bool value = true);

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "report_file.h"
 #include "runner.h"
+#include "swept/body.h"
 #include "swept/clearance.h"
 #include "swept/io.h"
 #ifdef HAVE_SWEPT_SOLID
@@ -21,8 +22,8 @@ namespace swept::cli {
 
 const char* const kClearanceHelp =
     R"(swept clearance GENERATOR --motion CSV NEIGHBOUR... [options]
-  Smallest distance of GENERATOR, moved along the poses of CSV, to every NEIGHBOUR (ply, stl, obj,
-  off; with OpenCASCADE also step, stp, brep, brp: one neighbour a solid). Nothing between two poses
+  Smallest distance of GENERATOR, moved along the poses of CSV, to every NEIGHBOUR. Both: ply, stl,
+  obj, off; with OpenCASCADE also step, stp, brep, brp (one neighbour a solid). Nothing between two poses
   is missed. Exit status 0 if all are clear, 3 if one is too near, touches or clashes.
   --required MM           distance asked for (default 0: contact and clash only)
   --tolerance MM          how far the smallest distance may be off (default 0.01)
@@ -30,7 +31,8 @@ const char* const kClearanceHelp =
   --generator-unit U, --neighbour-unit U, --motion-unit U    mm, cm, m or in (default mm)
   --generator-chord MM    how far the generator's triangles leave its exact surface (default 0)
   --neighbour-chord MM    the same for neighbours given as meshes (default 0)
-  --deflection MM         chord error to which solids are tessellated (default 0.05)
+  --deflection MM         chord error to which solids, the generator too, are tessellated
+                          (default 0.05)
   --interval-tolerance MM travel to which ends of time intervals are found (default 10 tolerances)
   --curve N               points of the graph of distance over time (default 200)
   --no-penetration        do not measure how deep a clash goes
@@ -104,8 +106,7 @@ ClearanceJob parseJob(const std::vector<std::string>& words) {
 
 void readNeighbours(const std::string& path, const ClearanceJob& job,
                     [[maybe_unused]] RunContext& run, std::vector<ClearanceNeighbour>& out) {
-  const std::string suffix = suffixOf(path);
-  if (suffix == "step" || suffix == "stp" || suffix == "brep" || suffix == "brp") {
+  if (isSolidFile(path)) {
 #ifdef HAVE_SWEPT_SOLID
     for (ImportedSolid& solid : readSolids(path, job.deflection, 0.2, run))
       out.push_back({solid.name, std::move(solid.mesh), job.deflection});
@@ -197,14 +198,17 @@ int clearanceCommand(const std::vector<std::string>& words) {
   run.threads = static_cast<int>(job.threads);
   try {
     runWatched(run, job.quiet, [&] {
-      const TriMesh body = readMesh(job.generatorPath, job.generatorUnit);
+      const Body body = readBody(job.generatorPath, {job.generatorUnit, job.deflection, {}}, run);
       const Trajectory motion =
           readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
       std::vector<ClearanceNeighbour> parts;
       for (const std::string& path : job.neighbourPaths) readNeighbours(path, job, run, parts);
-      report = checkClearance(body, motion, parts, job.options, run);
+      ClearanceOptions options = job.options;
+      options.bodyChordError += body.chordError;
+      report = checkClearance(body.mesh, motion, parts, options, run);
+      report.warnings.insert(report.warnings.begin(), body.findings.begin(), body.findings.end());
       if (job.stamp >= 0 && report.status == Status::Ok)
-        compareWithStamps(job, body, motion, parts, report, run);
+        compareWithStamps(job, body.mesh, motion, parts, report, run);
     });
   } catch (const Error& error) {
     report = {};

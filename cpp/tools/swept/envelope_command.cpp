@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "report_file.h"
 #include "runner.h"
+#include "swept/body.h"
 #include "swept/compute.h"
 #include "swept/io.h"
 #ifdef HAVE_SWEPT_SOLID
@@ -22,10 +23,13 @@ namespace swept::cli {
 
 const char* const kEnvelopeHelp =
     R"(swept envelope GENERATOR --motion CSV --output FILE [options]
-  Computes the envelope of GENERATOR (ply, stl, obj, off) moved along the poses of CSV
+  Computes the envelope of GENERATOR (ply, stl, obj, off; with OpenCASCADE also step, stp, brep,
+  brp: all solids of the file are one body) moved along the poses of CSV
   (t,tx,ty,tz,qx,qy,qz,qw or 16 matrix numbers a row; may be packed with gzip or xz).
   --output FILE           ply, stl, obj, off, 3mf, step, stp, brep or brp
   --generator-unit U      mm, cm, m or in: unit of the generator's numbers (default mm)
+  --generator-tolerance MM    how far triangles may leave the surface of a solid (default: 0.02 of
+                          the cell, or of the smallest cell that the resolution can give)
   --motion-unit U         unit of the translations (default mm)
   --interpolation I       none, linear or screw: motion between two poses (default linear)
   --resolution N          cells along the longest side of the sweep (default 128)
@@ -34,7 +38,9 @@ const char* const kEnvelopeHelp =
   --offset MM             grow by a safety distance
   --conservative          envelope that provably contains the sweep
   --keep-cavities         keep sealed-off hollow spaces
-  --components M          dc, dmc, equivalence, greedy or consistent (default consistent)
+  --components M          dc, dmc, equivalence, greedy or consistent (default consistent); the
+                          others are for research: only consistent keeps the promise of a closed
+                          manifold
   --chord F               bound on the refined motion's chord, in cells (default 0.02)
   --position-filter MM    drop poses while the body stays within this
   --no-cull               sample enclosed faces as well
@@ -55,6 +61,7 @@ struct EnvelopeJob {
   std::string outputPath;
   std::string reportPath;
   double generatorUnit = 1.0;
+  std::optional<double> generatorTolerance;
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   Options options;
@@ -86,6 +93,7 @@ EnvelopeJob parseJob(const std::vector<std::string>& words) {
          [&](const std::string& t) { job.options.components = parseComponentMethod(t); });
   a.with("--backend", [&](const std::string& t) { job.options.backend = parseBackend(t); });
   a.integer("--resolution", resolution, 1, 1 << 20);
+  a.number("--generator-tolerance", job.generatorTolerance);
   a.number("--cell", job.options.cellSize);
   a.number("--tolerance", job.options.tolerance);
   a.number("--offset", job.options.offset);
@@ -189,11 +197,14 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  const TriMesh body = readMesh(job.generatorPath, job.generatorUnit);
+  BodyFileOptions files{job.generatorUnit, job.generatorTolerance, {}, job.options.resolution};
+  if (job.options.cellSize > 0) files.cellSize = job.options.cellSize;
+  const Body body = readBody(job.generatorPath, files, run);
   const Trajectory motion = readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
   const double reading = since(start);
-  Result result = compute(body, motion, job.options, run);
+  Result result = compute(body.mesh, motion, job.options, run);
   report = std::move(result.report);
+  report.warnings.insert(report.warnings.begin(), body.findings.begin(), body.findings.end());
   addStage(report, "read", reading);
   if (report.status != Status::Ok) return {};
   const auto writing = Clock::now();

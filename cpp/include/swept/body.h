@@ -1,0 +1,40 @@
+// The moving part from a file of any kind: a mesh, or a solid (STEP, BREP) that is tessellated.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "swept/report.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+struct BodyFileOptions {
+  double millimetresPerUnit = 1;  ///< of a mesh file; a solid states its own unit
+  /// mm: how far triangles may leave the surface of a solid; not given: from the cell.
+  std::optional<double> tolerance;
+  std::optional<double> cellSize;  ///< mm: of the run to come; not given: from resolution
+  int resolution = 128;            ///< cells along the longest side of the sweep
+};
+
+struct Body {
+  TriMesh mesh;
+  double chordError = 0;  ///< mm: how far triangles may leave the exact surface; 0: a mesh file
+  std::vector<Finding> findings;  ///< for the report of the run
+};
+
+/// Of a cell: as far as a refined motion leaves its chord, so that both errors are alike.
+constexpr double kTessellationFraction = 0.02;
+
+/// Is it a solid by its suffix (step, stp, brep, brp), or by its first bytes where the suffix says
+/// nothing?
+bool isSolidFile(const std::string& path);
+
+/// All solids of a file are one body. Without a cell size the tolerance follows from the smallest
+/// cell that the sweep of such a body can have at this resolution. Throws Error(InvalidInput,
+/// "BadFile" | "NoSurface" | "BadFormat" | "BadOption"), Error(Cancelled).
+Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run);
+
+}  // namespace swept

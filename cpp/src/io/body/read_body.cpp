@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "base/number_text.h"
+#include "base/safe_file.h"
+#include "swept/body.h"
+#include "swept/io.h"
+#ifdef HAVE_SWEPT_SOLID
+#include "swept/step_import.h"
+#endif
+
+namespace swept {
+namespace {
+
+constexpr std::array kSolidSuffixes{"step", "stp", "brep", "brp"};
+constexpr std::array kMeshSuffixes{"ply", "stl", "obj", "off"};
+
+template <std::size_t N>
+bool isOneOf(const std::string& suffix, const std::array<const char*, N>& known) {
+  return std::find(known.begin(), known.end(), suffix) != known.end();
+}
+
+/// A STEP file begins with its standard, a BREP file with a line that names the kernel or its
+/// shape.
+bool beginsLikeSolid(const std::string& path) {
+  std::ifstream file(pathFromUtf8(path), std::ios::binary);
+  std::string head(256, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return false;
+  return head.compare(first, 12, "ISO-10303-21") == 0 ||
+         head.find("DBRep_DrawableShape") != std::string::npos ||
+         head.find("CASCADE Topology V") != std::string::npos;
+}
+
+#ifdef HAVE_SWEPT_SOLID
+
+/// rad between neighbouring triangles: a circle has 32 sides at least.
+constexpr double kAngle = 0.2;
+
+double longestSide(const std::vector<ImportedSolid>& solids) {
+  Eigen::AlignedBox3d box;
+  for (const ImportedSolid& solid : solids) {
+    for (const Eigen::Vector3d& v : solid.mesh.vertices) box.extend(v);
+  }
+  return box.sizes().maxCoeff();
+}
+
+/// The tolerance where the cell is not known yet: from the body's size, which coarse triangles
+/// tell. However the body is turned, the box of its sweep has a side of at least its own longest
+/// side divided by the square root of 3.
+double toleranceFromSize(const std::string& path, const BodyFileOptions& options, RunContext& run) {
+  constexpr double kCoarse = 1;  // mm, or half a radian, whichever is finer
+  const double side = longestSide(readSolids(path, kCoarse, 0.5, run));
+  return kTessellationFraction * side / std::sqrt(3.0) / options.resolution;
+}
+
+Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunContext& run) {
+  if (options.millimetresPerUnit != 1) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "'" + path + "' states its own unit of length; leave the unit out");
+  }
+  Body body;
+  body.chordError = options.tolerance  ? *options.tolerance
+                    : options.cellSize ? kTessellationFraction * *options.cellSize
+                                       : toleranceFromSize(path, options, run);
+  if (!(body.chordError > 0)) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "the tolerance for the triangles of '" + path + "' is " +
+                    numberText(body.chordError, kTellingDigits) + " mm; it must be above 0");
+  }
+  const std::vector<ImportedSolid> solids = readSolids(path, body.chordError, kAngle, run);
+  for (const ImportedSolid& solid : solids) {
+    const auto first = static_cast<std::int32_t>(body.mesh.vertices.size());
+    body.mesh.vertices.insert(body.mesh.vertices.end(), solid.mesh.vertices.begin(),
+                              solid.mesh.vertices.end());
+    for (const auto& t : solid.mesh.triangles) {
+      body.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+  }
+  const auto count = static_cast<std::int64_t>(solids.size());
+  body.findings.push_back({"Tessellated",
+                           count,
+                           {},
+                           std::to_string(count) + (count == 1 ? " solid was" : " solids were") +
+                               " read as " + std::to_string(body.mesh.triangles.size()) +
+                               " triangles that leave the surface by at most " +
+                               numberText(body.chordError, 3) + " mm"});
+  return body;
+}
+
+#else
+
+Body readSolidBody(const std::string& path, const BodyFileOptions&, RunContext&) {
+  throw Error(Status::InvalidInput, "BadFormat",
+              "'" + path +
+                  "': this build is without OpenCASCADE and cannot read solids; give a mesh (ply, "
+                  "stl, obj, off)");
+}
+
+#endif
+
+}  // namespace
+
+bool isSolidFile(const std::string& path) {
+  const std::string suffix = suffixOf(path);
+  if (isOneOf(suffix, kSolidSuffixes)) return true;
+  return !isOneOf(suffix, kMeshSuffixes) && beginsLikeSolid(path);
+}
+
+Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run) {
+  if (isSolidFile(path)) return readSolidBody(path, options, run);
+  return {readMesh(path, options.millimetresPerUnit), 0, {}};
+}
+
+}  // namespace swept

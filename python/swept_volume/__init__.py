@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Envelopes of moving bodies: the space that a part takes up along a motion, as a closed mesh.
+
+    import swept_volume as sv
+
+    part = sv.read_body("gripper.step")
+    motion = sv.Motion.read("arm.csv", unit="m")
+    result = sv.compute(part, motion, cell=0.5)
+    result.mesh.write("envelope.ply")
+
+Lengths are in mm, times in s. A mesh is a Mesh or a pair (vertices, triangles); a motion is a Motion,
+(times, quaternions, translations), (times, matrices) or matrices (K, 4, 4). Long calls release the
+interpreter's lock; watch and cancel them from another thread through a RunContext. Failures raise
+Error or one of its subclasses; a file that is not there raises FileNotFoundError. What a run found
+worth saying goes to the logger "swept_volume" and stands in Result.report["warnings"].
+"""
+from ._core import (
+    HAS_SOLIDS,
+    Cancelled,
+    DeviceLost,
+    DeviceUnavailable,
+    Error,
+    ExportFailed,
+    InternalError,
+    InvalidInput,
+    OutOfMemory,
+    ResourceLimit,
+    __version__,
+)
+
+from ._calls import (
+    PreviewSession,
+    Result,
+    RunContext,
+    check_mesh,
+    clearance,
+    compute,
+    distance_to_mesh,
+    estimate,
+    estimate_solid,
+    write_solid,
+)
+from ._values import (
+    Mesh,
+    MeshLike,
+    Motion,
+    MotionLike,
+    read_body,
+    read_mesh,
+    read_motion,
+    write_mesh,
+)
+
+__all__ = [
+    "Cancelled",
+    "DeviceLost",
+    "DeviceUnavailable",
+    "Error",
+    "ExportFailed",
+    "HAS_SOLIDS",
+    "InternalError",
+    "InvalidInput",
+    "Mesh",
+    "MeshLike",
+    "Motion",
+    "MotionLike",
+    "OutOfMemory",
+    "PreviewSession",
+    "ResourceLimit",
+    "Result",
+    "RunContext",
+    "__version__",
+    "check_mesh",
+    "clearance",
+    "compute",
+    "distance_to_mesh",
+    "estimate",
+    "estimate_solid",
+    "read_body",
+    "read_mesh",
+    "read_motion",
+    "write_mesh",
+    "write_solid",
+]

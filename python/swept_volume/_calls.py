@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs: options by name, results that can be pickled, what was found in the log."""
+from __future__ import annotations
+
+import logging
+from types import TracebackType
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Type, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+
+from ._values import (
+    Floats,
+    Integers,
+    Mesh,
+    MeshLike,
+    MotionLike,
+    Path,
+    bad_option,
+    frozen,
+    mesh_of,
+    motion_of,
+)
+
+logger = logging.getLogger("swept_volume")
+
+Report = Dict[str, Any]
+Neighbour = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, float]]
+
+
+class RunContext(_core.RunContext):
+    """Watches and cancels one run from any thread: cancel(), cancelled, progress (0 to 1), phase.
+    threads: None for all cores; memory_limit_mb: None for three quarters of what is free. In a with
+    block, whatever leaves it early cancels the run."""
+
+    def __init__(
+        self, threads: Optional[int] = None, memory_limit_mb: Optional[float] = None
+    ) -> None:
+        super().__init__(threads or 0, memory_limit_mb or 0.0)
+
+    def __enter__(self) -> RunContext:
+        return self
+
+    def __exit__(
+        self,
+        kind: Optional[Type[BaseException]],
+        error: Optional[BaseException],
+        trace: Optional[TracebackType],
+    ) -> None:
+        if kind is not None:
+            self.cancel()
+
+    def __repr__(self) -> str:
+        state = "cancelled" if self.cancelled else f"{self.phase}, {100 * self.progress:.0f} %"
+        return f"<RunContext: {state}>"
+
+
+class Result:
+    """Of compute(): mesh, report (dict), contact_time (float64 (N,): s at which the surface point is
+    touched; may be empty), feature_edges (int32 (E, 2): vertex pairs along creases; may be empty).
+    The arrays are read-only."""
+
+    __slots__ = ("mesh", "report", "contact_time", "feature_edges", "_core")
+    mesh: Mesh
+    report: Report
+    contact_time: Floats
+    feature_edges: Integers
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        report: Report,
+        contact_time: npt.ArrayLike = (),
+        feature_edges: Optional[npt.ArrayLike] = None,
+    ) -> None:
+        edges = np.empty((0, 2), np.int32) if feature_edges is None else feature_edges
+        self.mesh, self.report = mesh, report
+        self.contact_time = frozen(contact_time, np.float64, (-1,), "contact_time")
+        self.feature_edges = frozen(edges, np.int32, (-1, 2), "feature_edges")
+        self._core: Optional[_core.Result] = None
+
+    @classmethod
+    def _of_core(cls, core: _core.Result) -> Result:
+        made = cls.__new__(cls)
+        made.mesh, made.report = Mesh._of_core(core.mesh), core.report
+        made.contact_time, made.feature_edges = core.contact_time, core.feature_edges
+        made._core = core
+        return made
+
+    @property
+    def vertices(self) -> Floats:
+        """Those of the mesh."""
+        return self.mesh.vertices
+
+    @property
+    def triangles(self) -> Integers:
+        """Those of the mesh."""
+        return self.mesh.triangles
+
+    def recut(self, tolerance: float, *, run: Optional[RunContext] = None) -> Result:
+        """The same envelope simplified to another tolerance (mm; 0: not at all) without sampling
+        again. Only for a result that was computed with a tolerance, and not for a copy that was
+        pickled: the surface before simplification stays behind."""
+        if self._core is None:
+            raise bad_option("a copy of a result cannot be cut again: compute it here")
+        return Result._of_core(self._core.recut(tolerance, run))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Result, (
+            self.mesh,
+            self.report,
+            np.array(self.contact_time),
+            np.array(self.feature_edges),
+        )
+
+    def __repr__(self) -> str:
+        return (
+            f"<Result: {len(self.triangles)} triangles, {self.report['volume']:.6g} mm^3, "
+            f"cell {self.report['cell']:.4g} mm>"
+        )
+
+
+def _given(**options: Any) -> Dict[str, Any]:
+    """What the caller has set; resolution and cell exclude one another, as in the program."""
+    if options.get("resolution") is not None and options.get("cell") is not None:
+        raise bad_option("resolution and cell exclude one another; give one of them")
+    if options.get("cell") is not None and not options["cell"] > 0:
+        raise bad_option("cell must be greater than 0 mm")
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def _log(warnings: List[Dict[str, Any]]) -> None:
+    for finding in warnings:
+        logger.info("%s: %s", finding["code"], finding["text"])
+
+
+def compute(
+    mesh: MeshLike,
+    motion: MotionLike,
+    *,
+    interpolation: Optional[str] = None,
+    resolution: Optional[int] = None,
+    cell: Optional[float] = None,
+    tolerance: float = 0.0,
+    offset: float = 0.0,
+    conservative: bool = False,
+    keep_cavities: bool = False,
+    components: str = "consistent",
+    backend: str = "auto",
+    cull: bool = True,
+    position_filter: float = 0.0,
+    chord: Optional[float] = None,
+    weld: Optional[float] = None,
+    threads: Optional[int] = None,
+    memory_limit_mb: Optional[float] = None,
+    run: Optional[RunContext] = None,
+) -> Result:
+    """Envelope of a body moved along a motion.
+
+    interpolation   between two poses, where it is not the motion's own: none, linear or screw
+    resolution      cells along the longest side of the sweep (128), or
+    cell            size of a cell, mm
+    tolerance       mm, simplification: how far the surface may be left
+    offset          mm, safety distance by which the envelope is grown
+    conservative    the envelope provably contains the swept volume
+    keep_cavities   sealed-off hollow spaces stay as inner shells
+    components      for research; only consistent keeps the promise of a closed manifold
+    backend         auto, cpu or gpu
+    cull            leave out faces that are provably enclosed
+    position_filter mm; drop poses while the body stays within this
+    chord           cells: how far a point may leave the refined motion's chord (0.02)
+    weld            of the box diagonal: vertices along open edges that are nearer are joined (1e-6)
+    threads         None: all cores; memory_limit_mb None: three quarters of what is free
+    run             watches and cancels
+
+    Raises Error with .status, .code and .report; TypeError and ValueError for wrong types and shapes.
+    """
+    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    options = _given(
+        resolution=resolution,
+        cell=cell,
+        tolerance=tolerance,
+        offset=offset,
+        conservative=conservative,
+        keep_cavities=keep_cavities,
+        components=components,
+        backend=backend,
+        cull=cull,
+        position_filter=position_filter,
+        chord=chord,
+        weld=weld,
+        threads=threads,
+        memory_limit_mb=memory_limit_mb,
+    )
+    arrays = (way.times, way.quaternions, way.translations)
+    core = _core.compute(body.vertices, body.triangles, arrays, way.interpolation, run, **options)
+    result = Result._of_core(core)
+    result.report["warnings"][:0] = body.findings
+    _log(result.report["warnings"])
+    return result
+
+
+def estimate(
+    mesh: MeshLike,
+    motion: MotionLike,
+    *,
+    interpolation: Optional[str] = None,
+    resolution: Optional[int] = None,
+    cell: Optional[float] = None,
+    **options: Any,
+) -> Dict[str, Any]:
+    """What compute() with the same options would take: grid (3 ints), cell (mm), memory_bytes,
+    seconds, triangles; the last three are rough."""
+    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    given = _given(resolution=resolution, cell=cell, **options)
+    arrays = (way.times, way.quaternions, way.translations)
+    return _core.estimate(body.vertices, body.triangles, arrays, way.interpolation, **given)
+
+
+class PreviewSession:
+    """Quick, coarse envelopes of one body while its motion is edited: the checked body stays warm
+    between calls. Options as those of compute(), for all calls."""
+
+    def __init__(
+        self,
+        mesh: MeshLike,
+        *,
+        resolution: Optional[int] = None,
+        cell: Optional[float] = None,
+        **options: Any,
+    ) -> None:
+        body = mesh_of(mesh)
+        given = _given(resolution=resolution, cell=cell, **options)
+        self._session = _core.PreviewSession(body.vertices, body.triangles, **given)
+
+    def compute(
+        self,
+        motion: MotionLike,
+        *,
+        interpolation: Optional[str] = None,
+        sketch: bool = False,
+        run: Optional[RunContext] = None,
+    ) -> Result:
+        """As compute(); from one thread at a time. sketch: the surface alone, neither mended nor
+        checked (finding NotChecked), to be drawn; half the time."""
+        way = motion_of(motion, interpolation)
+        arrays = (way.times, way.quaternions, way.translations)
+        return Result._of_core(self._session.compute(arrays, way.interpolation, run, sketch))
+
+
+def check_mesh(mesh: MeshLike, *, run: Optional[RunContext] = None) -> Dict[str, Any]:
+    """Checks a mesh: passes, closed, manifold, oriented, self_intersections, volume (mm^3) ..."""
+    body = mesh_of(mesh)
+    return _core.check_mesh(body.vertices, body.triangles, run)
+
+
+def write_solid(
+    path: Path,
+    mesh: MeshLike,
+    *,
+    tolerance: float = 0.0,
+    exact: bool = False,
+    recognise: bool = True,
+    max_faces: int = 20000,
+    max_megabytes: Optional[float] = None,
+    schema: str = "ap214",
+    product_name: str = "Swept envelope",
+    author: str = "",
+    organization: str = "",
+    colour: Tuple[float, float, float] = (0.93, 0.78, 0.20),
+    run: Optional[RunContext] = None,
+) -> Dict[str, Any]:
+    """Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked
+    before it replaces an old one. tolerance: mm, 0 for exact unless a limit asks for more. Returns
+    solids, faces, faces_by_kind, valid, tolerance, deviation, note, volume ..."""
+    body = mesh_of(mesh)
+    report = _core.write_solid(
+        path,
+        body.vertices,
+        body.triangles,
+        run,
+        tolerance=tolerance,
+        exact=exact,
+        recognise=recognise,
+        max_faces=max_faces,
+        max_megabytes=max_megabytes or 0.0,
+        schema=schema,
+        product_name=product_name,
+        author=author,
+        organization=organization,
+        colour=colour,
+    )
+    if report["note"]:
+        logger.info("%s", report["note"])
+    return report
+
+
+def estimate_solid(
+    mesh: MeshLike, *, run: Optional[RunContext] = None, **options: Any
+) -> Dict[str, Any]:
+    """What write_solid() with the same options would take: triangles, faces, megabytes, seconds."""
+    body = mesh_of(mesh)
+    return _core.estimate_solid(body.vertices, body.triangles, run, **options)
+
+
+def _neighbour(item: Neighbour) -> Tuple[str, Floats, Integers, float]:
+    parts: Sequence[Any] = item if isinstance(item, (tuple, list)) else ()
+    if len(parts) not in (2, 3):
+        raise TypeError("a neighbour is (name, mesh) or (name, mesh, chord error in mm)")
+    mesh = mesh_of(parts[1])
+    chord = float(parts[2]) if len(parts) == 3 else mesh.chord_error
+    return parts[0], mesh.vertices, mesh.triangles, chord
+
+
+def clearance(
+    mesh: MeshLike,
+    motion: MotionLike,
+    neighbours: Iterable[Neighbour],
+    *,
+    interpolation: Optional[str] = None,
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    body_chord: Optional[float] = None,
+    interval_tolerance: Optional[float] = None,
+    curve: int = 200,
+    penetration: bool = True,
+    run: Optional[RunContext] = None,
+) -> Dict[str, Any]:
+    """Smallest distance of a moving body to each neighbour over the whole motion; nothing between two
+    poses is missed. neighbours: (name, mesh) or (name, mesh, chord error). Lengths in mm; chord errors
+    not given are those of the meshes. Returns the report, as docs/clearance.md says."""
+    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    report: Dict[str, Any] = _core.clearance(
+        body.vertices,
+        body.triangles,
+        (way.times, way.quaternions, way.translations),
+        [_neighbour(item) for item in neighbours],
+        way.interpolation,
+        required,
+        tolerance,
+        body.chord_error if body_chord is None else body_chord,
+        interval_tolerance or 0.0,
+        curve,
+        penetration,
+        run,
+    )
+    _log(report["warnings"])
+    return report
+
+
+def distance_to_mesh(
+    points: npt.ArrayLike, mesh: MeshLike, *, run: Optional[RunContext] = None
+) -> Floats:
+    """Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed."""
+    body = mesh_of(mesh)
+    checked = frozen(points, np.float64, (-1, 3), "points")
+    return _core.distance_to_mesh(checked, body.vertices, body.triangles, run)

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Types of the compiled module. Use the package swept_volume, which has the documented interface."""
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+HAS_SOLIDS: bool
+__version__: str
+
+class Error(RuntimeError):
+    status: str
+    code: str
+    report: Optional[Dict[str, Any]]
+
+class InvalidInput(Error, ValueError): ...
+class ResourceLimit(Error): ...
+class OutOfMemory(Error): ...
+class Cancelled(Error): ...
+class DeviceUnavailable(Error): ...
+class DeviceLost(Error): ...
+class ExportFailed(Error): ...
+class InternalError(Error): ...
+
+class RunContext:
+    threads: int
+    def __init__(self, threads: int = 0, memory_limit_mb: float = 0.0) -> None: ...
+    def cancel(self) -> None: ...
+    @property
+    def cancelled(self) -> bool: ...
+    @property
+    def progress(self) -> float: ...
+    @property
+    def phase(self) -> str: ...
+
+class Mesh:
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def triangles(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def chord_error(self) -> float: ...
+    @property
+    def findings(self) -> List[Dict[str, Any]]: ...
+
+class Result:
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def triangles(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def report(self) -> Dict[str, Any]: ...
+    @property
+    def contact_time(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def feature_edges(self) -> npt.NDArray[np.int32]: ...
+    def recut(self, tolerance: float, run: Optional[RunContext] = None) -> Result: ...
+
+class PreviewSession:
+    def __init__(
+        self, vertices: npt.ArrayLike, triangles: npt.ArrayLike, **options: Any
+    ) -> None: ...
+    def compute(
+        self,
+        motion: Any,
+        interpolation: str = "linear",
+        run: Optional[RunContext] = None,
+        sketch: bool = False,
+    ) -> Result: ...
+
+def compute(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    motion: Any,
+    interpolation: str = "linear",
+    run: Optional[RunContext] = None,
+    **options: Any,
+) -> Result: ...
+def estimate(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    motion: Any,
+    interpolation: str = "linear",
+    **options: Any,
+) -> Dict[str, Any]: ...
+def check_mesh(
+    vertices: npt.ArrayLike, triangles: npt.ArrayLike, run: Optional[RunContext] = None
+) -> Dict[str, Any]: ...
+def read_mesh(path: Any, unit: str = "mm") -> Mesh: ...
+def read_body(
+    path: Any,
+    unit: str = "mm",
+    tolerance: Optional[float] = None,
+    cell: Optional[float] = None,
+    resolution: int = 128,
+    run: Optional[RunContext] = None,
+) -> Mesh: ...
+def write_mesh(path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike) -> None: ...
+
+_Poses = Tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], npt.NDArray[np.float64]]
+
+def read_trajectory_csv(path: Any, unit: str = "mm") -> _Poses: ...
+def poses_from_matrices(times: npt.ArrayLike, matrices: npt.ArrayLike) -> _Poses: ...
+def write_solid(
+    path: Any,
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    run: Optional[RunContext] = None,
+    **options: Any,
+) -> Dict[str, Any]: ...
+def estimate_solid(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    run: Optional[RunContext] = None,
+    **options: Any,
+) -> Dict[str, Any]: ...
+def clearance(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    motion: Any,
+    neighbours: Any,
+    interpolation: str = "linear",
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    body_chord: float = 0.0,
+    interval_tolerance: float = 0.0,
+    curve: int = 200,
+    penetration: bool = True,
+    run: Optional[RunContext] = None,
+) -> Dict[str, Any]: ...
+def distance_to_mesh(
+    points: npt.ArrayLike,
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    run: Optional[RunContext] = None,
+) -> npt.NDArray[np.float64]: ...

@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meshes and motions: values that are checked once, cannot be changed, and can be pickled."""
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+
+Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int32]
+
+
+def bad_option(message: str) -> _core.InvalidInput:
+    """The error of options that cannot be had, as the core raises it."""
+    error = _core.InvalidInput(message)
+    error.status, error.code, error.report = "InvalidInput", "BadOption", None
+    return error
+
+
+def require_file(path: Path) -> None:
+    """Raises the system's own error (FileNotFoundError, PermissionError ...) for what cannot be read."""
+    with open(path, "rb"):
+        pass
+
+
+def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.NDArray[Any]:
+    """A read-only copy; -1 in the shape: any length."""
+    if isinstance(values, np.ma.MaskedArray):
+        raise TypeError(f"{name} is a masked array: fill or remove the masked entries first")
+    given = np.asarray(values)
+    if given.dtype.kind not in "fiu" and given.size > 0:
+        raise TypeError(f"{name} must be an array of numbers")
+    if np.dtype(dtype).kind == "i" and given.dtype.kind == "f" and given.size > 0:
+        raise TypeError(f"{name} must be an array of integers")
+    if given.ndim != len(shape) or any(w not in (-1, h) for w, h in zip(shape, given.shape)):
+        wanted = tuple("N" if n < 0 else n for n in shape)
+        raise ValueError(f"{name} has shape {given.shape}; expected {wanted}")
+    if np.dtype(dtype).kind == "i" and given.size > 0:
+        limits = np.iinfo(dtype)
+        if given.min() < limits.min or given.max() > limits.max:
+            raise ValueError(f"{name} holds numbers beyond 32 bits")
+    array = np.array(given, dtype=dtype, order="C")
+    array.setflags(write=False)
+    return array
+
+
+class Mesh:
+    """Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), counter-clockwise seen from
+    outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may leave
+    its surface, mm; findings: how it was read, as in a report's warnings."""
+
+    __slots__ = ("vertices", "triangles", "chord_error", "findings")
+    vertices: Floats
+    triangles: Integers
+    chord_error: float
+    findings: List[Dict[str, Any]]
+
+    def __init__(
+        self,
+        vertices: npt.ArrayLike,
+        triangles: npt.ArrayLike,
+        *,
+        chord_error: float = 0.0,
+        findings: Sequence[Dict[str, Any]] = (),
+    ) -> None:
+        self.vertices = frozen(vertices, np.float64, (-1, 3), "vertices")
+        self.triangles = frozen(triangles, np.int32, (-1, 3), "triangles")
+        self.chord_error = float(chord_error)
+        self.findings = list(findings)
+
+    @classmethod
+    def _of_core(cls, mesh: _core.Mesh) -> Mesh:
+        """Looks at the core's arrays, which are read-only, without copying them."""
+        made = cls.__new__(cls)
+        made.vertices, made.triangles = mesh.vertices, mesh.triangles
+        made.chord_error, made.findings = mesh.chord_error, list(mesh.findings)
+        return made
+
+    @classmethod
+    def read(cls, path: Path, *, unit: str = "mm") -> Mesh:
+        """Reads PLY, STL, OBJ or OFF; unit: of the numbers in the file (mm, cm, m, in)."""
+        require_file(path)
+        return cls._of_core(_core.read_mesh(path, unit))
+
+    def write(self, path: Path) -> None:
+        """Writes PLY (double precision), STL, OBJ, OFF or 3MF; an old file is replaced only when the
+        new one is complete."""
+        _core.write_mesh(path, self.vertices, self.triangles)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _mesh_again, (
+            np.array(self.vertices),
+            np.array(self.triangles),
+            self.chord_error,
+            self.findings,
+        )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Mesh):
+            return NotImplemented
+        return np.array_equal(self.vertices, other.vertices) and np.array_equal(
+            self.triangles, other.triangles
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        text = f"<Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles"
+        if len(self.vertices):
+            size = np.ptp(self.vertices, axis=0)
+            text += " in a box of {:.6g} x {:.6g} x {:.6g} mm".format(*size)
+        return text + ">"
+
+
+def _mesh_again(
+    vertices: Floats, triangles: Integers, chord_error: float, findings: List[Dict[str, Any]]
+) -> Mesh:
+    return Mesh(vertices, triangles, chord_error=chord_error, findings=findings)
+
+
+class Motion:
+    """Poses in the order of time: times float64 (K,) in s, quaternions float64 (K, 4) in the order
+    x, y, z, w, translations float64 (K, 3) in mm; x_world = R x + t. All are read-only.
+    interpolation says what the body does between two poses: "linear" (lerp and slerp), "screw", or
+    "none" (nothing: the poses are a union of posed copies)."""
+
+    __slots__ = ("times", "quaternions", "translations", "interpolation")
+    times: Floats
+    quaternions: Floats
+    translations: Floats
+    interpolation: str
+
+    def __init__(
+        self,
+        times: npt.ArrayLike,
+        quaternions: npt.ArrayLike,
+        translations: npt.ArrayLike,
+        *,
+        interpolation: str = "linear",
+    ) -> None:
+        self.times = frozen(times, np.float64, (-1,), "times")
+        count = len(self.times)
+        self.quaternions = frozen(quaternions, np.float64, (count, 4), "quaternions")
+        self.translations = frozen(translations, np.float64, (count, 3), "translations")
+        if interpolation not in ("none", "linear", "screw"):
+            raise bad_option(f"interpolation is '{interpolation}'; allowed: none, linear, screw")
+        self.interpolation = interpolation
+
+    @classmethod
+    def from_matrices(
+        cls,
+        matrices: npt.ArrayLike,
+        times: Optional[npt.ArrayLike] = None,
+        *,
+        interpolation: str = "linear",
+    ) -> Motion:
+        """Of rigid matrices (K, 4, 4); without times at 0, 1, 2 ... s."""
+        checked = frozen(matrices, np.float64, (-1, 4, 4), "matrices")
+        at = np.arange(len(checked), dtype=np.float64) if times is None else times
+        at = frozen(at, np.float64, (len(checked),), "times")
+        return cls(*_core.poses_from_matrices(at, checked), interpolation=interpolation)
+
+    @classmethod
+    def read(cls, path: Path, *, unit: str = "mm", interpolation: str = "linear") -> Motion:
+        """Reads a table of poses, plain or packed with gzip or xz; unit: of its translations."""
+        require_file(path)
+        return cls(*_core.read_trajectory_csv(path, unit), interpolation=interpolation)
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        arrays = (np.array(self.times), np.array(self.quaternions), np.array(self.translations))
+        return _motion_again, arrays + (self.interpolation,)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Motion):
+            return NotImplemented
+        return self.interpolation == other.interpolation and all(
+            np.array_equal(getattr(self, name), getattr(other, name))
+            for name in ("times", "quaternions", "translations")
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        text = f"<Motion: {len(self)} poses, {self.interpolation}"
+        if len(self):
+            text += f", from {self.times[0]:.6g} to {self.times[-1]:.6g} s"
+        return text + ">"
+
+
+def _motion_again(
+    times: Floats, quaternions: Floats, translations: Floats, interpolation: str
+) -> Motion:
+    return Motion(times, quaternions, translations, interpolation=interpolation)
+
+
+MeshLike = Union[Mesh, Tuple[npt.ArrayLike, npt.ArrayLike]]
+MotionLike = Union[
+    Motion,
+    Tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike],
+    Tuple[npt.ArrayLike, npt.ArrayLike],
+    npt.NDArray[Any],
+]
+
+
+def mesh_of(mesh: MeshLike) -> Mesh:
+    """A Mesh as it is, a pair of arrays as one."""
+    if isinstance(mesh, Mesh):
+        return mesh
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        return Mesh(mesh[0], mesh[1])
+    raise TypeError("a mesh is a Mesh or a pair (vertices, triangles)")
+
+
+def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion:
+    """A Motion as it is, arrays as one; interpolation: another one than the motion's own."""
+    parts: Sequence[Any] = motion if isinstance(motion, (tuple, list)) else ()
+    if isinstance(motion, Motion):
+        made = motion
+    elif len(parts) == 3:
+        made = Motion(*parts)
+    elif len(parts) == 2:
+        made = Motion.from_matrices(parts[1], parts[0])
+    elif isinstance(motion, np.ndarray):
+        made = Motion.from_matrices(motion)
+    else:
+        raise TypeError(
+            "a motion is a Motion, (times, quaternions, translations), (times, matrices) or an "
+            "array (K, 4, 4)"
+        )
+    if interpolation is None or interpolation == made.interpolation:
+        return made
+    return Motion(made.times, made.quaternions, made.translations, interpolation=interpolation)
+
+
+def read_mesh(path: Path, *, unit: str = "mm") -> Mesh:
+    """Mesh.read()."""
+    return Mesh.read(path, unit=unit)
+
+
+def write_mesh(path: Path, mesh: MeshLike) -> None:
+    """Mesh.write()."""
+    mesh_of(mesh).write(path)
+
+
+def read_motion(path: Path, *, unit: str = "mm", interpolation: str = "linear") -> Motion:
+    """Motion.read()."""
+    return Motion.read(path, unit=unit, interpolation=interpolation)
+
+
+def read_body(
+    path: Path,
+    *,
+    unit: str = "mm",
+    tolerance: Optional[float] = None,
+    cell: Optional[float] = None,
+    resolution: int = 128,
+) -> Mesh:
+    """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
+    body, tessellated within tolerance (mm); else within 0.02 of cell (mm), the cell of the run to
+    come; else within 0.02 of the smallest cell that resolution can give."""
+    require_file(path)
+    return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, resolution))

@@ -1,0 +1,32 @@
+// Runs of the tests get the threads that they ask for, also where there are fewer cores: the
+// library leaves the process's own limit alone, so the test program raises it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <memory>
+
+namespace swept::test {
+namespace {
+
+/// The most threads that a test of determinism asks for.
+constexpr std::size_t kMaxTestThreads = 8;
+
+class MoreThreads : public testing::Environment {
+ public:
+  void SetUp() override {
+    control_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                     kMaxTestThreads);
+  }
+  void TearDown() override { control_.reset(); }
+
+ private:
+  std::unique_ptr<tbb::global_control> control_;
+};
+
+// Owned by the framework.
+[[maybe_unused]] const testing::Environment* const environment =
+    testing::AddGlobalTestEnvironment(new MoreThreads);
+
+}  // namespace
+}  // namespace swept::test
