@@ -663,6 +663,10 @@ Versucht:
    <translation>eine Bewegung des Bezugs ist angegeben, aber kein Bezugsteil: auch dieses wählen.</translation>
   </message>
   <message>
+   <source>the frames of "{0}" lie far apart: near {1:g} s the part may leave its way between two of them by about {2:.3g} mm. Read the motion with smaller steps.</source>
+   <translation>die Bilder von "{0}" liegen weit auseinander: bei {1:g} s kann das Teil seinen Weg zwischen zweien um etwa {2:.3g} mm verlassen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
+  </message>
+  <message>
    <source>"{0}" is no motion: choose another one.</source>
    <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
   </message>
@@ -735,6 +739,10 @@ Versucht:
   <message>
    <source>choose a simulation of an assembly, then the part to watch.</source>
    <translation>eine Simulation einer Baugruppe wählen, dann das zu verfolgende Teil.</translation>
+  </message>
+  <message>
+   <source>the simulation "{0}" stopped early: {1} of {2} frames, the last at {3:g} s of {4:g} s. Its solver found no position there: look at its joints and formulas, or let it end sooner.</source>
+   <translation>die Simulation "{0}" endete vorzeitig: {1} von {2} Bildern, das letzte bei {3:g} s von {4:g} s. Ihr Löser fand dort keine Lage: sehen Sie nach ihren Gelenken und Formeln, oder lassen Sie sie früher enden.</translation>
   </message>
   <message>
    <source>"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.</source>
@@ -1458,6 +1466,10 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
    <translation>Bis</translation>
   </message>
   <message>
+   <source>OK once more takes the motion as it is.</source>
+   <translation>Noch einmal OK nimmt die Bewegung, wie sie ist.</translation>
+  </message>
+  <message>
    <source>Tangent at the key</source>
    <translation>Tangente an der Stützstelle</translation>
   </message>
@@ -1803,6 +1815,10 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
   <message>
    <source>Whether the motion can be used</source>
    <translation>Ob die Bewegung brauchbar ist</translation>
+  </message>
+  <message>
+   <source>What is to be known of the poses as they were read</source>
+   <translation>Was über die gelesenen Lagen zu wissen ist</translation>
   </message>
   <message>
    <source>State of the source when it was read</source>

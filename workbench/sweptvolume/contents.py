@@ -22,7 +22,11 @@ DECIMALS = 9
 _EDGE = (0.0, 0.27, 0.5, 0.81, 1.0)
 _FACE = (0.13, 0.5, 0.92)
 
-_shapes, _meshes = {}, {}
+#: Directions in which the outermost points of a part are looked for, and the chords of the mesh that is
+#: looked at, of its size: the box of a turning ball is then right to 0.3 %.
+DIRECTIONS, OUTLINE_CHORD = 642, 0.002
+
+_shapes, _meshes, _outlines = {}, {}, {}
 _observer = None
 
 
@@ -34,11 +38,11 @@ class _Observer:
             _meshes.pop(_key(obj), None)
 
     def slotDeletedObject(self, obj):  # noqa: N802
-        for known in (_shapes, _meshes):
+        for known in (_shapes, _meshes, _outlines):
             known.pop(_key(obj), None)
 
     def slotDeletedDocument(self, document):  # noqa: N802
-        for known in (_shapes, _meshes):
+        for known in (_shapes, _meshes, _outlines):
             for key in [key for key in known if key[0] == document.Name]:
                 del known[key]
 
@@ -134,9 +138,52 @@ def signature(pairs):
     for root, sub in pairs:
         for linked, path in convert.leaves(root, sub):
             words.append(matrices(convert.global_matrix(root, path)))
-            mesh = linked.isDerivedFrom("Mesh::Feature")
-            words.append(mesh_text(linked) if mesh else shape_text(linked))
+            words.append(text_of(linked))
     return "\n".join(words)
+
+
+def text_of(obj):
+    """Text of a shape or a mesh, without its placement."""
+    return mesh_text(obj) if obj.isDerivedFrom("Mesh::Feature") else shape_text(obj)
+
+
+def outline(pairs):
+    """World points (k,3) of parts that lie outermost in many directions, for the box of a sweep. Kept as the
+    texts are. Raises InputProblem."""
+    found = []
+    for root, sub in pairs:
+        parts = convert.leaves(root, sub)
+        for linked, path in parts:
+            if len(parts) == 1 or convert.solid_like(linked):
+                try:
+                    points = _outline_of(linked)
+                except convert.InputProblem as problem:
+                    label = convert.label_of(root, sub)
+                    raise convert.InputProblem('"{}": {}'.format(label, problem)) from None
+                found.append(convert.transform(convert.global_matrix(root, path), points))
+    if not found:
+        raise convert.InputProblem(convert.no_part_text())
+    return np.vstack(found)
+
+
+def _outline_of(obj):
+    text, key = text_of(obj), _key(obj)
+    known = _outlines.get(key)
+    if known is None or known[0] != text:
+        mesh = obj.isDerivedFrom("Mesh::Feature")
+        size = 0.0 if mesh else obj.Shape.BoundBox.DiagonalLength
+        points = convert.leaf_arrays(obj, max(OUTLINE_CHORD * size, 1e-6))[0]
+        known = _outlines[key] = text, points[_outermost(points)]
+    return known[1]
+
+
+def _outermost(points):
+    """Indices of the points that lie outermost in evenly spread directions."""
+    count = np.arange(DIRECTIONS) + 0.5
+    down, round_ = np.arccos(1 - 2 * count / DIRECTIONS), np.pi * (1 + 5**0.5) * count
+    ways = np.stack([np.cos(round_) * np.sin(down), np.sin(round_) * np.sin(down), np.cos(down)])
+    found = [(points @ ways[:, k : k + 32]).argmax(axis=0) for k in range(0, DIRECTIONS, 32)]
+    return np.unique(np.concatenate(found))
 
 
 # --- documents of before

@@ -287,7 +287,8 @@ def leaves(root, sub="", hidden=False):
     return found
 
 
-def _leaf_arrays(linked, deflection):
+def leaf_arrays(linked, deflection):
+    """Vertices and triangles of a shape or mesh in its own frame. Raises InputProblem."""
     if linked.isDerivedFrom("Mesh::Feature"):
         return arrays_from_mesh(linked.Mesh)
     return arrays_from_shape(linked.Shape, deflection)
@@ -319,7 +320,7 @@ def body_from(pairs, deflection):
             )
         for linked, path in parts:
             try:
-                points, facets = _leaf_arrays(linked, deflection)
+                points, facets = leaf_arrays(linked, deflection)
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
             vertices.append(transform(global_matrix(root, path), points))
@@ -327,14 +328,6 @@ def body_from(pairs, deflection):
             count += len(points)
     placement = global_placement(*pairs[0])
     return Body(np.vstack(vertices), np.vstack(triangles).astype(np.int32), placement, labels)
-
-
-#: Triangles over the eight corners of the first box that box_corners() returns.
-BOX_TRIANGLES = np.array(
-    [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)]
-    + [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)],
-    dtype=np.int32,
-)
 
 
 def box_corners(pairs):

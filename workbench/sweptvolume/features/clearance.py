@@ -443,6 +443,11 @@ class Plan:
         if moving.curved():
             chord += straight
         neighbours, notes = self._neighbours(deflection)
+        off, text = moving.hidden()
+        if off > float(self.values["Tolerance"]):
+            notes.append(text)
+        if moving.motion.Message:
+            notes.append(moving.motion.Message)
         if not neighbours:
             raise InputProblem(
                 translate("Messages", "no neighbour is given: choose parts or show some others.")

@@ -433,6 +433,19 @@ class Plan:
         reference = self.reference, self.reference_motion
         return Plan(self.pairs, self.motion, values, self.motions, *reference).requests()
 
+    def findings(self):
+        """What is to be said of the motions themselves, as findings of a report: they hide more than a cell
+        between two frames, or ended early."""
+        groups, found = self.groups(), []
+        cell = self.cell(groups)
+        for group in groups:
+            off, text = group.hidden()
+            if off > cell:
+                found.append({"code": "FramesFarApart", "text": text})
+            if group.motion.Message:
+                found.append({"code": "MotionIncomplete", "text": group.motion.Message})
+        return found
+
     def union_options(self, requests):
         """Settings of the run that joins the envelopes of several groups."""
         return dict(
@@ -440,15 +453,13 @@ class Plan:
         )
 
     def estimate(self):
-        """What the run would take, from the boxes of the parts alone: dict of the core."""
+        """What the run would take, from the outermost points of the parts: dict of the core. Grid and cell
+        are those of the run."""
         groups, options = self.groups(), self.options()
         if len(groups) > 1:
             options["cell"] = self.cell(groups)
         tolerance = STRAIGHT * self.cell(groups)
-        found = [
-            core.estimate(g.request(g.corners(), convert.BOX_TRIANGLES, tolerance, options))
-            for g in groups
-        ]
+        found = [core.estimate(g.request(*g.outline(), tolerance, options)) for g in groups]
         most = max(found, key=lambda e: e["memory_bytes"])
         return dict(most, seconds=sum(e["seconds"] for e in found))
 
@@ -474,6 +485,7 @@ def prepare(plan, document):
     Where only the tolerance is not that of the last simplified result, that one is cut again.
     Raises InputProblem.
     """
+    findings = plan.findings()
     key = plan.hash(without=("tolerance",))
     before = kept.find(document, key)
     if before is None:
@@ -486,6 +498,7 @@ def prepare(plan, document):
         else:
             found = core.recut(before, plan.options()["tolerance"], control)
         found.key = key
+        found.report["warnings"] = list(found.report["warnings"]) + findings
         return found
 
     return run

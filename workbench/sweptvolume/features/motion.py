@@ -140,6 +140,14 @@ class Motion(Feature):
             ),
             (
                 "App::PropertyString",
+                "Message",
+                "Result",
+                mark("Properties", "What is to be known of the poses as they were read"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyString",
                 "SourceHash",
                 "Source",
                 mark("Properties", "State of the source when it was read"),
@@ -261,7 +269,8 @@ def _read(obj):
     """Poses of the source as this motion keeps them. A file is read as it is."""
     poses = sources.read(settings_of(obj))
     if obj.SourceType != "File" and not container_of(obj).isIdentity():
-        return Poses(poses.times, [from_world(obj, p) for p in poses.placements])
+        inside = [from_world(obj, p) for p in poses.placements]
+        return Poses(poses.times, inside, note=poses.note)
     return poses
 
 
@@ -322,6 +331,7 @@ def store(obj, poses, touch=True):
     if touch or not same:
         obj.Times = times
         obj.Placements = placements
+    set_changed(obj, "Message", poses.note)
 
 
 def _same(a, b):
@@ -369,8 +379,9 @@ def motion_from_file(document, path, unit="mm", interpolation="Linear", frame="A
     return obj
 
 
-def motion_from_source(document, kind, objects, interpolation="Linear", frame="Absolute", **values):
-    """A motion object linked to a source other than a file. `values`: see trajectory/sources.py."""
+def motion_from_source(document, kind, objects, interpolation="", frame="Absolute", **values):
+    """A motion object linked to a source other than a file. interpolation: "" for that of the kind; `values`:
+    see trajectory/sources.py."""
     settings = sources.Settings(kind=kind, objects=list(objects), **values)
     poses = sources.read(settings)
     obj = make_motion(document)
@@ -379,7 +390,7 @@ def motion_from_source(document, kind, objects, interpolation="Linear", frame="A
     obj.SourceSettings = settings.extra
     obj.SourceHash = sources.signature(settings)
     store(obj, poses)
-    obj.Interpolation = interpolation
+    obj.Interpolation = interpolation or sources.interpolation_of(kind)
     obj.Frame = frame
     return obj
 

@@ -5,9 +5,10 @@ plain arrays for the core. Reads documents only in the thread of the GUI.
 import numpy as np
 
 from .. import contents, convert, core
-from ..convert import InputProblem
+from ..convert import InputProblem, matrix_of, transform
 from ..texts import translate
-from ..trajectory.poses import INTERPOLATIONS, base_of, course, straightened
+from ..trajectory import sources
+from ..trajectory.poses import INTERPOLATIONS, at_time, base_of, course, straightened
 from . import motion as motion_feature
 
 
@@ -16,6 +17,10 @@ def _in_world(motion, standing):
     that stands there."""
     poses = motion_feature.world_poses_of(motion)
     return poses, base_of(poses, motion.Frame, standing, motion_feature.container_of(motion))
+
+
+#: What two steps leave their way by, one step leaves it by a quarter of.
+SINGLE_STEP = 0.25
 
 
 class Moving:
@@ -93,6 +98,35 @@ class Moving:
     def corners(self):
         """Corners of the boxes of the parts in the base frame (k,3): cheap."""
         return convert.transform(self.into_base(), convert.box_corners(self.pairs))
+
+    def hidden(self):
+        """(mm, text): how far the part may leave its way between two frames of a mechanism, told from how
+        far a frame lies off the way that leads from the one before it to the one behind it. 0 for poses that
+        are keys of their own."""
+        if self.motion.SourceType not in sources.FROM_JOINTS or self.motion.Interpolation == "None":
+            return 0.0, ""
+        poses, base = self._base()
+        points, most, where = self.corners(), 0.0, 0.0
+        for k in range(1, len(poses) - 1):
+            a, b = poses.times[k - 1], poses.times[k + 1]
+            two = motion_feature.Poses([a, b], [poses.placements[k - 1], poses.placements[k + 1]])
+            there = matrix_of(at_time(two, self.motion.Interpolation, poses.times[k]))
+            off = transform(there, points) - transform(matrix_of(poses.placements[k]), points)
+            reach = float(np.linalg.norm(off, axis=1).max()) * SINGLE_STEP
+            if reach > most:
+                most, where = reach, poses.times[k]
+        text = translate(
+            "Messages",
+            'the frames of "{0}" lie far apart: near {1:g} s the part may leave its way between two of them '
+            "by about {2:.3g} mm. Read the motion with smaller steps.",
+        ).format(self.motion.Label, where, most)
+        return most, text
+
+    def outline(self):
+        """Outermost points of the parts in the base frame (k,3), and triangles that hold them together."""
+        points = convert.transform(self.into_base(), contents.outline(self.pairs))
+        strip = np.arange(len(points))[:, None] + np.arange(3)
+        return points, (strip % len(points)).astype(np.int32)
 
     def curved(self):
         """Whether the core gets straight pieces in place of a curved way."""

@@ -9,6 +9,7 @@ from ..trajectory import driven
 from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ACCURACY, ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
+from ..trajectory.sources import interpolation_of
 from . import focus, widgets
 from .widgets import QtWidgets
 
@@ -29,7 +30,8 @@ class SourcePanel:
         build = getattr(self, "_build_" + kind.lower(), None)
         if build is not None:
             build(rows)
-        self.interpolation = widgets.choice(list(INTERPOLATIONS), "Linear")
+        self.told = ""  # what was said of the poses before they are taken
+        self.interpolation = widgets.choice(list(INTERPOLATIONS), interpolation_of(kind))
         self.frame = widgets.choice(FRAMES, "Absolute")
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
@@ -170,6 +172,10 @@ class SourcePanel:
                 **values,
             )
             self.document.recompute([obj])
+            if obj.Message != self.told:
+                self.told = obj.Message
+                once_more = translate("Panels", "OK once more takes the motion as it is.")
+                raise InputProblem("{} {}".format(self.told, once_more))
         except InputProblem as problem:
             self.document.abortTransaction()
             widgets.show_message(self.message, str(problem))

@@ -4,6 +4,8 @@
 The simulation is run by FreeCAD; frame 0 is the assembly as it stands, the motion begins with frame 1
 at the simulation's start and goes on by its output step. The parts are put back afterwards.
 """
+import math
+
 from ..convert import InputProblem, global_placement, matrix_of, root_path
 from ..texts import translate
 from .poses import Poses
@@ -67,7 +69,22 @@ def poses(objects):
                 simulation.Label
             )
         )
-    return Poses([start + step * i for i in range(len(found))], found)
+    times = [start + step * i for i in range(len(found))]
+    note = shortfall(simulation.Label, start, _seconds(simulation.bTimeEnd), step, len(found))
+    return Poses(times, found, note=note)
+
+
+def shortfall(label, start, end, step, frames):
+    """What is to be said where a simulation from start to end by step (s) gave so many frames; "" where
+    those are all."""
+    expected = int(math.floor((end - start) / step + 1e-6)) + 1 if step > 0 else frames
+    if frames >= expected:
+        return ""
+    return translate(
+        "Messages",
+        'the simulation "{0}" stopped early: {1} of {2} frames, the last at {3:g} s of {4:g} s. Its solver '
+        "found no position there: look at its joints and formulas, or let it end sooner.",
+    ).format(label, frames, expected, start + step * (frames - 1), end)
 
 
 def signature(objects):

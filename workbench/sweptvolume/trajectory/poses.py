@@ -30,9 +30,11 @@ FRAME_HELP = mark(
 
 
 class Poses:
-    """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline."""
+    """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline; note: what is
+    to be known of how they were read."""
 
-    def __init__(self, times, placements, tangents=()):
+    def __init__(self, times, placements, tangents=(), note=""):
+        self.note = note
         self.tangents = list(tangents)
         self.times = [float(t) for t in times]
         self.placements = [App.Placement(p) for p in placements]

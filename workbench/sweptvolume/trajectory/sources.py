@@ -153,6 +153,15 @@ KINDS = {
 }
 
 
+#: Frames of parts that turn about joints: between two of them they go on turning.
+FROM_JOINTS = ("Driven", "Simulation")
+
+
+def interpolation_of(kind):
+    """What a part does between two poses of such a source, where nothing else is asked for."""
+    return "Screw" if kind in FROM_JOINTS else "Linear"
+
+
 def is_live(kind):
     """Whether the motion follows its source by itself."""
     return KINDS[kind][1]
