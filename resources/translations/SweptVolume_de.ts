@@ -679,6 +679,10 @@ Versucht:
    <translation>Zuerst die Hülle berechnen: Es gibt noch kein Netz für einen Festkörper.</translation>
   </message>
   <message>
+   <source>the largest tolerance of an edge is {0:.3g} mm, more than the {1:.3g} mm by which the solid leaves the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.</source>
+   <translation>die größte Toleranz einer Kante ist {0:.3g} mm, mehr als die {1:.3g} mm, um die der Festkörper das Netz verlässt: näher treffen sich seine Flächen dort nicht. Eine kleinere Toleranz gibt mehr Flächen, die besser passen.</translation>
+  </message>
+  <message>
    <source>the envelope is conservative, and a solid with a tolerance could cut into the swept volume: set the solid's Tolerance to 0.</source>
    <translation>die Hülle ist konservativ, und ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Tolerance des Festkörpers auf 0 setzen.</translation>
   </message>
@@ -1843,6 +1847,10 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
   <message>
    <source>Largest distance of the mesh from the solid, as measured</source>
    <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
+  </message>
+  <message>
+   <source>Largest tolerance of an edge of the solid: its faces meet within it</source>
+   <translation>Größte Toleranz einer Kante des Festkörpers: so genau treffen sich seine Flächen</translation>
   </message>
   <message>
    <source>Why the last run failed</source>

@@ -255,6 +255,29 @@ class Placed(Scene):
         self.assertEqual(self.body.Message, "")
 
 
+class Edges(Case):
+    NEEDS_CORE = True
+
+    def test_the_largest_edge_tolerance_is_reported(self):
+        if not core.has_solids():
+            self.skipTest("the core was built without OpenCASCADE")
+        ball = self.doc.addObject("Part::Sphere", "Ball")
+        path = motion.motion_from_poses(
+            self.doc, [0, 1], [shift(), turn(70, V(1, 2, 3), V(30, 5, 0))]
+        )
+        obj = self.envelope([ball], path, Resolution=24)
+        envelope.compute(obj)
+        body = solid.make_solid(self.doc, obj, Tolerance=0.3)
+        self.doc.recompute()
+        solid.compute(body)
+        largest = max(edge.Tolerance for edge in body.Shape.Edges)
+        self.assertAlmostEqual(body.EdgeTolerance.Value, largest, 12)
+        self.assertEqual("tolerance of an edge" in body.Message, largest > 0.3)
+        body.EdgeTolerance = 1.25  # as one was seen
+        self.doc.recompute()
+        self.assertIn("1.25 mm", body.Message)
+
+
 class Neighbours(Scene):
     def test_whatever_happens_to_what_is_visible(self):
         self.wall.Placement = shift(70)

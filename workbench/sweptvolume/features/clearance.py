@@ -419,7 +419,9 @@ class Plan:
 
     def checked_hash(self):
         """As hash(); raises InputProblem that says why the inputs are unusable."""
-        words = self.moving().words() + [contents.signature(self.leaves()), self._settings()]
+        # Undo brings objects back in another order.
+        beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
+        words = self.moving().words() + [contents.signature(beside), self._settings()]
         if self.envelope is not None:  # whose points are coloured
             words.append(contents.mesh_text(self.envelope))
             words.append(contents.matrices(convert.matrix_of(_place_of(self.envelope))))

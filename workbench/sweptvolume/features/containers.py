@@ -89,11 +89,6 @@ def shorten(holder):
             set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
 
 
-def _is_quiet(document):
-    """Whether the changes that are heard are none of their own: a file is read, or undo runs."""
-    return getattr(document, "Restoring", False) or getattr(document, "Transacting", False)
-
-
 def _touch_checks(document, but=None):
     """Checks of all that is visible look again at the next recompute."""
     for check in document.Objects:
@@ -111,31 +106,39 @@ def _touch_users(obj):
 
 class _Observer:
     """Hears of what the links of FreeCAD do not tell: objects that come into a group or leave it, groups
-    that are moved, things that are shown, hidden or made."""
+    that are moved, things that are shown, hidden or made. Undo is heard like any other change, but only
+    marks: it brings the links back by itself."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
-        if name == "Visibility":
-            if not _is_quiet(obj.Document) and not kind_of(obj):
-                _touch_users(obj)
-            return
-        if name not in ("Group", "Placement") or "Group" not in obj.PropertiesList:
+        if name not in ("Visibility", "Group", "Placement"):
             return
         document = obj.Document
-        if _is_quiet(document):
+        if document.Restoring:
             return
-        if name == "Group":
+        if name == "Visibility":
+            if not kind_of(obj):
+                _touch_users(obj)
+        elif "Group" in obj.PropertiesList:
+            if name == "Placement":
+                for member in inside(obj):
+                    for ours in [member] + member.InList:
+                        if kind_of(ours):
+                            ours.touch()
+                return
             for holder in [o for o in document.Objects if kind_of(o)]:
-                shorten(holder)
+                if not document.Transacting:
+                    shorten(holder)
                 holder.touch()  # it, its inputs, or what it sees may stand elsewhere now
-            return
-        for member in inside(obj):
-            for ours in [member] + member.InList:
-                if kind_of(ours):
-                    ours.touch()
 
     def slotCreatedObject(self, obj):  # noqa: N802
-        if not _is_quiet(obj.Document):
+        if not obj.Document.Restoring:
             _touch_checks(obj.Document, obj)
+
+    def slotDeletedObject(self, obj):  # noqa: N802
+        """Undo takes an object away, but not out of links that were set beside the undo record."""
+        for check in set(obj.InList):
+            if kind_of(check) and obj in getattr(check, "Seen", []):
+                check.Seen = [seen for seen in check.Seen if seen is not obj]
 
 
 def watch():

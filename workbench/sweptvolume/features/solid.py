@@ -36,6 +36,9 @@ SINGLE_PRECISION = 2.0**-22
 
 missing.watch()
 
+#: Edges whose faces meet within this (mm) are as good as any: CAD systems take it for closed.
+LEAST_GAP = 1e-3
+
 #: Budget of faces of a new solid.
 MAX_FACES = 20000
 #: What request_for() takes for a new one; max_megabytes: of a file, 0: any size; tessellated: the
@@ -97,6 +100,17 @@ class Solid(Feature):
                 "Deviation",
                 "Result",
                 mark("Properties", "Largest distance of the mesh from the solid, as measured"),
+                None,
+                READ_ONLY,
+            ),
+            (
+                "App::PropertyLength",
+                "EdgeTolerance",
+                "Result",
+                mark(
+                    "Properties",
+                    "Largest tolerance of an edge of the solid: its faces meet within it",
+                ),
                 None,
                 READ_ONLY,
             ),
@@ -244,7 +258,19 @@ def update_status(obj):
     if now and status.is_displaced(obj):
         now += " moved"
     waiting = obj.Source is not None and status.is_behind(obj.Source)
-    status.judge(obj, now, lost or problem, waiting)
+    status.judge(obj, now, lost or problem, waiting, notes_of(obj))
+
+
+def notes_of(obj):
+    """What is to be said of the stored result."""
+    asked = max(obj.Tolerance.Value, obj.Deviation.Value, LEAST_GAP)
+    if obj.EdgeTolerance.Value <= asked:
+        return ""
+    return translate(
+        "Messages",
+        "the largest tolerance of an edge is {0:.3g} mm, more than the {1:.3g} mm by which the solid leaves "
+        "the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.",
+    ).format(obj.EdgeTolerance.Value, asked)
 
 
 class Request:
@@ -377,6 +403,7 @@ def apply(obj, value, hash_at_start):
     # The kernel's own figure is less exact where profiles were pushed along a direction.
     obj.Volume = report.get("volume") or shape.Volume
     obj.Deviation = report["deviation"]
+    obj.EdgeTolerance = max((edge.Tolerance for edge in shape.Edges), default=0.0)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
     status.tell_users(obj)

@@ -1,0 +1,376 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Table: every input of every feature, changed in every way; the state afterwards is what a fresh computation
+justifies. What that is, is found out by computing afresh in a copy of the document, not written down here.
+"""
+import os
+import shutil
+
+import FreeCAD as App
+import Part
+
+from case import Case, V, shift, turn
+from sweptvolume import core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, envelope, motion, solid
+from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
+
+#: name -> what a user does to the document of States.setUp().
+CHANGES = {}
+
+
+def change(action):
+    CHANGES[action.__name__] = action
+    return action
+
+
+# --- properties of parts
+
+
+@change
+def part_grows(doc):
+    doc.Box.Length = 12
+
+
+@change
+def part_moves(doc):
+    doc.Box.Placement = shift(0, 3)
+
+
+@change
+def hole_moves(doc):
+    doc.Plate.Shape = Part.makeBox(30, 12, 2).cut(Part.makeCylinder(2, 2, V(20, 6, 0)))
+
+
+@change
+def part_turns_mesh(doc):
+    import Mesh
+
+    doc.Net.Mesh = Mesh.createBox(4, 4, 5)
+
+
+@change
+def mesh_placed(doc):
+    doc.Net.Placement = shift(0, 0, 41)
+
+
+@change
+def wall_moves(doc):
+    doc.Wall.Placement = shift(55)
+
+
+@change
+def wall_is_hidden(doc):
+    doc.Wall.Visibility = False
+
+
+@change
+def hidden_part_is_shown(doc):
+    doc.Hidden.Visibility = True
+
+
+@change
+def hidden_part_moves(doc):
+    doc.Hidden.Placement = shift(0, -90)
+
+
+@change
+def new_part(doc):
+    doc.addObject("Part::Box", "Fresh").Placement = shift(0, 0, 90)
+
+
+@change
+def part_gone(doc):
+    doc.removeObject("Wall")
+
+
+@change
+def label_only(doc):
+    doc.Box.Label, doc.Wall.Label = "Another name", "A wall"
+
+
+# --- motion
+
+
+@change
+def pose_moves(doc):
+    doc.Motion.Placements = [shift(), shift(22)]
+
+
+@change
+def times_change(doc):
+    doc.Motion.Times = [0, 2]
+
+
+@change
+def interpolation_changes(doc):
+    doc.Motion.Interpolation = "Screw"
+
+
+@change
+def frame_changes(doc):
+    doc.Motion.Frame = "RelativeToFirst"
+
+
+@change
+def motion_is_deleted(doc):
+    doc.removeObject("Motion")
+
+
+@change
+def other_motion(doc):
+    doc.Envelope.Motion = doc.Motion001
+
+
+@change
+def wire_of_the_other_motion(doc):
+    doc.Wire.Shape = Part.makePolygon([V(), V(20, 0, 0), V(20, 9, 0)])
+
+
+@change
+def wire_is_deleted(doc):
+    doc.removeObject("Wire")
+
+
+# --- expressions
+
+
+@change
+def length_by_expression(doc):
+    doc.Box.setExpression("Length", "Values.length + 1 mm")
+
+
+@change
+def value_of_an_expression(doc):
+    doc.Values.set("A1", "7 mm")
+
+
+@change
+def cell_by_expression(doc):
+    doc.Envelope.setExpression("CellSize", "Values.length / 5")
+
+
+# --- results
+
+
+@change
+def resolution(doc):
+    doc.Envelope.Resolution = 18
+
+
+@change
+def offset(doc):
+    doc.Envelope.Offset = 1
+
+
+@change
+def backend_only(doc):
+    doc.Envelope.Backend = "CPU"
+
+
+@change
+def envelope_is_moved(doc):
+    doc.Envelope.Placement = shift(0, 0, 4)
+
+
+@change
+def envelope_is_hidden(doc):
+    doc.Envelope.Visibility = False
+
+
+@change
+def solid_is_moved(doc):
+    doc.EnvelopeSolid.Placement = shift(0, 0, 4)
+
+
+@change
+def solid_merges_nothing(doc):
+    doc.EnvelopeSolid.MergeCoplanar = False
+
+
+@change
+def required_distance(doc):
+    doc.Clearance.Required = 7
+
+
+@change
+def chosen_instead_of_visible(doc):
+    doc.Clearance.Neighbours, doc.Clearance.AllVisible = [(doc.Wall, "")], False
+
+
+@change
+def generators_chosen(doc):
+    doc.Envelope.Generators = [(doc.Box, ""), (doc.Net, "")]
+
+
+# --- containers and links
+
+
+@change
+def group_moves(doc):
+    doc.Group.Placement = turn(20, base=V(0, 2, 0))
+
+
+@change
+def part_into_a_group(doc):
+    doc.Group.Placement = shift(0, 2)
+    doc.Group.addObject(doc.Box)
+
+
+@change
+def envelope_into_a_group(doc):
+    doc.Group.Placement = shift(0, 2)
+    doc.Group.addObject(doc.Envelope)
+
+
+@change
+def motion_into_a_group(doc):
+    doc.Group.Placement = shift(0, 2)
+    doc.Group.addObject(doc.Motion)
+
+
+@change
+def part_leaves_its_group(doc):
+    doc.Group.removeObject(doc.Inner)
+
+
+@change
+def link_target(doc):
+    doc.Link.LinkedObject = doc.Plate
+
+
+@change
+def link_moves(doc):
+    doc.Link.Placement = shift(0, 33)
+
+
+@change
+def linked_part_grows(doc):
+    doc.Inner.Height = 3
+
+
+class States(Case):
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        doc = self.doc
+        box, plate = self.box(), doc.addObject("Part::Feature", "Plate")
+        plate.Shape = Part.makeBox(30, 12, 2).cut(Part.makeCylinder(2, 2, V(10, 6, 0)))
+        plate.Placement = shift(0, 30)
+        import Mesh
+
+        net = doc.addObject("Mesh::Feature", "Net")
+        net.Mesh, net.Placement = Mesh.createBox(4, 4, 4), shift(0, 0, 40)
+        group, inner = doc.addObject("App::Part", "Group"), self.box("Inner", 2)
+        group.addObject(inner)
+        inner.Placement = shift(0, -20)
+        link = doc.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement = inner, shift(0, -30)
+        wall, hidden = self.box("Wall"), self.box("Hidden")
+        wall.Placement, hidden.Placement = shift(60), shift(0, -80)
+        hidden.Visibility = False
+        sheet = doc.addObject("Spreadsheet::Sheet", "Values")
+        sheet.set("A1", "5 mm")
+        sheet.setAlias("A1", "length")
+        doc.recompute()
+        box.setExpression("Width", "Values.length * 2")
+        wire = doc.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        self.line()
+        motion.motion_from_source(doc, "Curve", [wire])
+        self.envelope([box, plate, link], doc.Motion, Resolution=20)
+        solid.make_solid(doc, doc.Envelope)
+        clearance.make_clearance(doc, Generators=[(box, "")], Motion=doc.Motion)
+        second = self.envelope([net], doc.Motion001, Resolution=16)
+        doc.recompute()
+        for obj in (doc.Envelope, second):
+            envelope.compute(obj)
+        if core.has_solids():
+            solid.compute(doc.EnvelopeSolid)
+        clearance.compute(doc.Clearance)
+        doc.recompute()
+
+    def results(self):
+        found = [o for o in self.doc.Objects if kind_of(o) and "InputHash" in o.PropertiesList]
+        return [o for o in found if core.has_solids() or kind_of(o) != solid.Solid.KIND]
+
+    def content(self, obj):
+        """What a result shows people, in numbers; None where a run is refused."""
+        if kind_of(obj) == clearance.Clearance.KIND:
+            rows = clearance.report_of(obj)["neighbours"]
+            return [obj.Required.Value] + sorted(
+                (round(row["distance"], 5), row["time_seconds"]) for row in rows
+            )
+        place = obj.getGlobalPlacement()
+        box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
+        numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
+        numbers += (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, obj.Volume.Value)
+        return [round(n, 4) + 0.0 for n in numbers]
+
+    def fresh(self):
+        """{name: content} of the document computed anew, as it is now; None where that is refused."""
+        path = os.path.join(self.folder, "fresh.FCStd")
+        self.doc.saveCopy(path)
+        kept, self.doc = self.doc, App.openDocument(path)
+        try:
+            self.doc.recompute(None, True)
+            found = {}
+            for obj in self.results():
+                try:
+                    {
+                        envelope.Envelope.KIND: envelope,
+                        solid.Solid.KIND: solid,
+                        clearance.Clearance.KIND: clearance,
+                    }[kind_of(obj)].compute(obj)
+                    found[obj.Name] = self.content(obj)
+                except (InputProblem, core.CoreError):
+                    found[obj.Name] = None
+            return found
+        finally:
+            App.closeDocument(self.doc.Name)
+            self.doc = kept
+            os.remove(path)
+            shutil.rmtree(path + "1", ignore_errors=True)
+
+    def look(self, name):
+        fresh = self.fresh()
+        for obj in self.results():
+            with self.subTest(change=name, result=obj.Name, status=obj.Status):
+                anew = fresh[obj.Name]
+                if obj.Status == UP_TO_DATE:
+                    self.assertEqual(self.content(obj), anew)
+                else:
+                    self.assertEqual(obj.Status, STALE if anew is not None else FAILED)
+                    if obj.Status == FAILED:
+                        self.assertTrue(obj.Message)
+
+    def test_nothing_changes_nothing(self):
+        self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
+        self.look("nothing")
+        label_only(self.doc)
+        backend_only(self.doc)
+        self.doc.recompute()
+        self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
+
+    def changed(self, name):
+        """A change, and its undo."""
+        self.doc.openTransaction(name)
+        CHANGES[name](self.doc)
+        self.doc.commitTransaction()
+        self.doc.recompute()
+        self.look(name)
+        if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
+            self.doc.undo()
+        # FreeCAD's undo leaves what is shown as it is, and what an expression has set.
+        self.doc.Wall.Visibility = self.doc.Envelope.Visibility = True
+        self.doc.Hidden.Visibility = False
+        self.doc.recompute()
+        self.look(name + ", undone")
+        if "expression" not in name:
+            self.assertEqual(
+                {o.Name: o.Status for o in self.results() if o.Status != UP_TO_DATE}, {}
+            )
+
+
+for _name in CHANGES:
+    setattr(States, "test_" + _name, lambda self, name=_name: self.changed(name))
