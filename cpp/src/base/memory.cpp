@@ -2,7 +2,10 @@
 #include "base/memory.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <string>
@@ -10,6 +13,7 @@
 #include <malloc.h>
 #endif
 #ifdef __linux__
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
@@ -32,13 +36,18 @@ std::uint64_t lineOf(const char* path, const std::string& name) {
 
 std::uint64_t residentMemoryBytes() {
 #ifdef __linux__
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t all = 0, resident = 0;
-  if (file >> all >> resident) {
-    return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  }
-#endif
+  // Takes no memory: it is called while there may be none, and by a thread of its own.
+  const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  std::array<char, 128> text{};
+  const ssize_t length = read(file, text.data(), text.size() - 1);
+  close(file);
+  const char* resident = length > 0 ? std::strchr(text.data(), ' ') : nullptr;
+  if (resident == nullptr) return 0;
+  return std::strtoull(resident, nullptr, 10) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+#else
   return 0;
+#endif
 }
 
 MemoryWatch::MemoryWatch()
@@ -62,10 +71,7 @@ void MemoryWatch::look() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::milliseconds(kMemoryMilliseconds),
                          [this] { return ended_; })) {
-    try {
-      most_ = std::max(most_.load(), residentMemoryBytes());
-    } catch (const std::exception&) {  // no memory to read a file with: look again later
-    }
+    most_ = std::max(most_.load(), residentMemoryBytes());
   }
 }
 

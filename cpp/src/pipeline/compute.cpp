@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "base/memory.h"
 #include "base/threads.h"
@@ -27,8 +28,9 @@ template <class Work>
 Result runWith(const Options& options, RunContext& run, Freed freed, const Work& work) {
   Result result;
   const Timer total;
-  const MemoryWatch memory;
+  std::optional<MemoryWatch> memory;
   guarded(result, [&] {
+    memory.emplace();
     const int threads = threadsOf(run);
     result.report.threads = threads;
     tbb::task_arena arena(threads);
@@ -40,7 +42,7 @@ Result runWith(const Options& options, RunContext& run, Freed freed, const Work&
   });
   const auto close = [&] {
     result.report.seconds.push_back({"total", total.seconds()});
-    result.report.peakMemoryBytes = memory.peakBytes();
+    if (memory) result.report.peakMemoryBytes = memory->peakBytes();
     if (freed == Freed::Returned) returnFreeMemory();
   };
   if (result.report.status == Status::Ok) {
