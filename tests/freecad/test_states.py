@@ -372,5 +372,82 @@ class States(Case):
             )
 
 
+class Groups(Case):
+    NEEDS_CORE = True
+
+    def test_what_a_moving_group_holds_and_shows(self):
+        group, first, second = (
+            self.doc.addObject("App::Part", "Group"),
+            self.box("A"),
+            self.box("B", 4),
+        )
+        second.Placement = shift(0, 20)
+        for part in (first, second):
+            group.addObject(part)
+        self.doc.recompute()
+        obj = self.envelope([group], self.line(), Resolution=20)
+        envelope.compute(obj)
+
+        def assert_status(status):
+            self.doc.recompute()
+            self.assertEqual(obj.Status, status)
+
+        second.Visibility = False
+        assert_status(STALE)
+        second.Visibility = True
+        assert_status(UP_TO_DATE)
+        group.removeObject(second)
+        assert_status(STALE)
+        group.addObject(second)
+        assert_status(UP_TO_DATE)
+        second.Placement = shift(0, 21)
+        assert_status(STALE)
+        second.Placement = shift(0, 20)
+        assert_status(UP_TO_DATE)
+        inner = self.doc.addObject("App::Part", "Inner")
+        group.addObject(inner)
+        assert_status(UP_TO_DATE)
+        inner.addObject(self.box("C", 2))
+        assert_status(STALE)
+        self.doc.removeObject("C")
+        assert_status(UP_TO_DATE)
+        self.doc.removeObject("Group")
+        assert_status(FAILED)
+        self.assertIn('"Group" was deleted', obj.Message)
+
+
+class External(Case):
+    NEEDS_CORE = True
+
+    def test_a_part_of_another_document(self):
+        other = App.newDocument("Elsewhere")
+        part = other.addObject("Part::Box", "Part")
+        other.recompute()
+        other.saveAs(os.path.join(self.folder, "elsewhere.FCStd"))
+        self.doc.saveAs(os.path.join(self.folder, "here.FCStd"))
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        wall = self.doc.addObject("App::Link", "Wall")
+        wall.LinkedObject, wall.Placement = part, shift(60)
+        self.doc.recompute()
+        path = self.line()
+        obj = self.envelope([link], path, Resolution=20)
+        check = clearance.make_clearance(self.doc, Generators=[(link, "")], Motion=path)
+        self.doc.recompute()
+        envelope.compute(obj)
+        clearance.compute(check)
+        self.doc.recompute()
+        self.assertEqual((obj.Status, check.Status), (UP_TO_DATE, UP_TO_DATE))
+        for length, status in ((12, STALE), (10, UP_TO_DATE)):
+            part.Length = length
+            other.recompute()
+            self.doc.recompute()
+            self.assertEqual((obj.Status, check.Status), (status, status))
+        part.Placement = shift(0, 5)  # a link has its own
+        other.recompute()
+        self.doc.recompute()
+        self.assertEqual((obj.Status, check.Status), (UP_TO_DATE, UP_TO_DATE))
+
+
 for _name in CHANGES:
     setattr(States, "test_" + _name, lambda self, name=_name: self.changed(name))

@@ -30,6 +30,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     set_changed,
     stored,
 )
+from .clearance_properties import INPUT, RESULT
 from .moving import Moving
 
 TYPE = "App::FeaturePython"
@@ -79,93 +80,6 @@ COLUMNS = [
     "Neighbour Z",
 ]
 
-_INPUT = [
-    (
-        "App::PropertyLinkGlobal",
-        "Envelope",
-        mark("Properties", "Envelope whose parts and motion are checked, and which is coloured"),
-        None,
-    ),
-    (
-        "App::PropertyLinkSubListGlobal",
-        "Generators",
-        mark("Properties", "Parts that move together, where no envelope is given"),
-        None,
-    ),
-    (
-        "App::PropertyLinkGlobal",
-        "Motion",
-        mark("Properties", "Motion, where no envelope is given"),
-        None,
-    ),
-    (
-        "App::PropertyLinkSubListGlobal",
-        "Neighbours",
-        mark("Properties", "Parts that stand still, seen through groups and links"),
-        None,
-    ),
-    (
-        "App::PropertyBool",
-        "AllVisible",
-        mark("Properties", "Check all other visible parts instead of Neighbours"),
-        True,
-    ),
-    ("App::PropertyLength", "Required", mark("Properties", "Distance asked for"), 5.0),
-    (
-        "App::PropertyLength",
-        "Tolerance",
-        mark("Properties", "How far the smallest distance may be off between two poses"),
-        0.01,
-    ),
-    (
-        "App::PropertyLength",
-        "Deflection",
-        mark(
-            "Properties",
-            "Chord error to which solids are meshed; it is subtracted from the distances",
-        ),
-        0.05,
-    ),
-]
-_RESULT = [
-    ("App::PropertyString", "Status", mark("Properties", "State of the result"), READ_ONLY),
-    (
-        "App::PropertyString",
-        "Message",
-        mark("Properties", "Why the last run failed; notes"),
-        READ_ONLY,
-    ),
-    ("App::PropertyString", "Summary", mark("Properties", "Result in one line"), READ_ONLY),
-    ("App::PropertyInteger", "Checked", mark("Properties", "Neighbours checked"), READ_ONLY),
-    ("App::PropertyLength", "Smallest", mark("Properties", "Smallest distance"), READ_ONLY),
-    ("App::PropertyString", "Report", mark("Properties", "Report of the run (JSON)"), HIDDEN),
-    (
-        "App::PropertyFloatList",
-        "MapDistances",
-        mark("Properties", "Distance at each point"),
-        HIDDEN,
-    ),
-    ("App::PropertyString", "InputHash", mark("Properties", "Inputs of the stored result"), HIDDEN),
-    (
-        "App::PropertyString",
-        "TriedHash",
-        mark("Properties", "Inputs of the last run that gave nothing"),
-        HIDDEN,
-    ),
-    (
-        "App::PropertyString",
-        missing.PROPERTY,
-        mark("Properties", "Inputs that were deleted (JSON)"),
-        HIDDEN,
-    ),
-    (
-        "App::PropertyLinkListGlobal",
-        "Seen",
-        mark("Properties", "What AllVisible looks at, so that a change of it is noticed"),
-        HIDDEN,
-    ),
-]
-
 containers.watch()
 missing.watch()
 
@@ -176,8 +90,8 @@ class Clearance(Feature):
     KIND = "SweptVolume::Clearance"
 
     def properties(self):
-        given = [(k, n, "Input", text, default, 0) for k, n, text, default in _INPUT]
-        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in _RESULT]
+        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
+        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
 
     def __init__(self, obj):
         super().__init__(obj)
