@@ -78,12 +78,6 @@ bool meetsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::V
 /// Set of elements, made for a few dozen of them.
 class SeenElements {
  public:
-  void clear() {
-    constexpr std::size_t kMaxKept = 4096;
-    if (slots_.size() > kMaxKept) slots_.clear();
-    std::fill(slots_.begin(), slots_.end(), kFree);
-    count_ = 0;
-  }
   /// False if it was in before.
   bool insert(const SweptElement& element) {
     if (2 * count_ >= slots_.size()) grow();
@@ -206,17 +200,13 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
   }
 }
 
-void ElementProbe::gather(const Eigen::AlignedBox3d& region,
-                          const std::vector<std::uint32_t>& crossings,
-                          std::vector<Piece>& pieces) const {
+std::vector<ElementProbe::Piece> ElementProbe::gather(
+    const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
   const Eigen::Vector3d centre = region.center();
   const Eigen::Vector3d half = region.sizes().array() / 2 + kAround;
-  // Kept: asked for every end of a wall. With the number of the element's piece.
-  thread_local std::vector<std::pair<SweptElement, std::size_t>> waiting;
-  thread_local SeenElements seen;
-  pieces.clear();
-  waiting.clear();
-  seen.clear();
+  std::vector<std::pair<SweptElement, std::size_t>> waiting;  // with the number of its piece
+  SeenElements seen;
+  std::vector<Piece> pieces;
   const auto visit = [&](const SweptElement& element) {
     if (!seen.insert(element)) return;
     const Piece piece = pieceOf(element);
@@ -239,6 +229,7 @@ void ElementProbe::gather(const Eigen::AlignedBox3d& region,
     forNeighbours(element, piece, inside, visit);
   }
   if (pieces.size() > kMaxPieces) pieces.clear();
+  return pieces;
 }
 
 void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
@@ -263,11 +254,8 @@ void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
 void ElementProbe::cast(const Eigen::AlignedBox3d& region,
                         const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
-  thread_local std::vector<Piece> pieces;
-  gather(region, crossings, pieces);
-  thread_local std::vector<double> first;  // share of the line
-  first.assign(lines.size(), 2);
-  for (const Piece& piece : pieces) {
+  std::vector<double> first(lines.size(), 2);  // fraction of the line
+  for (const Piece& piece : gather(region, crossings)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // Sides of the plane of the first triangle; a patch reaches beyond it by its fourth corner.

@@ -31,8 +31,8 @@ class ElementProbe : public SurfaceProbe {
     double start = 0, end = 0;  // s
   };
   Piece pieceOf(const SweptElement& element) const;
-  void gather(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
-              std::vector<Piece>& pieces) const;
+  std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
+                            const std::vector<std::uint32_t>& crossings) const;
   /// use(other) for those that share an edge or a vertex's path with the element, if inside(p, q)
   /// holds for that segment, and for copies of a face in the placements before and after.
   template <class Inside, class Use>

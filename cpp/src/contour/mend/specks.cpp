@@ -87,6 +87,7 @@ Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersec
   TriMesh& mesh = surface.mesh;
   run.checkpoint(Phase::Check);
   const Shells shells = shellsByVertices(mesh);
+  if (shells.count < 2) return found;
   const std::vector<bool> speck = findSpecks(measureShells(mesh, shells), cell, mostVolume, found);
   if (found.count == 0) return found;
   std::vector<std::uint8_t> keepsTriangle(mesh.triangles.size()), keepsVertex(mesh.vertices.size());
