@@ -17,7 +17,7 @@ target_compile_features(swept_all INTERFACE cxx_std_20)
 
 set(swept_headers check_text clearance compute drawable body io preview report run_context types)
 if(TARGET swept_solid)
-  list(APPEND swept_headers step_export step_import)
+  list(APPEND swept_headers solid)
   set(SWEPT_HAS_SOLIDS ON)
 else()
   set(SWEPT_HAS_SOLIDS OFF)

@@ -18,7 +18,7 @@
 #include "swept/io.h"
 #include "swept/preview.h"
 #ifdef HAVE_SWEPT_SOLID
-#include "swept/step_export.h"
+#include "swept/solid.h"
 #endif
 #include "warm_memory.h"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "swept/solid.h"
+
 #include <cmath>
 #include <string>
 
@@ -7,7 +9,6 @@
 #include "fuzz/targets.h"
 #include "support/temporary_folder.h"
 #include "swept/compute.h"
-#include "swept/step_export.h"
 
 namespace swept::fuzz {
 namespace {

@@ -1,7 +1,5 @@
 // The way from a mesh to a file: partition, model, kernel shape, file, check, rename.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "swept/step_export.h"
-
 #include <tbb/task_arena.h>
 
 #include <Eigen/Geometry>
@@ -30,6 +28,7 @@
 #include "solid/mesh/thin.h"
 #include "solid/text/step_text.h"
 #include "solid/text/tessellated.h"
+#include "swept/solid.h"
 
 namespace swept {
 namespace {

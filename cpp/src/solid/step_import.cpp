@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "swept/step_import.h"
-
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_Triangulation.hxx>
@@ -15,6 +13,7 @@
 #include "base/safe_file.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_scan.h"
+#include "swept/solid.h"
 
 namespace swept {
 namespace {

@@ -15,7 +15,7 @@
 #include "swept/clearance.h"
 #include "swept/io.h"
 #ifdef HAVE_SWEPT_SOLID
-#include "swept/step_import.h"
+#include "swept/solid.h"
 #endif
 
 namespace swept::cli {

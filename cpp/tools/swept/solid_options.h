@@ -4,7 +4,7 @@
 
 #include "arguments.h"
 #include "base/json_writer.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept::cli {
 

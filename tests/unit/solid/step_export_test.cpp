@@ -1,7 +1,5 @@
 // writeSolid(): what is written reads back as the right solid, and every failure leaves no trace.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "swept/step_export.h"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -14,7 +12,7 @@
 
 #include "solid/test_meshes.h"
 #include "support/sampled.h"
-#include "swept/step_import.h"
+#include "swept/solid.h"
 
 namespace swept {
 namespace {

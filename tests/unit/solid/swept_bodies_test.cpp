@@ -11,7 +11,7 @@
 #include "solid/recognise/recognise.h"
 #include "solid/test_meshes.h"
 #include "swept/compute.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept {
 namespace {

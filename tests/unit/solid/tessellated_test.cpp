@@ -12,7 +12,7 @@
 #include "solid/test_meshes.h"
 #include "solid/text/step_scan.h"
 #include "support/shapes.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept {
 namespace {

@@ -9,7 +9,7 @@
 #include "swept/body.h"
 #include "swept/io.h"
 #ifdef HAVE_SWEPT_SOLID
-#include "swept/step_import.h"
+#include "swept/solid.h"
 #endif
 
 namespace swept {

@@ -15,7 +15,7 @@
 #include "solid/kernel/kernel.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/model/model.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept::step {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solid/kernel/kernel.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept::step {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "swept/run_context.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept::step {
 

@@ -13,7 +13,7 @@
 
 #include "solid/model/model.h"
 #include "swept/run_context.h"
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept::step {
 

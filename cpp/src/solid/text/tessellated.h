@@ -11,7 +11,7 @@
 #include <istream>
 #include <string>
 
-#include "swept/step_export.h"
+#include "swept/solid.h"
 
 namespace swept::step {
 

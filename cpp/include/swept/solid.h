@@ -1,4 +1,5 @@
-// Envelope mesh -> B-rep solid -> STEP / BREP. Built only where OpenCASCADE is present.
+// Envelope mesh -> B-rep solid -> STEP / BREP file, and such files -> meshes. Built only where
+// OpenCASCADE is present.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -73,5 +74,16 @@ SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, Run
 /// and nothing is left behind. Throws Error(ExportFailed, ...), Error(Cancelled).
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run);
+
+struct ImportedSolid {
+  std::string name;  ///< file name without suffix, numbered if there is more than one solid
+  TriMesh mesh;      ///< mm; every face has corners of its own
+};
+
+/// Every solid of the file; if there is none, all its faces as one open mesh. linearDeflection: mm,
+/// how far triangles may leave the surface; angularDeflection: rad between neighbouring triangles.
+/// Throws Error(InvalidInput, "BadFile" | "NoSurface"), Error(Cancelled).
+std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
+                                      double angularDeflection, RunContext& run);
 
 }  // namespace swept
