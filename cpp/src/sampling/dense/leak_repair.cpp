@@ -52,7 +52,6 @@ class LeakFinder {
     }
   };
   struct Scratch {
-    std::vector<RayColumns::Crossing> ray;
     std::vector<PlacementSpace::Best> found;
     std::vector<std::uint32_t> hit;
   };
@@ -76,17 +75,7 @@ class LeakFinder {
         input_.grid.origin + input_.grid.cell * Eigen::Vector3d(g[0], g[1], g[2]);
     return p.rotation.transpose() * (world - p.translation);
   }
-  bool isInside(const Eigen::Vector3d& x, Scratch& s) const {
-    if ((x.array() < rays_.low().array()).any() || (x.array() > rays_.high().array()).any()) {
-      return false;
-    }
-    rays_.crossings(x.y(), x.z(), s.ray);
-    int depth = 0;
-    for (const auto& crossing : s.ray) {
-      if (crossing.x > x.x()) depth -= crossing.direction;
-    }
-    return depth > 0;
-  }
+  bool isInside(const Eigen::Vector3d& x) const { return rays_.winding(x) > 0; }
 
   /// Lattice point g lies near `face` at `placement`, outside of that copy: is it covered by
   /// another?
@@ -101,7 +90,7 @@ class LeakFinder {
     const PlacementSpace::Best best = space_.support(gradient, placement);
     if (best.advance <= needed) return false;
     const auto accept = [&](const PlacementSpace::Best& c) {
-      if (!isInside(inBody(g, c.placement), s)) return false;
+      if (!isInside(inBody(g, c.placement))) return false;
       out = {pack(g), c.placement, c.advance - needed + static_cast<float>(margin_)};
       return true;
     };
@@ -193,7 +182,7 @@ class LeakFinder {
         if (to[axis] < 0 || to[axis] >= input_.grid.points[axis]) continue;
         if (isMarked(way < 0 ? to : g, axis) || cover_.contains(pack(to))) continue;
         const Eigen::Vector3d y = inBody(to, from.placement);
-        if (isInside(y, s)) {
+        if (isInside(y)) {
           covered.push_back({pack(to), from.placement, 0});
           continue;
         }
