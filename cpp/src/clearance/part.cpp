@@ -130,11 +130,14 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
     throw Error(Status::ResourceLimit, "TooManyTriangles",
                 who + " has " + std::to_string(count) + " triangles, the limit is 500 million");
   const std::vector<Piece> parts = cutSlivers(mesh);
-  tree_ = BoxTree(parts.size(), [&](std::size_t i) {
-    BoxTree::Bounds box;
-    for (const Vector3d& x : parts[i].corners) box.extend(x);
-    return box;
-  });
+  tree_ = BoxTree(
+      parts.size(),
+      [&](std::size_t i) {
+        BoxTree::Bounds box;
+        for (const Vector3d& x : parts[i].corners) box.extend(x);
+        return box;
+      },
+      BoxTree::Order::Medians);
   corners_.resize(parts.size());
   triangles_.resize(parts.size());
   for (std::size_t place = 0; place < parts.size(); ++place) {

@@ -2,6 +2,7 @@
 #include "geometry/box_tree.h"
 
 #include <limits>
+#include <numeric>
 
 namespace swept {
 namespace {
@@ -124,6 +125,47 @@ Keys makeKeys(const Boxes& boxes, double extent) {
   return keys;
 }
 
+/// Sorts items [first, last) so that every node of this level, from `first` on, has its own part of
+/// space: along the widest spread of the middles, halves first, then quarters.
+template <class Boxes>
+void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
+                   std::size_t capacity) {
+  constexpr std::size_t kAlone = 4096;  // fewer items are not worth a task
+  if (static_cast<std::size_t>(last - first) <= capacity) {
+    if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
+    return;
+  }
+  const auto twiceMiddle = [&](std::int32_t i, int axis) {
+    const auto& box = boxes[static_cast<std::size_t>(i)];
+    return box.low[axis] + box.high[axis];
+  };
+  int axis = 0;
+  float widest = -1;
+  for (int a = 0; a < 3; ++a) {
+    float low = HUGE_VALF, high = -HUGE_VALF;
+    for (const std::int32_t* i = first; i != last; ++i) {
+      low = std::min(low, twiceMiddle(*i, a));
+      high = std::max(high, twiceMiddle(*i, a));
+    }
+    if (high - low > widest) axis = a;
+    widest = std::max(widest, high - low);
+  }
+  std::int32_t* middle = first + capacity;
+  std::nth_element(first, middle, last, [&](std::int32_t a, std::int32_t b) {
+    const float x = twiceMiddle(a, axis), y = twiceMiddle(b, axis);
+    return x != y ? x < y : a < b;
+  });
+  const auto lower = [&] { sortByMedians(boxes, first, middle, capacity / 2); };
+  const auto upper = [&] { sortByMedians(boxes, middle, last, capacity / 2); };
+  if (capacity < 2) return;
+  if (static_cast<std::size_t>(last - first) > kAlone) {
+    parallelActions(lower, upper);
+  } else {
+    lower();
+    upper();
+  }
+}
+
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 void setEmpty(BoxTree::Group& group, int lane) {
@@ -144,12 +186,22 @@ BoxTree::FloatBox BoxTree::rounded(const Bounds& box) const {
   return out;
 }
 
-void BoxTree::build(const RawArray<FloatBox>& boxes) {
-  Keys keys = makeKeys(boxes, (bounds_.high - bounds_.low).maxCoeff());
-  sortByKey(keys);
-  items_ = RawArray<std::int32_t>(keys.size());
+void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
+  items_ = RawArray<std::int32_t>(boxes.size());
+  if (order == Order::Curve) {
+    Keys keys = makeKeys(boxes, (bounds_.high - bounds_.low).maxCoeff());
+    sortByKey(keys);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      items_[i] = static_cast<std::int32_t>(keys[i] & 0xffffffffu);
+    }
+  } else {
+    std::size_t half = 1;  // of what the root has room for
+    while (2 * half < boxes.size()) half *= 2;
+    std::iota(items_.data(), items_.data() + boxes.size(), 0);
+    sortByMedians(boxes, items_.data(), items_.data() + boxes.size(), half);
+  }
   std::size_t groups = 0;
-  for (std::size_t nodes = keys.size();; nodes = (nodes + kWidth - 1) / kWidth) {
+  for (std::size_t nodes = boxes.size();; nodes = (nodes + kWidth - 1) / kWidth) {
     levels_.push_back({groups, static_cast<std::uint32_t>(nodes)});
     groups += (nodes + kWidth - 1) / kWidth;
     if (nodes == 1) break;
@@ -162,11 +214,10 @@ void BoxTree::build(const RawArray<FloatBox>& boxes) {
     for (std::size_t g = begin; g < end; ++g) {
       for (int lane = 0; lane < kWidth; ++lane) {
         const std::size_t place = kWidth * g + lane;
-        if (place >= keys.size()) {
+        if (place >= boxes.size()) {
           setEmpty(groups_[g], lane);
           continue;
         }
-        items_[place] = static_cast<std::int32_t>(keys[place] & 0xffffffffu);
         const FloatBox& box = boxes[static_cast<std::size_t>(items_[place])];
         for (int axis = 0; axis < 3; ++axis) {
           groups_[g].low[axis][lane] = box.low[axis];

@@ -1,16 +1,14 @@
 // Bounding volume hierarchy: boxes of items in a tree with four children a node, in flat arrays.
 //
-// In:      the box of each item, finite. Items lie on `places` 0 .. size() - 1 along a Hilbert
-// curve;
-//          searches speak of places, item() tells which item a place holds.
+// In:      the box of each item, finite. Items lie on `places` 0 .. size() - 1, near ones side by
+//          side; searches speak of places, item() tells which item a place holds.
 // Out:     items near a point or a box, nearest first; boxes of nodes for searches over pairs.
 // Units:   any one unit of length.
-// Cost:    O(n) to build, in parallel; 36 bytes an item. O(log n) a search that ends nearby.
+// Cost:    O(n) to build along a curve, O(n log n) by medians, in parallel; 36 bytes an item.
+//          O(log n) a search that ends nearby.
 // Promise: the same tree for any number of threads. No search misses an item: boxes are in float,
 //          relative to the middle of all, and rounded outward by less than 1e-6 of the largest
 //          coordinate; distances to them are bounded with the rounding of the point.
-// Order:   by size class (powers of four), then along the curve, so that neighbours in the list are
-//          neighbours in space and large items do not blow up the boxes of small ones.
 // Source:  J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
 //          R-tree (1994).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -56,10 +54,18 @@ class BoxTree {
     bool isItem() const { return level == 0; }
   };
 
+  /// How the items are sorted. Curve: by size class (powers of four), then along a Hilbert curve,
+  /// so that neighbours in the list are neighbours in space and large items do not blow up the
+  /// boxes of small ones; for few searches, or one over all pairs. Medians: halved again and again
+  /// along the widest spread of the middles; takes twice the time to build, and a search near the
+  /// items half to all the time (balls and tori of 82,000 and 300,000 triangles; a machine part of
+  /// 32,000: 0.6 to 1.4 times).
+  enum class Order { Curve, Medians };
+
   BoxTree() = default;
   /// boxOf(item): its Bounds; called more than once and from several threads.
   template <class BoxOf>
-  BoxTree(std::size_t count, const BoxOf& boxOf);
+  BoxTree(std::size_t count, const BoxOf& boxOf, Order order = Order::Curve);
 
   std::size_t size() const { return items_.size(); }
   bool empty() const { return items_.size() == 0; }
@@ -103,7 +109,7 @@ class BoxTree {
     std::array<float, 3> low, high;
   };
   FloatBox rounded(const Bounds& box) const;
-  void build(const RawArray<FloatBox>& boxes);
+  void build(const RawArray<FloatBox>& boxes, Order order);
 
   Bounds bounds_;
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
@@ -113,7 +119,7 @@ class BoxTree {
 };
 
 template <class BoxOf>
-BoxTree::BoxTree(std::size_t count, const BoxOf& boxOf) {
+BoxTree::BoxTree(std::size_t count, const BoxOf& boxOf, Order order) {
   if (count == 0) return;
   constexpr std::size_t kBlock = 1 << 13;
   std::vector<Bounds> parts((count + kBlock - 1) / kBlock);
@@ -126,7 +132,7 @@ BoxTree::BoxTree(std::size_t count, const BoxOf& boxOf) {
   parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) boxes[i] = rounded(boxOf(i));
   });
-  build(boxes);
+  build(boxes, order);
 }
 
 template <class Visit>

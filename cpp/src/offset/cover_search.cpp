@@ -3,14 +3,15 @@
 
 namespace swept::offset {
 
-CoverSearch::CoverSearch(std::vector<CoverTriangle>& triangles)
-    : triangles_(triangles), tree_(triangles.size(), [&](std::size_t t) {
-        BoxTree::Bounds box;
-        for (const Eigen::Vector3d& corner : triangles[t].corner) box.extend(corner);
-        box.low.array() -= triangles[t].slack;
-        box.high.array() += triangles[t].slack;
-        return box;
-      }) {
+CoverSearch::CoverSearch(std::vector<CoverTriangle>& triangles) : triangles_(triangles) {
+  const auto boxOf = [&](std::size_t t) {
+    BoxTree::Bounds box;
+    for (const Eigen::Vector3d& corner : triangles[t].corner) box.extend(corner);
+    box.low.array() -= triangles[t].slack;
+    box.high.array() += triangles[t].slack;
+    return box;
+  };
+  tree_ = BoxTree(triangles.size(), boxOf, BoxTree::Order::Medians);
   std::vector<CoverTriangle> sorted(triangles.size());
   for (std::size_t place = 0; place < sorted.size(); ++place) {
     sorted[place] = triangles[static_cast<std::size_t>(tree_.item(place))];

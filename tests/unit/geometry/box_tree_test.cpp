@@ -35,8 +35,9 @@ std::vector<Bounds> makeBoxes(Random& random, Kind kind, std::size_t count) {
   return boxes;
 }
 
-BoxTree treeOf(const std::vector<Bounds>& boxes) {
-  return BoxTree(boxes.size(), [&](std::size_t i) { return boxes[i]; });
+BoxTree treeOf(const std::vector<Bounds>& boxes, BoxTree::Order order) {
+  return BoxTree(
+      boxes.size(), [&](std::size_t i) { return boxes[i]; }, order);
 }
 
 double distanceTo(const Vector3d& p, const Bounds& box) {
@@ -48,16 +49,21 @@ bool meet(const Bounds& a, const Bounds& b, double room) {
          (b.low.array() <= a.high.array() + room).all();
 }
 
-class BoxTrees : public testing::TestWithParam<Kind> {
+using Order = BoxTree::Order;
+
+class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
  protected:
+  static Kind kind() { return std::get<0>(GetParam()); }
+  static Order order() { return std::get<1>(GetParam()); }
+
   /// Calls use(boxes, tree, size of the rounding) for trees of many sizes.
   template <class Use>
   void forTrees(const Use& use) {
     Random random(31);
     for (const std::size_t count : {0, 1, 2, 3, 4, 5, 15, 16, 17, 65, 300, 5000}) {
       SCOPED_TRACE(count);
-      const std::vector<Bounds> boxes = makeBoxes(random, GetParam(), count);
-      const BoxTree tree = treeOf(boxes);
+      const std::vector<Bounds> boxes = makeBoxes(random, kind(), count);
+      const BoxTree tree = treeOf(boxes, order());
       const double extent = count > 0 ? (tree.bounds().high - tree.bounds().low).maxCoeff() : 0.0;
       use(random, boxes, tree, 1e-6 * extent);
     }
@@ -146,11 +152,11 @@ TEST_P(BoxTrees, EndASearchWhenTold) {
 
 TEST_P(BoxTrees, AreTheSameForAnyNumberOfThreads) {
   Random random(7);
-  const std::vector<Bounds> boxes = makeBoxes(random, GetParam(), 30000);
-  const BoxTree first = treeOf(boxes);
+  const std::vector<Bounds> boxes = makeBoxes(random, kind(), 30000);
+  const BoxTree first = treeOf(boxes, order());
   for (const int threads : {1, 2, 3, 8}) {
     tbb::task_arena arena(threads);
-    const BoxTree tree = arena.execute([&] { return treeOf(boxes); });
+    const BoxTree tree = arena.execute([&] { return treeOf(boxes, order()); });
     for (std::size_t place = 0; place < boxes.size(); ++place) {
       ASSERT_EQ(tree.item(place), first.item(place));
     }
@@ -165,8 +171,10 @@ TEST_P(BoxTrees, AreTheSameForAnyNumberOfThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BoxTrees,
-                         testing::Values(Kind::Even, Kind::Points, Kind::Flat, Kind::Same,
-                                         Kind::ManySizes, Kind::FarAway));
+                         testing::Combine(testing::Values(Kind::Even, Kind::Points, Kind::Flat,
+                                                          Kind::Same, Kind::ManySizes,
+                                                          Kind::FarAway),
+                                          testing::Values(Order::Curve, Order::Medians)));
 
 }  // namespace
 }  // namespace swept::test

@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "geometry/box_tree.h"
 #include "geometry/ray_columns.h"
-#include "sampling/dense/segment_grid.h"
 #include "signs/contributing_edges.h"
 
 namespace swept::dense {
@@ -30,7 +30,7 @@ class LeakFinder {
         clear_(clear),
         run_(run),
         rays_(input.body),
-        segments_(input.body, input.grid.cell) {}
+        tree_(boxTreeOf(input.body.vertices, input.body.triangles)) {}
 
   LeakSearch find() {
     seed();
@@ -76,6 +76,30 @@ class LeakFinder {
     return p.rotation.transpose() * (world - p.translation);
   }
   bool isInside(const Eigen::Vector3d& x) const { return rays_.winding(x) > 0; }
+
+  /// The segment passes through the triangle, borders included.
+  bool meets(std::uint32_t triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    const auto& t = input_.body.triangles[triangle];
+    const Eigen::Vector3d &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
+                          &c = input_.body.vertices[t[2]];
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    const double above = n.dot(from - a), below = n.dot(to - a);
+    if ((above > 0) == (below > 0) || above == below) return false;
+    const Eigen::Vector3d x = from + (to - from) * (above / (above - below));
+    const double room = -1e-9 * n.squaredNorm();
+    return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
+           n.dot((a - c).cross(x - c)) >= room;
+  }
+  /// Triangles of the body that the segment meets, sorted.
+  void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                std::vector<std::uint32_t>& out) const {
+    out.clear();
+    tree_.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
+      const auto t = static_cast<std::uint32_t>(tree_.item(place));
+      if (meets(t, from, to)) out.push_back(t);
+    });
+    std::sort(out.begin(), out.end());
+  }
 
   /// Lattice point g lies near `face` at `placement`, outside of that copy: is it covered by
   /// another?
@@ -186,7 +210,7 @@ class LeakFinder {
           covered.push_back({pack(to), from.placement, 0});
           continue;
         }
-        segments_.hits(inBody(g, from.placement), y, s.hit);
+        findHits(inBody(g, from.placement), y, s.hit);
         Covered other{};
         bool elsewhere = false;
         for (const std::uint32_t f : s.hit) {
@@ -228,7 +252,7 @@ class LeakFinder {
   ClearPoints& clear_;
   RunContext& run_;
   RayColumns rays_;
-  SegmentGrid segments_;
+  BoxTree tree_;
   std::unordered_map<std::uint64_t, std::uint32_t> cover_;
   std::vector<Covered> front_;
   LeakSearch out_;
