@@ -15,7 +15,7 @@ import re
 import sys
 
 BELOW = {"base", "geometry", "motion", "grid"}  # what every stage may use
-STAGES = set("input sampling signs crossings offset cavities contour simplify check".split())
+STAGES = set("input sampling signs crossings offset contour simplify check".split())
 SAMPLERS = {"sampling/cpu", "sampling/gl", "sampling/dense"}
 
 MAY_INCLUDE = {
@@ -36,8 +36,6 @@ MAY_INCLUDE = {
     "crossings": BELOW | {"signs", "sampling", "sampling/culling"},
     # The second pipeline covers the sweep with the elements that culling leaves.
     "offset": BELOW | {"signs", "sampling", "sampling/culling"},
-    # Hollow spaces are told from solid ones by distances to the covered body.
-    "cavities": BELOW | {"signs", "sampling", "offset"},
     "contour": BELOW,
     # Contouring's second half compares and moves what the first has made.
     "contour/mend": BELOW | {"contour", "check"},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check/self_intersections.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,19 +27,36 @@ struct Found {
 /// Searches pairs of triangles without common corner.
 class PairSearch {
  public:
-  PairSearch(const TriMesh& mesh, const BoxTree& tree, RunContext& run)
-      : mesh_(mesh), tree_(tree), run_(run) {}
+  PairSearch(const TriMesh& mesh, RunContext& run)
+      : mesh_(mesh), run_(run), tree_(boxTreeOf(mesh.vertices, mesh.triangles)) {
+    run.checkpoint(Phase::Check);
+    if (tree_.root().isItem()) return;
+    vertices_ = RawArray<GroupVertices>(tree_.count(1));
+    constexpr std::size_t kGroups = 1 << 11;
+    parallelBlocks(vertices_.size(), kGroups, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g) {
+        const std::size_t filled = std::min<std::size_t>(kWidth, tree_.size() - kWidth * g);
+        for (std::size_t lane = 0; lane < kWidth; ++lane) {
+          for (int k = 0; k < 3; ++k) {
+            vertices_[g].vertex[k][lane] =
+                lane < filled ? mesh_.triangles[tree_.item(kWidth * g + lane)][k] : -1;
+          }
+        }
+      }
+    });
+  }
 
   struct Task {
-    std::size_t first, second;
+    std::uint32_t first, second;
   };
-  /// Pairs of nodes of one level that cover all pairs of leaves whose boxes can meet.
-  std::vector<Task> tasks(std::size_t level) const {
+  std::int32_t top() const { return tree_.root().level; }
+  /// Pairs of nodes of one level that cover all pairs of triangles whose boxes can meet.
+  std::vector<Task> tasks(std::int32_t level) const {
     std::vector<Task> list{{0, 0}};
-    for (std::size_t at = tree_.levels.size() - 1; at > level; --at) {
+    for (std::int32_t at = top(); at > level; --at) {
       std::vector<Task> next;
       for (const Task& task : list) {
-        forEachChildPair(at, task.first, task.second, [&](std::size_t a, std::size_t b) {
+        forEachChildPair(at, task.first, task.second, [&](std::uint32_t a, std::uint32_t b) {
           next.push_back({a, b});
         });
       }
@@ -50,60 +65,64 @@ class PairSearch {
     return list;
   }
 
-  void search(std::size_t level, std::size_t a, std::size_t b, Found& found) const {
-    if (level == 0) {
-      meetLeaves(a, b, found);
+  void search(std::int32_t level, std::uint32_t a, std::uint32_t b, Found& found) const {
+    if (level == 1) {
+      meetGroups(a, b, found);
       return;
     }
     forEachChildPair(level, a, b,
-                     [&](std::size_t c, std::size_t d) { search(level - 1, c, d, found); });
+                     [&](std::uint32_t c, std::uint32_t d) { search(level - 1, c, d, found); });
   }
 
  private:
+  static constexpr int kWidth = BoxTree::kWidth;
+  struct alignas(16) GroupVertices {
+    std::int32_t vertex[3][kWidth];
+  };
+
+  /// hit[j]: box i of p meets box j of q.
+  static void meetBoxes(const BoxTree::Group& p, int i, const BoxTree::Group& q,
+                        std::int32_t hit[kWidth]) {
+    for (int j = 0; j < kWidth; ++j) {
+      hit[j] = (p.low[0][i] <= q.high[0][j]) & (p.high[0][i] >= q.low[0][j]) &
+               (p.low[1][i] <= q.high[1][j]) & (p.high[1][i] >= q.low[1][j]) &
+               (p.low[2][i] <= q.high[2][j]) & (p.high[2][i] >= q.low[2][j]);
+    }
+  }
+
   template <class Visit>
-  void forEachChildPair(std::size_t level, std::size_t a, std::size_t b, Visit&& visit) const {
-    const auto& boxes = tree_.levels[level - 1];
-    const std::size_t endA = std::min(boxes.size(), 4 * a + 4);
-    const std::size_t endB = std::min(boxes.size(), 4 * b + 4);
-    const FloatBox& boxB = tree_.levels[level][b];
-    for (std::size_t c = 4 * a; c < endA; ++c) {
-      if (a != b && !boxes[c].meets(boxB)) continue;
-      for (std::size_t d = a == b ? c : 4 * b; d < endB; ++d) {
-        if (c == d || boxes[c].meets(boxes[d])) visit(c, d);
+  void forEachChildPair(std::int32_t level, std::uint32_t a, std::uint32_t b,
+                        const Visit& visit) const {
+    const BoxTree::Group &p = tree_.childBoxes({level, a}), &q = tree_.childBoxes({level, b});
+    for (int i = 0; i < kWidth; ++i) {
+      alignas(16) std::int32_t hit[kWidth];
+      meetBoxes(p, i, q, hit);  // an empty lane meets nothing
+      for (int j = a == b ? i : 0; j < kWidth; ++j) {
+        if (hit[j] != 0) visit(kWidth * a + i, kWidth * b + j);
       }
     }
   }
 
-  void meetLeaves(std::size_t a, std::size_t b, Found& found) const {
-    const TriangleLeaf& p = tree_.leaves[a];
-    const TriangleLeaf& q = tree_.leaves[b];
-    const FloatBox& boxQ = tree_.levels[0][b];
+  void meetGroups(std::uint32_t a, std::uint32_t b, Found& found) const {
+    const BoxTree::Group &p = tree_.childBoxes({1, a}), &q = tree_.childBoxes({1, b});
+    const GroupVertices &u = vertices_[a], &v = vertices_[b];
     SeenTriangle first;
-    for (int i = 0; i < kLeafSize; ++i) {
-      if (p.triangle[i] < 0) break;
-      if (a != b && (p.low[0][i] > boxQ.high[0] || p.high[0][i] < boxQ.low[0] ||
-                     p.low[1][i] > boxQ.high[1] || p.high[1][i] < boxQ.low[1] ||
-                     p.low[2][i] > boxQ.high[2] || p.high[2][i] < boxQ.low[2])) {
-        continue;
-      }
-      alignas(32) std::int32_t hit[kLeafSize];
-      for (int j = 0; j < kLeafSize; ++j) {
-        hit[j] = (p.low[0][i] <= q.high[0][j]) & (p.high[0][i] >= q.low[0][j]) &
-                 (p.low[1][i] <= q.high[1][j]) & (p.high[1][i] >= q.low[1][j]) &
-                 (p.low[2][i] <= q.high[2][j]) & (p.high[2][i] >= q.low[2][j]);
-      }
+    for (int i = 0; i < kWidth; ++i) {
+      alignas(16) std::int32_t hit[kWidth];
+      meetBoxes(p, i, q, hit);
       for (int k = 0; k < 3; ++k) {
-        for (int j = 0; j < kLeafSize; ++j) {
-          hit[j] &= (p.vertex[k][i] != q.vertex[0][j]) & (p.vertex[k][i] != q.vertex[1][j]) &
-                    (p.vertex[k][i] != q.vertex[2][j]);
+        for (int j = 0; j < kWidth; ++j) {
+          hit[j] &= (u.vertex[k][i] != v.vertex[0][j]) & (u.vertex[k][i] != v.vertex[1][j]) &
+                    (u.vertex[k][i] != v.vertex[2][j]);
         }
       }
       bool prepared = false;
-      for (int j = a == b ? i + 1 : 0; j < kLeafSize; ++j) {
+      for (int j = a == b ? i + 1 : 0; j < kWidth; ++j) {
         if (hit[j] == 0) continue;
-        if (!prepared) first.set(mesh_, p.triangle[i]);
+        const std::int32_t t = tree_.item(kWidth * a + i);
+        if (!prepared) first.set(mesh_, t);
         prepared = true;
-        meetTriangles(first, p.triangle[i], q.triangle[j], found);
+        meetTriangles(first, t, tree_.item(kWidth * b + j), found);
       }
     }
   }
@@ -126,8 +145,9 @@ class PairSearch {
   }
 
   const TriMesh& mesh_;
-  const BoxTree& tree_;
   RunContext& run_;
+  BoxTree tree_;
+  RawArray<GroupVertices> vertices_;  ///< by node of level 1
 };
 
 /// Triangles round each entangled vertex, all pairs.
@@ -149,7 +169,7 @@ Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled
   constexpr std::size_t kBlock = 256;
   const std::size_t groups = starts.size() - 1;
   std::vector<Found> parts((groups + kBlock - 1) / kBlock);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+  parallelFor(parts.size(), [&](std::size_t part) {
     run.checkpoint(Phase::Check);
     for (std::size_t g = part * kBlock; g < std::min(groups, (part + 1) * kBlock); ++g) {
       for (std::size_t i = starts[g]; i < starts[g + 1]; ++i) {
@@ -185,13 +205,12 @@ SelfIntersections findSelfIntersections(const TriMesh& mesh,
   result.count = fans.count;
   result.pairs = std::move(fans.pairs);
 
-  const BoxTree tree = buildBoxTree(mesh);
-  run.checkpoint(Phase::Check);
-  const PairSearch search(mesh, tree, run);
-  const std::size_t level = std::min<std::size_t>(4, tree.levels.size() - 1);
+  const PairSearch search(mesh, run);
+  if (search.top() == 0) return result;
+  const std::int32_t level = std::min(5, search.top());
   const std::vector<PairSearch::Task> tasks = search.tasks(level);
   std::vector<Found> parts(tasks.size());
-  tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+  parallelFor(tasks.size(), [&](std::size_t i) {
     run.checkpoint(Phase::Check);
     search.search(level, tasks[i].first, tasks[i].second, parts[i]);
   });

@@ -53,19 +53,19 @@ void checkClearanceOptions(const ClearanceOptions& o,
     requireOption("chord error", part.chordError, true, "neighbour '" + part.name + "': ");
 }
 
-/// The hierarchy of a mesh; of a welded and turned copy if the mesh itself is not closed but that
+/// The mesh as a part; of a welded and turned copy if the mesh itself is not closed but that
 /// is.
-BoxTree closedTree(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended) {
-  BoxTree tree(mesh, who);
-  if (tree.closed()) return tree;
+Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended) {
+  Part part(mesh, who);
+  if (part.closed()) return part;
   try {
     const CheckedBody checked = checkBody(mesh, Options{}, run);
-    if (!checked.orientable) return tree;
+    if (!checked.orientable) return part;
     mended = true;
-    return BoxTree(checked.mesh, who);
+    return Part(checked.mesh, who);
   } catch (const Error& error) {
     if (error.status() == Status::InvalidInput)
-      return tree;  // e.g. a flat sheet: still a neighbour
+      return part;  // e.g. a flat sheet: still a neighbour
     throw;
   }
 }
@@ -73,20 +73,20 @@ BoxTree closedTree(const TriMesh& mesh, const std::string& who, RunContext& run,
 /// One neighbour from its mesh to its row of the report.
 class NeighbourCheck {
  public:
-  NeighbourCheck(const BoxTree& body, bool bodyMended, const MotionTree& motion,
+  NeighbourCheck(const Part& body, bool bodyMended, const MotionTree& motion,
                  const ClearanceOptions& options, RunContext& run)
       : body_(body), bodyMended_(bodyMended), motion_(motion), o_(options), run_(run) {}
 
   NeighbourClearance operator()(const ClearanceNeighbour& part) const {
     const Clock::time_point start = Clock::now();
     bool mended = false;
-    const BoxTree tree = closedTree(part.mesh, "neighbour '" + part.name + "'", run_, mended);
-    const PairSearch pair(body_, tree);
+    const Part neighbour = closedPart(part.mesh, "neighbour '" + part.name + "'", run_, mended);
+    const PairSearch pair(body_, neighbour);
     SearchContext context{pair, motion_, run_};
     NeighbourClearance row;
     row.name = part.name;
     row.chordError = o_.bodyChordError + part.chordError;
-    row.closed = tree.closed();
+    row.closed = neighbour.closed();
     const double touch = o_.tolerance + row.chordError;
     const double slack = motion_.isContinuous() ? o_.tolerance : 0.0;
     Minimum least = searchMinimum(context, slack);
@@ -95,7 +95,7 @@ class NeighbourCheck {
       row.penetration =
           deepestPenetration(context, least, o_.tolerance, o_.penetration ? 40000 : 4000);
       const bool undecidable =
-          !row.penetration.known && least.distance <= 0 && !body_.closed() && !tree.closed();
+          !row.penetration.known && least.distance <= 0 && !body_.closed() && !neighbour.closed();
       if (row.penetration.depth > touch || undecidable)
         row.verdict = ClearanceVerdict::Clash;
       else
@@ -163,7 +163,7 @@ class NeighbourCheck {
     if (row.verdict >= ClearanceVerdict::Contact) row.contact = timesBelow(touch);
   }
 
-  const BoxTree& body_;
+  const Part& body_;
   bool bodyMended_;
   const MotionTree& motion_;
   const ClearanceOptions& o_;
@@ -240,23 +240,24 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   CheckedTrajectory checked = checkTrajectory(trajectory);
   report.warnings = std::move(checked.findings);
   bool mended = false;
-  const BoxTree tree = closedTree(body, "the moving body", run, mended);
+  const Part moving = closedPart(body, "the moving body", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
   for (const ClearanceNeighbour& part : neighbours)
     report.neighbourTriangles += std::ssize(part.mesh.triangles);
   run.checkpoint(Phase::Motion);
-  const MotionTree motion(checked.trajectory, tree.nodes()[0].centre, tree.nodes()[0].half);
+  const Box box = moving.box(moving.tree().root());
+  const MotionTree motion(checked.trajectory, box.centre, box.half);
   report.placements = std::ssize(checked.trajectory.poses);
   report.seconds.push_back({"prepare", secondsSince(start)});
   const Clock::time_point search = Clock::now();
   report.neighbours.resize(neighbours.size());
   std::atomic<std::uint64_t> done{0};
-  const NeighbourCheck check(tree, mended, motion, options, run);
+  const NeighbourCheck check(moving, mended, motion, options, run);
   tbb::parallel_for(std::size_t{0}, neighbours.size(), [&](std::size_t i) {
     report.neighbours[i] = check(neighbours[i]);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
   });
-  warnOpen(report, tree.closed());
+  warnOpen(report, moving.closed());
   summarise(report);
   report.seconds.push_back({"search", secondsSince(search)});
   report.seconds.push_back({"total", secondsSince(start)});
@@ -315,7 +316,7 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
 
 std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, const TriMesh& mesh,
                                    RunContext& run) {
-  const BoxTree tree(mesh, "the mesh");
+  const Part part(mesh, "the mesh");
   std::vector<double> distances(points.size());
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, points.size(), 1024),
@@ -323,8 +324,8 @@ std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, c
         run.checkpoint(Phase::Check);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           const double d =
-              tree.nearest(points[i], std::numeric_limits<double>::infinity()).distance;
-          distances[i] = tree.inside(points[i]) ? -d : d;
+              part.nearest(points[i], std::numeric_limits<double>::infinity()).distance;
+          distances[i] = part.inside(points[i]) ? -d : d;
         }
       });
   return distances;

@@ -16,13 +16,13 @@ class BoxGap {
   BoxGap(const Matrix3d& R, const Vector3d& t) : R_(R), t_(t), absolute_(R.cwiseAbs()) {}
 
   // Box against box in the neighbour's axes. The moving box is replaced by its box in these axes.
-  double inWorld(const BoxNode& moving, const BoxNode& still) {
+  double inWorld(const Box& moving, const Box& still) {
     offset_ = still.centre - (R_ * moving.centre + t_);
     world_ = (offset_.cwiseAbs() - absolute_ * moving.half - still.half).cwiseMax(0.0);
     return world_.norm();
   }
   // The same in the body's axes; after inWorld() of the same pair.
-  double inBody(const BoxNode& moving, const BoxNode& still) {
+  double inBody(const Box& moving, const Box& still) {
     local_ = R_.transpose() * offset_;
     gap_ = (local_.cwiseAbs() - moving.half - absolute_.transpose() * still.half).cwiseMax(0.0);
     return gap_.norm();
@@ -42,9 +42,14 @@ class BoxGap {
 };
 
 struct Item {
-  std::int32_t body;
-  std::int32_t neighbour;
+  BoxTree::Node body;
+  BoxTree::Node neighbour;
   double gap;
+
+  bool isPair() const { return body.isItem() && neighbour.isItem(); }
+  LeafPair pair() const {
+    return {static_cast<std::int32_t>(body.index), static_cast<std::int32_t>(neighbour.index)};
+  }
 };
 
 // One stack for each thread and call depth 1: searches never nest.
@@ -54,18 +59,35 @@ std::vector<Item>& scratch() {
   return stack;
 }
 
-bool descendBody(const BoxNode& a, const BoxNode& b) {
-  if (a.leaf >= 0) return false;
-  if (b.leaf >= 0) return true;
-  return a.half.squaredNorm() >= b.half.squaredNorm();
+// Opens the larger of two boxes: visit(node of the body, node of the neighbour).
+template <class Visit>
+void openLarger(const Part& body, const Part& neighbour, const Item& item, const Visit& visit) {
+  const bool opensBody =
+      !item.body.isItem() &&
+      (item.neighbour.isItem() ||
+       body.box(item.body).half.squaredNorm() >= neighbour.box(item.neighbour).half.squaredNorm());
+  const BoxTree::Node open = opensBody ? item.body : item.neighbour;
+  const std::uint32_t children = (opensBody ? body : neighbour).tree().children(open);
+  for (std::uint32_t c = 0; c < children; ++c) {
+    const BoxTree::Node child = BoxTree::child(open, c);
+    opensBody ? visit(child, item.neighbour) : visit(item.body, child);
+  }
 }
 
-Corners posed(const Matrix3d& R, const Vector3d& t, const Corners& c) {
+// The nearest of the last ones on top.
+void sortFrom(std::size_t first, std::vector<Item>& stack) {
+  for (std::size_t i = first + 1; i < stack.size(); ++i) {
+    for (std::size_t at = i; at > first && stack[at - 1].gap < stack[at].gap; --at)
+      std::swap(stack[at - 1], stack[at]);
+  }
+}
+
+Triangle3d posed(const Matrix3d& R, const Vector3d& t, const Triangle3d& c) {
   return {Vector3d(R * c[0] + t), Vector3d(R * c[1] + t), Vector3d(R * c[2] + t)};
 }
 
 // Largest advance along n of a triangle: displacements are affine, so a corner has the largest.
-double advanceOf(const MotionBound& motion, const Vector3d& n, const Corners& c) {
+double advanceOf(const MotionBound& motion, const Vector3d& n, const Triangle3d& c) {
   double a = 0;
   for (const Vector3d& x : c) a = std::max(a, motion.advance(n, x, Vector3d::Zero()));
   return a;
@@ -77,14 +99,14 @@ struct Slab {
   double gap = -1;
   Vector3d direction = Vector3d::Zero();
 
-  Slab(const Corners& a, const Corners& b) {
+  Slab(const Triangle3d& a, const Triangle3d& b) {
     tryAlong(a, b, (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]));
     tryAlong(a, b, (a[1] - a[0]).cross(a[2] - a[0]));
     tryAlong(a, b, (b[1] - b[0]).cross(b[2] - b[0]));
   }
 
  private:
-  void tryAlong(const Corners& a, const Corners& b, const Vector3d& n) {
+  void tryAlong(const Triangle3d& a, const Triangle3d& b, const Vector3d& n) {
     const double length = n.norm();
     if (!(length > 1e-150)) return;
     const double a0 = n.dot(a[0]), a1 = n.dot(a[1]), a2 = n.dot(a[2]);
@@ -109,8 +131,8 @@ PairDistance PairSearch::distanceAt(const Matrix3d& R, const Vector3d& t, double
   PairDistance best;
   best.distance = below;
   const auto tryPair = [&](LeafPair pair) {
-    const Corners a = posed(R, t, body_.corners(pair.body));
-    const Corners& b = neighbour_.corners(pair.neighbour);
+    const Triangle3d a = posed(R, t, body_.corners(pair.body));
+    const Triangle3d& b = neighbour_.corners(pair.neighbour);
     if (Slab(a, b).gap >= best.distance) return;
     const NearestPoints p = nearestPoints(a, b);
     const double d = std::sqrt(p.squared);
@@ -118,36 +140,28 @@ PairDistance PairSearch::distanceAt(const Matrix3d& R, const Vector3d& t, double
   };
   if (hint.body >= 0) tryPair(hint);
   BoxGap gap(R, t);
-  const auto gapOf = [&](std::int32_t i, std::int32_t j) {
-    const BoxNode& a = body_.nodes()[i];
-    const BoxNode& b = neighbour_.nodes()[j];
+  const auto gapOf = [&](BoxTree::Node i, BoxTree::Node j) {
+    const Box a = body_.box(i), b = neighbour_.box(j);
     const double first = gap.inWorld(a, b);
     return first >= best.distance ? first : std::max(first, gap.inBody(a, b));
   };
   std::vector<Item>& stack = scratch();
-  stack.push_back({0, 0, gapOf(0, 0)});
+  const auto push = [&](BoxTree::Node i, BoxTree::Node j) {
+    const double g = gapOf(i, j);
+    if (g < best.distance) stack.push_back({i, j, g});
+  };
+  push(body_.tree().root(), neighbour_.tree().root());
   while (!stack.empty() && best.distance > 0) {
     const Item item = stack.back();
     stack.pop_back();
     if (item.gap >= best.distance) continue;
-    const BoxNode& a = body_.nodes()[item.body];
-    const BoxNode& b = neighbour_.nodes()[item.neighbour];
-    if (a.leaf >= 0 && b.leaf >= 0) {
-      tryPair({a.leaf, b.leaf});
+    if (item.isPair()) {
+      tryPair(item.pair());
       continue;
     }
-    Item first;
-    Item second;
-    if (descendBody(a, b)) {
-      first = {item.body + 1, item.neighbour, gapOf(item.body + 1, item.neighbour)};
-      second = {a.right, item.neighbour, gapOf(a.right, item.neighbour)};
-    } else {
-      first = {item.body, item.neighbour + 1, gapOf(item.body, item.neighbour + 1)};
-      second = {item.body, b.right, gapOf(item.body, b.right)};
-    }
-    if (second.gap < first.gap) std::swap(first, second);
-    if (second.gap < best.distance) stack.push_back(second);
-    if (first.gap < best.distance) stack.push_back(first);
+    const std::size_t before = stack.size();
+    openLarger(body_, neighbour_, item, push);
+    sortFrom(before, stack);
   }
   return best;
 }
@@ -156,8 +170,8 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
                                 LeafPair hint) const {
   Certificate result;
   const auto pairHolds = [&](LeafPair pair) {
-    const Corners a = posed(motion.R, motion.t, body_.corners(pair.body));
-    const Corners& b = neighbour_.corners(pair.neighbour);
+    const Triangle3d a = posed(motion.R, motion.t, body_.corners(pair.body));
+    const Triangle3d& b = neighbour_.corners(pair.neighbour);
     const Slab slab(a, b);
     if (slab.gap - motion.reach >= apart) return true;
     if (slab.gap >= apart &&
@@ -176,9 +190,8 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
   if (hint.body >= 0 && !pairHolds(hint)) return result;
   BoxGap gap(motion.R, motion.t);
   // -1: proven apart; otherwise the gap, for ordering.
-  const auto openGap = [&](std::int32_t i, std::int32_t j) {
-    const BoxNode& a = body_.nodes()[i];
-    const BoxNode& b = neighbour_.nodes()[j];
+  const auto openGap = [&](BoxTree::Node i, BoxTree::Node j) {
+    const Box a = body_.box(i), b = neighbour_.box(j);
     const double first = gap.inWorld(a, b);
     if (first - motion.reach >= apart) return -1.0;
     const double second = gap.inBody(a, b);
@@ -192,32 +205,22 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
     return std::max(first, second);
   };
   std::vector<Item>& stack = scratch();
-  const auto push = [&](std::int32_t i, std::int32_t j) {
+  const auto push = [&](BoxTree::Node i, BoxTree::Node j) {
     const double g = openGap(i, j);
     if (g >= 0) stack.push_back({i, j, g});
   };
-  push(0, 0);
+  push(body_.tree().root(), neighbour_.tree().root());
   while (!stack.empty()) {
     if (--effort < 0) return result;
     const Item item = stack.back();
     stack.pop_back();
-    const BoxNode& a = body_.nodes()[item.body];
-    const BoxNode& b = neighbour_.nodes()[item.neighbour];
-    if (a.leaf >= 0 && b.leaf >= 0) {
-      if (!pairHolds({a.leaf, b.leaf})) return result;
+    if (item.isPair()) {
+      if (!pairHolds(item.pair())) return result;
       continue;
     }
     const std::size_t before = stack.size();
-    if (descendBody(a, b)) {
-      push(item.body + 1, item.neighbour);
-      push(a.right, item.neighbour);
-    } else {
-      push(item.body, item.neighbour + 1);
-      push(item.body, b.right);
-    }
-    // The nearer one on top: an obstacle, if there is one, is met soon.
-    if (stack.size() == before + 2 && stack[before].gap < stack[before + 1].gap)
-      std::swap(stack[before], stack[before + 1]);
+    openLarger(body_, neighbour_, item, push);
+    sortFrom(before, stack);  // an obstacle, if there is one, is met soon
   }
   result.holds = true;
   return result;
@@ -236,22 +239,19 @@ std::vector<LeafPair> PairSearch::meetingPairs(const Matrix3d& R, const Vector3d
   std::vector<LeafPair> found;
   BoxGap gap(R, t);
   std::vector<Item>& stack = scratch();
-  stack.push_back({0, 0, 0});
+  stack.push_back({body_.tree().root(), neighbour_.tree().root(), 0});
   while (!stack.empty() && found.size() < limit) {
     const Item item = stack.back();
     stack.pop_back();
-    const BoxNode& a = body_.nodes()[item.body];
-    const BoxNode& b = neighbour_.nodes()[item.neighbour];
+    const Box a = body_.box(item.body), b = neighbour_.box(item.neighbour);
     if (gap.inWorld(a, b) > 0 || gap.inBody(a, b) > 0) continue;
-    if (a.leaf >= 0 && b.leaf >= 0) {
-      if (!(leafDistance(R, t, {a.leaf, b.leaf}).squared > 0)) found.push_back({a.leaf, b.leaf});
-    } else if (descendBody(a, b)) {
-      stack.push_back({item.body + 1, item.neighbour, 0});
-      stack.push_back({a.right, item.neighbour, 0});
-    } else {
-      stack.push_back({item.body, item.neighbour + 1, 0});
-      stack.push_back({item.body, b.right, 0});
+    if (item.isPair()) {
+      if (!(leafDistance(R, t, item.pair()).squared > 0)) found.push_back(item.pair());
+      continue;
     }
+    openLarger(body_, neighbour_, item, [&](BoxTree::Node i, BoxTree::Node j) {
+      stack.push_back({i, j, 0});
+    });
   }
   return found;
 }

@@ -8,12 +8,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "clearance/box_tree.h"
 #include "clearance/motion_tree.h"
+#include "clearance/part.h"
 
 namespace swept::clearance {
 
-/// A pair of leaves; -1: none.
+/// A pair of triangles by their places in the trees; -1: none.
 struct LeafPair {
   std::int32_t body = -1;
   std::int32_t neighbour = -1;
@@ -34,7 +34,7 @@ struct Certificate {
 
 class PairSearch {
  public:
-  PairSearch(const BoxTree& body, const BoxTree& neighbour) : body_(body), neighbour_(neighbour) {}
+  PairSearch(const Part& body, const Part& neighbour) : body_(body), neighbour_(neighbour) {}
 
   /// Smallest distance at a pose if below `below`; otherwise distance = below and no pair.
   PairDistance distanceAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
@@ -55,12 +55,12 @@ class PairSearch {
   NearestPoints leafDistance(const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                              LeafPair pair) const;
 
-  const BoxTree& body() const { return body_; }
-  const BoxTree& neighbour() const { return neighbour_; }
+  const Part& body() const { return body_; }
+  const Part& neighbour() const { return neighbour_; }
 
  private:
-  const BoxTree& body_;
-  const BoxTree& neighbour_;
+  const Part& body_;
+  const Part& neighbour_;
 };
 
 }  // namespace swept::clearance

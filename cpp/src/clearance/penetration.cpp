@@ -19,9 +19,9 @@ constexpr std::size_t kRound = 64;  // pieces a round; fixed, see motion_search.
 // A piece of surface: a box of the hierarchy, or a triangle cut out of a leaf's triangle.
 struct Piece {
   bool ofBody = true;
-  std::int32_t node = 0;
+  BoxTree::Node node;
   bool isTriangle = false;
-  Corners corners;
+  Triangle3d corners;
 };
 
 struct Item {
@@ -52,9 +52,9 @@ struct Probe {
   double surfaceDepth = 0;
 };
 
-Vector3d centroid(const Corners& c) { return (c[0] + c[1] + c[2]) / 3.0; }
+Vector3d centroid(const Triangle3d& c) { return (c[0] + c[1] + c[2]) / 3.0; }
 
-double radiusOf(const Corners& c) {
+double radiusOf(const Triangle3d& c) {
   const Vector3d m = centroid(c);
   return std::sqrt(
       std::max({(c[0] - m).squaredNorm(), (c[1] - m).squaredNorm(), (c[2] - m).squaredNorm()}));
@@ -69,14 +69,14 @@ double depthIn(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, boo
 
 Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const Piece& piece) {
   Probe p;
-  const BoxTree& own = piece.ofBody ? pair.body() : pair.neighbour();
+  const Part& own = piece.ofBody ? pair.body() : pair.neighbour();
   Vector3d local;
   if (piece.isTriangle) {
     local = centroid(piece.corners);
     p.radius = radiusOf(piece.corners);
     p.depth = p.surfaceDepth = depthIn(pair, R, t, piece.ofBody, local);
   } else {
-    const BoxNode& box = own.nodes()[piece.node];
+    const Box box = own.box(piece.node);
     p.radius = box.half.norm();
     p.depth = depthIn(pair, R, t, piece.ofBody, box.centre);
     local = box.centre;
@@ -87,33 +87,32 @@ Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const 
 }
 
 void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out) {
-  const BoxTree& own = piece.ofBody ? pair.body() : pair.neighbour();
+  const Part& own = piece.ofBody ? pair.body() : pair.neighbour();
   if (!piece.isTriangle) {
-    const BoxNode& box = own.nodes()[piece.node];
-    for (const std::int32_t child : {piece.node + 1, box.right}) {
-      const std::int32_t leaf = own.nodes()[child].leaf;
-      Piece p{piece.ofBody, child, leaf >= 0, {}};
-      if (leaf >= 0) p.corners = own.corners(leaf);
+    for (std::uint32_t k = 0; k < own.tree().children(piece.node); ++k) {
+      const BoxTree::Node child = BoxTree::child(piece.node, k);
+      Piece p{piece.ofBody, child, child.isItem(), {}};
+      if (child.isItem()) p.corners = own.corners(child.index);
       out.push_back(p);
     }
     return;
   }
-  const Corners& c = piece.corners;
+  const Triangle3d& c = piece.corners;
   const Vector3d a = 0.5 * (c[0] + c[1]);
   const Vector3d b = 0.5 * (c[1] + c[2]);
   const Vector3d d = 0.5 * (c[2] + c[0]);
-  for (const Corners& part :
-       {Corners{c[0], a, d}, Corners{a, c[1], b}, Corners{d, b, c[2]}, Corners{a, b, d}})
+  for (const Triangle3d& part : {Triangle3d{c[0], a, d}, Triangle3d{a, c[1], b},
+                                 Triangle3d{d, b, c[2]}, Triangle3d{a, b, d}})
     out.push_back({piece.ofBody, piece.node, true, part});
 }
 
 std::vector<Piece> roots(const PairSearch& pair) {
   std::vector<Piece> pieces;
   for (const bool ofBody : {true, false}) {
-    const BoxTree& own = ofBody ? pair.body() : pair.neighbour();
-    const BoxTree& other = ofBody ? pair.neighbour() : pair.body();
+    const Part& own = ofBody ? pair.body() : pair.neighbour();
+    const Part& other = ofBody ? pair.neighbour() : pair.body();
     if (!other.closed()) continue;
-    Piece p{ofBody, 0, own.size() == 1, {}};
+    Piece p{ofBody, own.tree().root(), own.tree().root().isItem(), {}};
     if (p.isTriangle) p.corners = own.corners(0);
     pieces.push_back(p);
   }
@@ -227,7 +226,8 @@ class DepthSearch {
   std::int64_t spent_ = 0;
   std::int64_t number_ = 0;
   PenetrationResult best_;
-  Corners bestCorners_;  // the piece of triangle that holds the deepest point, in its mesh's frame
+  Triangle3d
+      bestCorners_;  // the piece of triangle that holds the deepest point, in its mesh's frame
   double bestSpan_ = 0;
   bool bestHasPiece_ = false;
   std::vector<Item> queue_;  // a heap
@@ -239,7 +239,7 @@ class DepthSearch {
 };
 
 double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
-  const BoxTree& other = ofBody ? c_.pair.neighbour() : c_.pair.body();
+  const Part& other = ofBody ? c_.pair.neighbour() : c_.pair.body();
   if (!other.closed()) return -std::numeric_limits<double>::infinity();
   const Pose pose = c_.motion.poseAt(u);
   const Matrix3d R = pose.rotation.toRotationMatrix();
@@ -329,14 +329,13 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
     grow(p.a);
   }
   for (const Piece& root : roots(c_.pair)) {
-    const BoxTree& own = root.ofBody ? c_.pair.body() : c_.pair.neighbour();
-    std::vector<std::int32_t> stack{0};
+    const Part& own = root.ofBody ? c_.pair.body() : c_.pair.neighbour();
+    std::vector<BoxTree::Node> stack{own.tree().root()};
     while (!stack.empty()) {
-      const std::int32_t index = stack.back();
+      const BoxTree::Node node = stack.back();
       stack.pop_back();
-      const BoxNode& box = own.nodes()[index];
-      if (box.leaf >= 0) {
-        for (const Vector3d& x : own.corners(box.leaf)) {
+      if (node.isItem()) {
+        for (const Vector3d& x : own.corners(node.index)) {
           const Vector3d world = root.ofBody ? Vector3d(R * x + t) : x;
           // Nothing new inside the box found so far: no need to ask.
           if ((world.array() >= low.array()).all() && (world.array() <= high.array()).all())
@@ -345,14 +344,15 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
         }
         continue;
       }
+      const Box box = own.box(node);
       const Vector3d middle = root.ofBody ? Vector3d(R * box.centre + t) : box.centre;
       const Vector3d half = root.ofBody ? Vector3d(R.cwiseAbs() * box.half) : box.half;
       const bool nothingNew = ((middle - half).array() >= low.array()).all() &&
                               ((middle + half).array() <= high.array()).all();
       if (nothingNew) continue;
       if (depthIn(c_.pair, R, t, root.ofBody, box.centre) + box.half.norm() < 0) continue;
-      stack.push_back(index + 1);
-      stack.push_back(box.right);
+      for (std::uint32_t k = own.tree().children(node); k-- > 0;)
+        stack.push_back(BoxTree::child(node, k));
     }
   }
   best_.regionMin = low;

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/box_tree.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace swept {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 constexpr std::uint32_t kHilbertBits = 10;  // an axis
-using Range = tbb::blocked_range<std::size_t>;
+using Keys = RawArray<std::uint64_t>;       // key in the upper half, item in the lower
 
 /// Position along a Hilbert curve through a cube of 2^10 cells a side (Skilling 2004: the
 /// transpose of the index is found by undoing the rotations bit by bit, then Gray coded).
@@ -44,83 +39,22 @@ std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   return key;
 }
 
-struct Frame {
-  Eigen::Vector3d middle;
-  double scale;  ///< grid cells a mm
-};
-
-Frame frameOf(const TriMesh& mesh) {
-  using Box = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
-  const auto [low, high] = tbb::parallel_reduce(
-      Range(0, mesh.vertices.size(), kGrain), Box{mesh.vertices[0], mesh.vertices[0]},
-      [&](const Range& range, Box box) {
-        for (std::size_t v = range.begin(); v != range.end(); ++v) {
-          box.first = box.first.cwiseMin(mesh.vertices[v]);
-          box.second = box.second.cwiseMax(mesh.vertices[v]);
-        }
-        return box;
-      },
-      [](const Box& a, const Box& b) {
-        return Box{a.first.cwiseMin(b.first), a.second.cwiseMax(b.second)};
-      });
-  const double extent = (high - low).maxCoeff();
-  return {(low + high) / 2, extent > 0 ? ((1u << kHilbertBits) - 1) / extent : 0};
-}
-
-double extentOf(const TriMesh& mesh, std::size_t t) {
-  const auto& tri = mesh.triangles[t];
-  const auto &a = mesh.vertices[tri[0]], &b = mesh.vertices[tri[1]], &c = mesh.vertices[tri[2]];
-  return (a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c)).maxCoeff();
-}
-
-/// Middle of the extents of about a thousand triangles spread over the mesh.
-double typicalExtent(const TriMesh& mesh) {
-  const std::size_t step = mesh.triangles.size() / 1024 + 1;
-  std::vector<double> sample;
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
-    sample.push_back(extentOf(mesh, t));
-  }
-  std::nth_element(sample.begin(), sample.begin() + sample.size() / 2, sample.end());
-  return sample[sample.size() / 2];
-}
-
-/// Key in the upper half, triangle in the lower.
-RawArray<std::uint64_t> makeKeys(const TriMesh& mesh, const Frame& frame) {
-  const double typical = typicalExtent(mesh);
-  const double half = (1u << kHilbertBits) / 2.0;
-  RawArray<std::uint64_t> keys(mesh.triangles.size());
-  tbb::parallel_for(Range(0, keys.size(), kGrain), [&](const Range& range) {
-    for (std::size_t t = range.begin(); t != range.end(); ++t) {
-      const auto& tri = mesh.triangles[t];
-      const Eigen::Vector3d centre =
-          ((mesh.vertices[tri[0]] - frame.middle) + (mesh.vertices[tri[1]] - frame.middle) +
-           (mesh.vertices[tri[2]] - frame.middle)) *
-          (frame.scale / 3);
-      std::array<std::uint32_t, 3> cell{};
-      for (int i = 0; i < 3; ++i) {
-        cell[i] = static_cast<std::uint32_t>(std::clamp(centre[i] + half, 0.0, 2 * half - 1));
-      }
-      const double extent = extentOf(mesh, t);
-      const std::uint64_t sizeClass =
-          extent <= 4 * typical ? 0
-                                : (extent <= 16 * typical ? 1 : (extent <= 64 * typical ? 2 : 3));
-      keys[t] = ((sizeClass << 30 | hilbertKey(cell)) << 32) | t;
-    }
-  });
-  return keys;
-}
-
 /// Stable sort by the upper 32 bits: three passes of 11 bits over blocks of fixed size.
-void sortByKey(RawArray<std::uint64_t>& keys) {
+void sortByKey(Keys& keys) {
+  constexpr std::size_t kFew = 1 << 12;  // the tables of the passes would cost more than the items
+  if (keys.size() < kFew) {
+    std::sort(keys.data(), keys.data() + keys.size());
+    return;
+  }
   constexpr std::size_t kDigits = 1 << 11;
   const std::size_t block = std::max<std::size_t>(1 << 15, keys.size() / 32 + 1);
   const std::size_t blocks = (keys.size() + block - 1) / block;
-  RawArray<std::uint64_t> other(keys.size());
+  Keys other(keys.size());
   std::vector<std::uint32_t> counts(blocks * kDigits);
   for (int shift = 32; shift < 64; shift += 11) {
     auto digit = [shift](std::uint64_t key) { return (key >> shift) & (kDigits - 1); };
     std::fill(counts.begin(), counts.end(), 0);
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    parallelFor(blocks, [&](std::size_t b) {
       const std::size_t end = std::min(keys.size(), (b + 1) * block);
       for (std::size_t i = b * block; i < end; ++i) ++counts[b * kDigits + digit(keys[i])];
     });
@@ -132,7 +66,7 @@ void sortByKey(RawArray<std::uint64_t>& keys) {
         sum += count;
       }
     }
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    parallelFor(blocks, [&](std::size_t b) {
       const std::size_t end = std::min(keys.size(), (b + 1) * block);
       for (std::size_t i = b * block; i < end; ++i) {
         other[counts[b * kDigits + digit(keys[i])]++] = keys[i];
@@ -150,67 +84,167 @@ float roundedDown(double value) {
 }
 float roundedUp(double value) { return -roundedDown(-value); }
 
-void fillLeaf(const TriMesh& mesh, const Frame& frame, const RawArray<std::uint64_t>& keys,
-              std::size_t index, TriangleLeaf& leaf, FloatBox& box) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  box.low.fill(kInfinity);
-  box.high.fill(-kInfinity);
-  for (std::size_t j = 0; j < kLeafSize; ++j) {
-    const std::size_t place = index * kLeafSize + j;
-    const bool filled = place < keys.size();
-    const auto t = filled ? static_cast<std::int32_t>(keys[place] & 0xffffffffu) : -1;
-    leaf.triangle[j] = t;
-    for (int axis = 0; axis < 3; ++axis) {
-      leaf.low[axis][j] = kInfinity;
-      leaf.high[axis][j] = -kInfinity;
-      leaf.vertex[axis][j] = -1;
+template <class Box>
+float extentOf(const Box& box) {
+  return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
+}
+
+/// Middle of the extents of about a thousand boxes spread over the list.
+template <class Boxes>
+float typicalExtent(const Boxes& boxes) {
+  const std::size_t step = boxes.size() / 1024 + 1;
+  std::vector<float> sample;
+  for (std::size_t i = 0; i < boxes.size(); i += step) sample.push_back(extentOf(boxes[i]));
+  std::nth_element(sample.begin(), sample.begin() + sample.size() / 2, sample.end());
+  return sample[sample.size() / 2];
+}
+
+template <class Boxes>
+Keys makeKeys(const Boxes& boxes, double extent) {
+  const float typical = typicalExtent(boxes);
+  const double half = (1u << kHilbertBits) / 2.0;
+  const double scale = extent > 0 ? ((1u << kHilbertBits) - 1) / extent / 2 : 0;
+  Keys keys(boxes.size());
+  parallelBlocks(keys.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& box = boxes[i];
+      std::array<std::uint32_t, 3> cell{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const double twice = static_cast<double>(box.low[axis]) + box.high[axis];
+        cell[axis] =
+            static_cast<std::uint32_t>(std::clamp(twice * scale + half, 0.0, 2 * half - 1));
+      }
+      const float size = extentOf(box);
+      const std::uint64_t sizeClass = size <= 4 * typical    ? 0
+                                      : size <= 16 * typical ? 1
+                                      : size <= 64 * typical ? 2
+                                                             : 3;
+      keys[i] = ((sizeClass << 30 | hilbertKey(cell)) << 32) | i;
     }
-    if (!filled) continue;
-    const auto& tri = mesh.triangles[t];
-    const Eigen::Vector3d a = mesh.vertices[tri[0]] - frame.middle;
-    const Eigen::Vector3d b = mesh.vertices[tri[1]] - frame.middle;
-    const Eigen::Vector3d c = mesh.vertices[tri[2]] - frame.middle;
-    for (int axis = 0; axis < 3; ++axis) {
-      leaf.vertex[axis][j] = tri[axis];
-      leaf.low[axis][j] = roundedDown(std::min({a[axis], b[axis], c[axis]}));
-      leaf.high[axis][j] = roundedUp(std::max({a[axis], b[axis], c[axis]}));
-      box.low[axis] = std::min(box.low[axis], leaf.low[axis][j]);
-      box.high[axis] = std::max(box.high[axis], leaf.high[axis][j]);
+  });
+  return keys;
+}
+
+/// Sorts items [first, last) so that every node of this level, from `first` on, has its own part of
+/// space: along the widest spread of the middles, halves first, then quarters.
+template <class Boxes>
+void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
+                   std::size_t capacity) {
+  constexpr std::size_t kAlone = 4096;  // fewer items are not worth a task
+  if (static_cast<std::size_t>(last - first) <= capacity) {
+    if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
+    return;
+  }
+  const auto twiceMiddle = [&](std::int32_t i, int axis) {
+    const auto& box = boxes[static_cast<std::size_t>(i)];
+    return box.low[axis] + box.high[axis];
+  };
+  int axis = 0;
+  float widest = -1;
+  for (int a = 0; a < 3; ++a) {
+    float low = HUGE_VALF, high = -HUGE_VALF;
+    for (const std::int32_t* i = first; i != last; ++i) {
+      low = std::min(low, twiceMiddle(*i, a));
+      high = std::max(high, twiceMiddle(*i, a));
     }
+    if (high - low > widest) axis = a;
+    widest = std::max(widest, high - low);
+  }
+  std::int32_t* middle = first + capacity;
+  std::nth_element(first, middle, last, [&](std::int32_t a, std::int32_t b) {
+    const float x = twiceMiddle(a, axis), y = twiceMiddle(b, axis);
+    return x != y ? x < y : a < b;
+  });
+  const auto lower = [&] { sortByMedians(boxes, first, middle, capacity / 2); };
+  const auto upper = [&] { sortByMedians(boxes, middle, last, capacity / 2); };
+  if (capacity < 2) return;
+  if (static_cast<std::size_t>(last - first) > kAlone) {
+    parallelActions(lower, upper);
+  } else {
+    lower();
+    upper();
+  }
+}
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+void setEmpty(BoxTree::Group& group, int lane) {
+  for (int axis = 0; axis < 3; ++axis) {
+    group.low[axis][lane] = kInfinity;
+    group.high[axis][lane] = -kInfinity;
   }
 }
 
 }  // namespace
 
-BoxTree buildBoxTree(const TriMesh& mesh) {
-  BoxTree tree;
-  if (mesh.triangles.empty()) return tree;
-  const Frame frame = frameOf(mesh);
-  RawArray<std::uint64_t> keys = makeKeys(mesh, frame);
-  sortByKey(keys);
-  const std::size_t count = (keys.size() + kLeafSize - 1) / kLeafSize;
-  tree.leaves = RawArray<TriangleLeaf>(count);
-  tree.levels.emplace_back(count);
-  tbb::parallel_for(Range(0, count, kGrain / kLeafSize), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      fillLeaf(mesh, frame, keys, i, tree.leaves[i], tree.levels[0][i]);
+BoxTree::FloatBox BoxTree::rounded(const Bounds& box) const {
+  FloatBox out;
+  for (int axis = 0; axis < 3; ++axis) {
+    out.low[axis] = roundedDown(box.low[axis] - middle_[axis]);
+    out.high[axis] = roundedUp(box.high[axis] - middle_[axis]);
+  }
+  return out;
+}
+
+void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
+  items_ = RawArray<std::int32_t>(boxes.size());
+  if (order == Order::Curve) {
+    Keys keys = makeKeys(boxes, (bounds_.high - bounds_.low).maxCoeff());
+    sortByKey(keys);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      items_[i] = static_cast<std::int32_t>(keys[i] & 0xffffffffu);
     }
-  });
-  while (tree.levels.back().size() > 1) {
-    const auto& below = tree.levels.back();
-    std::vector<FloatBox> level((below.size() + 3) / 4);
-    for (std::size_t i = 0; i < level.size(); ++i) {
-      level[i] = below[4 * i];
-      for (std::size_t c = 4 * i + 1; c < std::min(below.size(), 4 * i + 4); ++c) {
+  } else {
+    std::size_t half = 1;  // of what the root has room for
+    while (2 * half < boxes.size()) half *= 2;
+    std::iota(items_.data(), items_.data() + boxes.size(), 0);
+    sortByMedians(boxes, items_.data(), items_.data() + boxes.size(), half);
+  }
+  std::size_t groups = 0;
+  for (std::size_t nodes = boxes.size();; nodes = (nodes + kWidth - 1) / kWidth) {
+    levels_.push_back({groups, static_cast<std::uint32_t>(nodes)});
+    groups += (nodes + kWidth - 1) / kWidth;
+    if (nodes == 1) break;
+  }
+  groups_ = RawArray<Group>(groups);
+  const auto groupsOf = [&](std::size_t level) {
+    return (levels_[level].nodes + kWidth - 1) / kWidth;
+  };
+  parallelBlocks(groupsOf(0), kGrain / kWidth, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      for (int lane = 0; lane < kWidth; ++lane) {
+        const std::size_t place = kWidth * g + lane;
+        if (place >= boxes.size()) {
+          setEmpty(groups_[g], lane);
+          continue;
+        }
+        const FloatBox& box = boxes[static_cast<std::size_t>(items_[place])];
         for (int axis = 0; axis < 3; ++axis) {
-          level[i].low[axis] = std::min(level[i].low[axis], below[c].low[axis]);
-          level[i].high[axis] = std::max(level[i].high[axis], below[c].high[axis]);
+          groups_[g].low[axis][lane] = box.low[axis];
+          groups_[g].high[axis][lane] = box.high[axis];
         }
       }
     }
-    tree.levels.push_back(std::move(level));
+  });
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    parallelBlocks(groupsOf(level), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g) {
+        Group& group = groups_[levels_[level].firstGroup + g];
+        for (int lane = 0; lane < kWidth; ++lane) {
+          const std::size_t node = kWidth * g + lane;
+          if (node >= levels_[level].nodes) {
+            setEmpty(group, lane);
+            continue;
+          }
+          const Group& below = groups_[levels_[level - 1].firstGroup + node];
+          for (int axis = 0; axis < 3; ++axis) {
+            group.low[axis][lane] = *std::min_element(below.low[axis], below.low[axis] + kWidth);
+            group.high[axis][lane] = *std::max_element(below.high[axis], below.high[axis] + kWidth);
+          }
+        }
+      }
+    });
   }
-  return tree;
 }
 
 }  // namespace swept

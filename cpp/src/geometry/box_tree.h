@@ -1,44 +1,241 @@
-// Bounding boxes of triangles, eight to a leaf, in an implicit tree with four children a node.
-// In:    a finite mesh. Out: leaves and boxes for a search of overlapping pairs.
-// Order: triangles are sorted by size class (powers of four), then along a Hilbert curve, so that
-//        neighbours in the list are neighbours in space and large triangles do not blow up the
-//        boxes of small ones.
-// Boxes are in float, relative to the middle of the mesh and rounded outward.
+// Bounding volume hierarchy: boxes of items in a tree with four children a node, in flat arrays.
+//
+// In:      the box of each item, finite. Items lie on `places` 0 .. size() - 1, near ones side by
+//          side; searches speak of places, item() tells which item a place holds.
+// Out:     items near a point or a box, nearest first; boxes of nodes for searches over pairs.
+// Units:   any one unit of length.
+// Cost:    O(n) to build along a curve, O(n log n) by medians, in parallel; 36 bytes an item.
+//          O(log n) a search that ends nearby.
+// Promise: the same tree for any number of threads. No search misses an item: boxes are in float,
+//          relative to the middle of all, and rounded outward by less than 1e-6 of the largest
+//          coordinate; distances to them are bounded with the rounding of the point.
+// Source:  J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
+//          R-tree (1994).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/raw_array.h"
-#include "swept/types.h"
 
 namespace swept {
 
-constexpr int kLeafSize = 8;
+class BoxTree {
+ public:
+  static constexpr int kWidth = 4;
 
-struct alignas(32) TriangleLeaf {
-  float low[3][kLeafSize];
-  float high[3][kLeafSize];
-  std::int32_t vertex[3][kLeafSize];
-  std::int32_t triangle[kLeafSize];  ///< -1: empty place, its box meets nothing
-};
+  struct Bounds {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL);
+    Eigen::Vector3d high = Eigen::Vector3d::Constant(-HUGE_VAL);
+    void extend(const Eigen::Vector3d& x) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    void extend(const Bounds& other) {
+      low = low.cwiseMin(other.low);
+      high = high.cwiseMax(other.high);
+    }
+  };
+  /// Boxes of four brothers, relative to middle(). An empty lane is a box that nothing meets.
+  struct alignas(32) Group {
+    float low[3][kWidth], high[3][kWidth];
+  };
+  /// Node `index` of a level; on level 0 an item's place. Its children are the nodes
+  /// 4 index .. 4 index + 3 of the level below, as far as there are any.
+  struct Node {
+    std::int32_t level = 0;
+    std::uint32_t index = 0;
+    bool isItem() const { return level == 0; }
+  };
 
-struct FloatBox {
-  std::array<float, 3> low, high;
-  bool meets(const FloatBox& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+  /// How the items are sorted. Curve: by size class (powers of four), then along a Hilbert curve,
+  /// so that neighbours in the list are neighbours in space and large items do not blow up the
+  /// boxes of small ones; for few searches, or one over all pairs. Medians: halved again and again
+  /// along the widest spread of the middles; takes twice the time to build, and a search near the
+  /// items half to all the time (balls and tori of 82,000 and 300,000 triangles; a machine part of
+  /// 32,000: 0.6 to 1.4 times).
+  enum class Order { Curve, Medians };
+
+  BoxTree() = default;
+  /// boxOf(item): its Bounds; called more than once and from several threads.
+  template <class BoxOf>
+  BoxTree(std::size_t count, const BoxOf& boxOf, Order order = Order::Curve);
+
+  std::size_t size() const { return items_.size(); }
+  bool empty() const { return items_.size() == 0; }
+  std::int32_t item(std::size_t place) const { return items_[place]; }
+  /// Box of everything, exact.
+  const Bounds& bounds() const { return bounds_; }
+  const Eigen::Vector3d& middle() const { return middle_; }
+
+  Node root() const { return {static_cast<std::int32_t>(levels_.size()) - 1, 0}; }
+  /// Nodes of one level.
+  std::uint32_t count(std::int32_t level) const { return levels_[level].nodes; }
+  std::uint32_t children(Node node) const {
+    return std::min<std::uint32_t>(kWidth, count(node.level - 1) - kWidth * node.index);
   }
+  static Node child(Node node, std::uint32_t c) {
+    return {node.level - 1, kWidth * node.index + c};
+  }
+  /// Boxes of a node's children.
+  const Group& childBoxes(Node node) const {
+    return groups_[levels_[node.level - 1].firstGroup + node.index];
+  }
+  const Group& groupOf(Node node) const {
+    return groups_[levels_[node.level].firstGroup + node.index / kWidth];
+  }
+
+  /// visit(place) for every item whose box meets the box [low, high].
+  template <class Visit>
+  void forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Visit& visit) const;
+
+  /// look(place, reach) for the items within `reach` of p, those in nearer boxes first. look() may
+  /// lower the reach; false ends the search.
+  template <class Look>
+  void searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const;
+
+ private:
+  struct Level {
+    std::size_t firstGroup;
+    std::uint32_t nodes;
+  };
+  struct FloatBox {
+    std::array<float, 3> low, high;
+  };
+  FloatBox rounded(const Bounds& box) const;
+  void build(const RawArray<FloatBox>& boxes, Order order);
+
+  Bounds bounds_;
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  RawArray<std::int32_t> items_;  ///< by place
+  RawArray<Group> groups_;        ///< level after level, the items' boxes first
+  std::vector<Level> levels_;
 };
 
-struct BoxTree {
-  RawArray<TriangleLeaf> leaves;
-  /// levels[0]: boxes of the leaves; levels[k][i] covers levels[k-1][4i .. 4i+3]. The last has one.
-  std::vector<std::vector<FloatBox>> levels;
-};
+template <class BoxOf>
+BoxTree::BoxTree(std::size_t count, const BoxOf& boxOf, Order order) {
+  if (count == 0) return;
+  constexpr std::size_t kBlock = 1 << 13;
+  std::vector<Bounds> parts((count + kBlock - 1) / kBlock);
+  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) parts[begin / kBlock].extend(boxOf(i));
+  });
+  for (const Bounds& part : parts) bounds_.extend(part);
+  middle_ = (bounds_.low + bounds_.high) / 2;
+  RawArray<FloatBox> boxes(count);
+  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) boxes[i] = rounded(boxOf(i));
+  });
+  build(boxes, order);
+}
 
-BoxTree buildBoxTree(const TriMesh& mesh);
+template <class Visit>
+void BoxTree::forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                     const Visit& visit) const {
+  if (empty()) return;
+  const FloatBox box = rounded({low, high});
+  Node stack[kWidth * 16];
+  int top = 0;
+  const auto meets = [&](const Group& group, int lane) {
+    return group.low[0][lane] <= box.high[0] && group.high[0][lane] >= box.low[0] &&
+           group.low[1][lane] <= box.high[1] && group.high[1][lane] >= box.low[1] &&
+           group.low[2][lane] <= box.high[2] && group.high[2][lane] >= box.low[2];
+  };
+  if (root().isItem()) {
+    if (meets(groups_[0], 0)) visit(0u);
+    return;
+  }
+  stack[top++] = root();
+  while (top > 0) {
+    const Node node = stack[--top];
+    const Group& group = childBoxes(node);
+    for (int c = 0; c < kWidth; ++c) {
+      if (!meets(group, c)) continue;
+      const Node below = child(node, static_cast<std::uint32_t>(c));
+      if (below.isItem()) {
+        visit(below.index);
+      } else {
+        stack[top++] = below;
+      }
+    }
+  }
+}
+
+template <class Look>
+void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const {
+  if (empty()) return;
+  const Eigen::Vector3d local = p - middle_;
+  const float at[3] = {static_cast<float>(local[0]), static_cast<float>(local[1]),
+                       static_cast<float>(local[2])};
+  const double room = 1.2e-7 * local.norm();  // twice the rounding of `at`
+  // Squared, with room for the rounding of squares and sums; beyond 1e18 nothing is left out.
+  const auto limitOf = [&](double r) {
+    const double most = std::max(r, 0.0) + room;
+    return most < 1e18 ? static_cast<float>(most * most * 1.00001) : HUGE_VALF;
+  };
+  float limit = limitOf(reach);
+  struct Item {
+    float squared;
+    Node node;
+  };
+  Item stack[kWidth * 16];
+  int top = 0;
+  stack[top++] = {0, root()};
+  if (root().isItem()) {
+    look(0u, reach);
+    return;
+  }
+  while (top > 0) {
+    const Item item = stack[--top];
+    if (item.squared > limit) continue;
+    const Group& group = childBoxes(item.node);
+    float squared[kWidth] = {0, 0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int c = 0; c < kWidth; ++c) {
+        const float d =
+            std::max(std::max(group.low[axis][c] - at[axis], at[axis] - group.high[axis][c]), 0.0f);
+        squared[c] += d * d;
+      }
+    }
+    int order[kWidth], count = 0;  // from far to near
+    const int lanes = static_cast<int>(children(item.node));
+    for (int c = 0; c < lanes; ++c) {
+      if (squared[c] > limit) continue;
+      int place = count++;
+      for (; place > 0 && squared[order[place - 1]] < squared[c]; --place) {
+        order[place] = order[place - 1];
+      }
+      order[place] = c;
+    }
+    if (item.node.level > 1) {
+      for (int i = 0; i < count; ++i) {
+        stack[top++] = {squared[order[i]], child(item.node, order[i])};
+      }
+      continue;
+    }
+    for (int i = count; i-- > 0;) {
+      if (squared[order[i]] > limit) break;
+      const double before = reach;
+      if (!look(kWidth * item.node.index + order[i], reach)) return;
+      if (reach < before) limit = limitOf(reach);
+    }
+  }
+}
+
+/// Tree over the triangles of a mesh; a place holds a triangle's number.
+template <class Triangles>
+BoxTree boxTreeOf(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles) {
+  return BoxTree(triangles.size(), [&](std::size_t t) {
+    const auto& tri = triangles[t];
+    const auto &a = vertices[tri[0]], &b = vertices[tri[1]], &c = vertices[tri[2]];
+    return BoxTree::Bounds{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+  });
+}
 
 }  // namespace swept

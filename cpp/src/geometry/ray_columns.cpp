@@ -96,25 +96,42 @@ std::int32_t RayColumns::column(double value, int axis) const {
   return std::clamp(static_cast<std::int32_t>(part), 0, columns_ - 1);
 }
 
-void RayColumns::crossings(double y, double z, std::vector<Crossing>& out) const {
-  out.clear();
+/// visit(x, triangle, direction), in no order.
+template <class Visit>
+void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
   const std::size_t cell = static_cast<std::size_t>(column(z, 2)) * columns_ + column(y, 1);
   for (std::uint32_t i = start_[cell]; i < start_[cell + 1]; ++i) {
     const auto& tri = mesh_.triangles[items_[i]];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
                &c = mesh_.vertices[tri[2]];
-    const int winding = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
-    if (winding == 0) continue;
+    const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
+    if (turn == 0) continue;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     const double low = std::min({a.x(), b.x(), c.x()});
     const double high = std::max({a.x(), b.x(), c.x()});
     double x = low;
     if (n.x() != 0) x = a.x() - (n.y() * (y - a.y()) + n.z() * (z - a.z())) / n.x();
-    out.push_back({std::clamp(x, low, high), items_[i], winding > 0 ? -1 : 1});
+    visit(std::clamp(x, low, high), items_[i], turn > 0 ? -1 : 1);
   }
+}
+
+void RayColumns::crossings(double y, double z, std::vector<Crossing>& out) const {
+  out.clear();
+  forCrossings(y, z, [&](double x, std::int32_t triangle, std::int32_t direction) {
+    out.push_back({x, triangle, direction});
+  });
   std::sort(out.begin(), out.end(), [](const Crossing& p, const Crossing& q) {
     return p.x != q.x ? p.x < q.x : p.triangle < q.triangle;
   });
+}
+
+int RayColumns::winding(const Eigen::Vector3d& p) const {
+  if ((p.array() < low_.array()).any() || (p.array() > high_.array()).any()) return 0;
+  int sum = 0;
+  forCrossings(p.y(), p.z(), [&](double x, std::int32_t, std::int32_t direction) {
+    if (x > p.x()) sum -= direction;
+  });
+  return sum;
 }
 
 }  // namespace swept

@@ -1,8 +1,13 @@
-// Rays along +x through a triangle mesh, for point-in-solid questions.
-// In:    triangles. Out: for a line (y, z) the crossings in rising x, each with its direction.
-// Cost:  O(n) to build, one column of triangles a line.
-// Invariants: a line through a shared edge or vertex meets a closed surface consistently (half-open
-// rule on exact comparisons of the projected corners).
+// Winding number of a closed mesh about a point, by a ray along +x.
+// In:      triangles. Out: winding numbers; for a line (y, z) the crossings in rising x, each with
+//          its direction. Units: any one unit of length.
+// Cost:    O(n) to build, one column of triangles a line. Not the boxes of BoxTree: the same rays
+// through
+//          those take 0.75 to 6 times as long (a machine part, a ball, a torus; 32,000 to 300,000
+//          triangles, points in the box and near the surface), mostly about three times.
+// Promise: a line through a shared edge or vertex meets a closed surface consistently (half-open
+//          rule on the projected corners, each edge evaluated in one direction), also where the
+//          triangles of an edge do not share vertices but only places.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,6 +29,9 @@ class RayColumns {
   explicit RayColumns(const TriMesh& mesh);
   /// Only lines with (y, z) inside the box will be asked for.
   RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+  /// How often the surface goes round x, counter-clockwise as seen from its normals' side: 1 inside
+  /// a solid, 0 outside and in its cavities, -1 inside a solid turned inside out.
+  int winding(const Eigen::Vector3d& x) const;
   /// Crossings of the line (any x, y, z), sorted by x, then by triangle.
   void crossings(double y, double z, std::vector<Crossing>& out) const;
   const Eigen::Vector3d& low() const { return low_; }
@@ -37,6 +45,8 @@ class RayColumns {
   bool cellsOf(std::size_t triangle, Cells& cells) const;
   void build();
   std::int32_t column(double value, int axis) const;
+  template <class Visit>
+  void forCrossings(double y, double z, const Visit& visit) const;
 
   const TriMesh& mesh_;
   Eigen::Vector3d low_, high_;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace swept::clearance {
+namespace swept {
 namespace {
 
 using Eigen::Vector3d;
@@ -41,10 +41,10 @@ void nearestOnSegments(const Vector3d& p, const Vector3d& u, const Vector3d& q, 
 
 // The plane of a triangle with what is needed to see whether a point projects into it.
 struct Face {
-  const Corners& c;
+  const Triangle3d& c;
   Vector3d normal;
   double squared;  // 0 for needles: their normal is noise, and their edges say it all
-  explicit Face(const Corners& corners)
+  explicit Face(const Triangle3d& corners)
       : c(corners), normal((c[1] - c[0]).cross(c[2] - c[0])), squared(normal.squaredNorm()) {
     const double edge = std::max((c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm());
     if (!(squared > 1e-16 * edge * edge)) squared = 0;
@@ -57,9 +57,9 @@ struct Face {
   }
 };
 
-// Corners of `other` over the face, and edges of `other` through it. `swapped`: the face belongs to
-// b.
-void faceCandidates(const Face& face, const Corners& other, bool swapped, NearestPoints& best) {
+// Triangle3d of `other` over the face, and edges of `other` through it. `swapped`: the face belongs
+// to b.
+void faceCandidates(const Face& face, const Triangle3d& other, bool swapped, NearestPoints& best) {
   if (!(face.squared > 0)) return;
   const std::array<double, 3> h{face.height(other[0]), face.height(other[1]),
                                 face.height(other[2])};
@@ -83,7 +83,7 @@ void faceCandidates(const Face& face, const Corners& other, bool swapped, Neares
 
 }  // namespace
 
-NearestPoints nearestPoints(const Corners& a, const Corners& b) {
+NearestPoints nearestPoints(const Triangle3d& a, const Triangle3d& b) {
   NearestPoints best;
   best.squared = std::numeric_limits<double>::infinity();
   const std::array<Vector3d, 3> u{a[1] - a[0], a[2] - a[1], a[0] - a[2]};
@@ -106,26 +106,21 @@ NearestPoints nearestPoints(const Corners& a, const Corners& b) {
   return best;
 }
 
-Vector3d nearestOnTriangle(const Vector3d& point, const Corners& c) {
+Foot detail::footOnNeedle(const Vector3d& p, const Triangle3d& c) {
   const Face face(c);
   if (face.squared > 0) {
-    const Vector3d foot = point - face.normal * (face.height(point) / face.squared);
-    if (face.covers(foot)) return foot;
+    const Vector3d foot = p - face.normal * (face.height(p) / face.squared);
+    if (face.covers(foot)) return {foot, p - foot};
   }
-  Vector3d best = c[0];
-  double bestSquared = std::numeric_limits<double>::infinity();
+  Foot best{c[0], p - c[0]};
   for (int k = 0; k < 3; ++k) {
     const Vector3d edge = c[(k + 1) % 3] - c[k];
     const double length = edge.squaredNorm();
-    const double s = length > 0 ? std::clamp(edge.dot(point - c[k]) / length, 0.0, 1.0) : 0.0;
-    const Vector3d x = c[k] + s * edge;
-    const double squared = (x - point).squaredNorm();
-    if (squared < bestSquared) {
-      bestSquared = squared;
-      best = x;
-    }
+    const double s = length > 0 ? std::clamp(edge.dot(p - c[k]) / length, 0.0, 1.0) : 0.0;
+    const Vector3d offset = (p - c[k]) - s * edge;
+    if (offset.squaredNorm() < best.offset.squaredNorm()) best = {c[k] + s * edge, offset};
   }
   return best;
 }
 
-}  // namespace swept::clearance
+}  // namespace swept

@@ -146,4 +146,15 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
   }
 }
 
+/// Calls emit(axis, i, j, k, fraction) for each lattice edge that the triangle crosses: the edge
+/// leaves the lattice point (i, j, k) along the axis.
+template <class Emit>
+inline void rasteriseAllAxes(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c,
+                             const Emit& emit) {
+  using Index = std::int32_t;
+  rasteriseTriangle<0>(a, b, c, [&](Index j, Index k, Index i, double f) { emit(0, i, j, k, f); });
+  rasteriseTriangle<1>(a, b, c, [&](Index i, Index k, Index j, double f) { emit(1, i, j, k, f); });
+  rasteriseTriangle<2>(a, b, c, [&](Index i, Index j, Index k, double f) { emit(2, i, j, k, f); });
+}
+
 }  // namespace swept

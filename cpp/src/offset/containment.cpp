@@ -18,7 +18,7 @@ constexpr double kTight = 0.1;      // cells: how close the bound from above sha
 
 class Prover {
  public:
-  Prover(const CoverTree& tree, double least) : tree_(tree), least_(least) {}
+  Prover(const CoverSearch& tree, double least) : tree_(tree), least_(least) {}
 
   double nearest = 1e300, farthest = 0;
 
@@ -27,7 +27,7 @@ class Prover {
     const Vector3d middle = (corner[0] + corner[1] + corner[2]) / 3;
     double radius = 0;
     for (const Vector3d& c : corner) radius = std::max(radius, (c - middle).norm());
-    const CoverTree::Nearest found = tree_.nearest(middle, 1e30, hint_, -1e30);
+    const CoverSearch::Nearest found = tree_.nearest(middle, 1e30, hint_, -1e30);
     if (found.triangle < 0) return false;
     hint_ = found.triangle;
     const CoverTriangle& cover = tree_.triangle(found.triangle);
@@ -57,32 +57,23 @@ class Prover {
     return false;
   }
 
-  const CoverTree& tree_;
+  const CoverSearch& tree_;
   double least_;
   std::int32_t hint_ = -1;
 };
 
 std::int64_t countOutside(const Cover& cover, const TriMesh& mesh, const GridPlan& grid) {
   const RayColumns rays(mesh);
-  std::vector<RayColumns::Crossing> crossings;
   std::int64_t outside = 0;
   for (const Vector3d& p : cover.inside) {
-    const Vector3d x = grid.origin + grid.cell * p;
-    int winding = 0;
-    if ((x.array() >= rays.low().array()).all() && (x.array() <= rays.high().array()).all()) {
-      rays.crossings(x.y(), x.z(), crossings);
-      for (const auto& crossing : crossings) {
-        if (crossing.x > x.x()) winding -= crossing.direction;
-      }
-    }
-    outside += winding <= 0;
+    outside += rays.winding(grid.origin + grid.cell * p) <= 0;
   }
   return outside;
 }
 
 }  // namespace
 
-Containment proveContainment(const Cover& cover, const CoverTree& tree, const TriMesh& mesh,
+Containment proveContainment(const Cover& cover, const CoverSearch& tree, const TriMesh& mesh,
                              const GridPlan& grid, double least, RunContext& run) {
   constexpr std::size_t kBlock = 256;
   const std::size_t blocks = (mesh.triangles.size() + kBlock - 1) / kBlock;

@@ -14,7 +14,7 @@
 
 #include <cstdint>
 
-#include "offset/cover_tree.h"
+#include "offset/cover_search.h"
 #include "swept/run_context.h"
 
 namespace swept::offset {
@@ -28,7 +28,7 @@ struct Containment {
 };
 
 /// least: the reach that every point of the mesh must have at least.
-Containment proveContainment(const Cover& cover, const CoverTree& tree, const TriMesh& mesh,
+Containment proveContainment(const Cover& cover, const CoverSearch& tree, const TriMesh& mesh,
                              const GridPlan& grid, double least, RunContext& run);
 
 }  // namespace swept::offset

@@ -23,7 +23,7 @@ Eigen::Vector3d middleOf(const std::array<std::int32_t, 3>& low, std::int32_t si
 
 }  // namespace
 
-OffsetField::OffsetField(const CoverTree& tree, double distance, const GridPlan& grid,
+OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid,
                          RunContext& run)
     : tree_(tree), distance_(distance), points_(grid.points) {
   std::int32_t size = kBlock;
@@ -56,7 +56,7 @@ std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
   parallelBlocks(nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Sampling);
     for (std::size_t n = begin; n < end; ++n) {
-      const CoverTree::Nearest found =
+      const CoverSearch::Nearest found =
           tree_.nearest(middleOf(nodes[n].low, size), distance_ + radius, nodes[n].hint,
                         enoughFor(distance_, radius));
       hints[n] = found.triangle;
@@ -107,8 +107,8 @@ void OffsetField::fill(const Node& node, std::int32_t size, Gaps& gaps) const {
   const double radius = kHalfDiagonal * 2 * (size - 1) / 2;
   Node at = node;
   if (size < kBlock) {
-    const CoverTree::Nearest found = tree_.nearest(middleOf(node.low, size), distance_ + radius + 1,
-                                                   node.hint, enoughFor(distance_, radius));
+    const CoverSearch::Nearest found = tree_.nearest(
+        middleOf(node.low, size), distance_ + radius + 1, node.hint, enoughFor(distance_, radius));
     at.hint = found.triangle;
     const double gap = found.reach - distance_;
     if (size == 1 || gap > radius || gap <= -radius) {

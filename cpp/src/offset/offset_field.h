@@ -1,6 +1,6 @@
 // On which side of the offset surface every lattice point lies.
 //
-// In:    distance to a cover (cover_tree.h), offset distance, grid. Out: for every lattice point
+// In:    distance to a cover (cover_search.h), offset distance, grid. Out: for every lattice point
 //        the gap = reach - distance, above 0 outside; far from the surface only its sign.
 // Method: octree of lattice points. The reach changes by at most the way between two points, so a
 //        node whose middle is far enough from the surface is of one kind. One value a lattice
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "grid/grid_plan.h"
-#include "offset/cover_tree.h"
+#include "offset/cover_search.h"
 #include "swept/run_context.h"
 
 namespace swept::offset {
@@ -24,7 +24,7 @@ class OffsetField {
  public:
   static constexpr std::int32_t kBlock = 8;
 
-  OffsetField(const CoverTree& tree, double distance, const GridPlan& grid, RunContext& run);
+  OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid, RunContext& run);
 
   double distance() const { return distance_; }
   /// Blocks that the surface may touch, edges to the next blocks included; others are of one kind.
@@ -60,7 +60,7 @@ class OffsetField {
   void setBlocks(const Node& node, std::int32_t size, std::int32_t kind);
   void fill(const Node& node, std::int32_t size, Gaps& gaps) const;
 
-  const CoverTree& tree_;
+  const CoverSearch& tree_;
   double distance_;
   std::array<std::int32_t, 3> points_;
   std::array<std::size_t, 3> blocks_{0, 0, 0};

@@ -43,7 +43,7 @@ struct Entry {
 };
 
 /// Where a way along an axis enters the first rounded triangle, if there is one.
-Entry firstEntry(const CoverTree& tree, double distance, const Vector3d& origin,
+Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origin,
                  const Vector3d& way) {
   Entry first;
   const Vector3d end = origin + way;
@@ -56,8 +56,8 @@ Entry firstEntry(const CoverTree& tree, double distance, const Vector3d& origin,
 }
 
 /// A point of the edge at which the gap is 0 or less, or -1.
-double findDip(const CoverTree& tree, double distance, const Vector3d& origin, int axis, double t0,
-               double gap0, double t1, double gap1) {
+double findDip(const CoverSearch& tree, double distance, const Vector3d& origin, int axis,
+               double t0, double gap0, double t1, double gap1) {
   if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;
   if (t1 - t0 < kShortest) {
     if (distance >= kThin) return -1;
@@ -76,14 +76,15 @@ double findDip(const CoverTree& tree, double distance, const Vector3d& origin, i
 }
 
 /// Where the way enters what has grown, if its end lies inside.
-Entry entryOf(const CoverTree& tree, double distance, const Vector3d& origin, const Vector3d& way) {
+Entry entryOf(const CoverSearch& tree, double distance, const Vector3d& origin,
+              const Vector3d& way) {
   const auto atEnd = [&] { return tree.nearest(origin + way, distance + kRounding); };
   if (distance < kApart) {
     const Entry first = firstEntry(tree, distance, origin, way);
     return first.triangle >= 0 ? first : Entry{1, atEnd().triangle};
   }
   Entry first;
-  CoverTree::Nearest found = atEnd();
+  CoverSearch::Nearest found = atEnd();
   for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
     const CoverTriangle& triangle = tree.triangle(found.triangle);
     const double at = entry(origin, way, triangle, distance + triangle.slack);
@@ -118,8 +119,8 @@ float timeAt(const CoverTriangle& t, const Vector3d& p) {
 /// Marks the edges of one layer.
 class LayerMarker {
  public:
-  LayerMarker(const OffsetField& field, const CoverTree& tree, const GridPlan& grid, std::int32_t i,
-              LayerEdges& out)
+  LayerMarker(const OffsetField& field, const CoverSearch& tree, const GridPlan& grid,
+              std::int32_t i, LayerEdges& out)
       : field_(field), tree_(tree), points_(grid.points), i_(i), out_(out) {}
 
   void mark() {
@@ -164,7 +165,7 @@ class LayerMarker {
   }
 
   const OffsetField& field_;
-  const CoverTree& tree_;
+  const CoverSearch& tree_;
   const std::array<std::int32_t, 3> points_;
   const std::int32_t i_;
   LayerEdges& out_;
@@ -172,7 +173,7 @@ class LayerMarker {
 
 }  // namespace
 
-MarkedEdges markOffset(const OffsetField& field, const CoverTree& tree, const GridPlan& grid,
+MarkedEdges markOffset(const OffsetField& field, const CoverSearch& tree, const GridPlan& grid,
                        RunContext& run) {
   MarkedEdges out;
   const auto layers = static_cast<std::size_t>(grid.points[0]);
@@ -184,7 +185,7 @@ MarkedEdges markOffset(const OffsetField& field, const CoverTree& tree, const Gr
   return out;
 }
 
-Crossing offsetCrossing(const CoverTree& tree, double distance, int axis, std::int32_t i,
+Crossing offsetCrossing(const CoverSearch& tree, double distance, int axis, std::int32_t i,
                         std::int32_t j, const MarkedEdge& edge, bool fromLow) {
   Vector3d low(i, j, edge.k), way = Vector3d::Zero();
   const double inside = edge.lowFraction;

@@ -20,11 +20,11 @@
 namespace swept::offset {
 
 /// MarkedEdge::lowFraction = highFraction = where on the edge a point inside is known.
-MarkedEdges markOffset(const OffsetField& field, const CoverTree& tree, const GridPlan& grid,
+MarkedEdges markOffset(const OffsetField& field, const CoverSearch& tree, const GridPlan& grid,
                        RunContext& run);
 
 /// The crossing of a marked edge seen from its low or high end.
-Crossing offsetCrossing(const CoverTree& tree, double distance, int axis, std::int32_t i,
+Crossing offsetCrossing(const CoverSearch& tree, double distance, int axis, std::int32_t i,
                         std::int32_t j, const MarkedEdge& edge, bool fromLow);
 
 }  // namespace swept::offset

@@ -27,7 +27,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   }
   std::vector<std::uint32_t> component;
   SignRuns found = findOutside(marks, prepared.grid, run, &component);
-  const std::int64_t opened = openCavities(found, component, marks, input, isSolid, run);
+  const std::int64_t opened =
+      openCavities(found, component, marks, input.grid, input.body, input.motion, isSolid, run);
   note("CavitiesKept", opened,
        std::to_string(opened) + " sealed-off hollow spaces are kept as inner shells");
   return found;

@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "cavities/cavities.h"
+#include "signs/cavities.h"
 #include "grid/hermite_grid.h"
 #include "pipeline/plan.h"
 #include "sampling/sampler.h"

@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "cavities/cavities.h"
 #include "grid/hermite_grid.h"
 #include "offset/containment.h"
+#include "signs/cavities.h"
 #include "swept/report.h"
 
 namespace swept {
@@ -35,7 +35,7 @@ class GrownSweep {
 
  private:
   offset::Cover cover_;
-  offset::CoverTree tree_;
+  offset::CoverSearch tree_;
   const GridPlan& grid_;
 };
 

@@ -7,16 +7,6 @@
 
 namespace swept {
 
-/// Calls emit(axis, i, j, k, fraction) for every lattice edge that the triangle crosses.
-template <class Emit>
-void triangleCrossings(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c,
-                       const Emit& emit) {
-  using Index = std::int32_t;
-  rasteriseTriangle<0>(a, b, c, [&](Index j, Index k, Index i, double f) { emit(0, i, j, k, f); });
-  rasteriseTriangle<1>(a, b, c, [&](Index i, Index k, Index j, double f) { emit(1, i, j, k, f); });
-  rasteriseTriangle<2>(a, b, c, [&](Index i, Index j, Index k, double f) { emit(2, i, j, k, f); });
-}
-
 template <class Emit>
 void elementCrossings(const SamplerInput& input, const SweptElement& element, const Emit& emit) {
   const auto corner = [&](std::int32_t vertex, std::size_t placement) {
@@ -28,11 +18,11 @@ void elementCrossings(const SamplerInput& input, const SweptElement& element, co
     const BodyEdge& e = input.topology.edges[element.index()];
     const SnappedPoint a = corner(e.a, k), b = corner(e.b, k), c = corner(e.b, k + 1),
                        d = corner(e.a, k + 1);
-    triangleCrossings(a, b, c, emit);
-    triangleCrossings(a, c, d, emit);
+    rasteriseAllAxes(a, b, c, emit);
+    rasteriseAllAxes(a, c, d, emit);
   } else {
     const auto& t = input.body.triangles[element.index()];
-    triangleCrossings(corner(t[0], k), corner(t[1], k), corner(t[2], k), emit);
+    rasteriseAllAxes(corner(t[0], k), corner(t[1], k), corner(t[2], k), emit);
   }
 }
 

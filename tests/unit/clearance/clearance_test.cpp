@@ -298,8 +298,8 @@ TEST(Clearance, AgreesWithStampingEveryPose) {
   TriMesh part = makeBall({0, 0, 0}, 6, 3);
   append(part, makeBox({-2, 9, -40}, {2, 12, 40}));
   const TriMesh body = makeTorus(9, 2, 32, 16);
-  const clearance::BoxTree bodyTree(body, "body");
-  const clearance::BoxTree partTree(part, "part");
+  const clearance::Part bodyTree(body, "body");
+  const clearance::Part partTree(part, "part");
   const clearance::PairSearch pair(bodyTree, partTree);
   for (int round = 0; round < sampled(12, 4); ++round) {
     const Interpolation kind = static_cast<Interpolation>(round % 3);

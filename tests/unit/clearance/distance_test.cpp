@@ -1,11 +1,10 @@
-// Triangle distance, mesh distance at a pose, inside test: against brute force and against FCL.
+// Mesh distance at a pose, inside test: against brute force and against FCL.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "clearance/pair_search.h"
 #include "clearance/stamping.h"
+#include "support/random_numbers.h"
 #include "support/sampled.h"
 #include "support/shapes.h"
 
@@ -15,76 +14,18 @@ namespace {
 using Eigen::Vector3d;
 using namespace swept::test;
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double number(double low, double high) {
-    return low + (high - low) * (double(engine_()) / double(std::mt19937::max()));
-  }
-  Vector3d point(double size) {
-    return {number(-size, size), number(-size, size), number(-size, size)};
-  }
-  Eigen::Isometry3d pose(double size) {
-    return placement(point(1) + Vector3d(0, 0, 1e-3), number(-180, 180), point(size));
-  }
-
- private:
-  std::mt19937 engine_;
-};
-
-// Distance of two triangles by projection onto a fine grid of points of one, both ways round.
-double sampledDistance(const Corners& a, const Corners& b, int steps) {
-  double best = 1e300;
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; i + j <= steps; ++j) {
-      const double u = double(i) / steps;
-      const double v = double(j) / steps;
-      const Vector3d x = a[0] + u * (a[1] - a[0]) + v * (a[2] - a[0]);
-      best = std::min(best, (x - nearestOnTriangle(x, b)).norm());
-    }
-  }
-  return best;
+Eigen::Isometry3d randomPose(Random& random, double size) {
+  const Vector3d axis = random.point(1) + Vector3d(0, 0, 1e-3);
+  const double degrees = random.number(-180, 180);
+  return placement(axis, degrees, random.point(size));
 }
 
-TEST(TriangleDistance, AgreesWithSampling) {
-  Random random(1);
-  for (int k = 0; k < 400; ++k) {
-    Corners a{random.point(1), random.point(1), random.point(1)};
-    Corners b{random.point(1), random.point(1), random.point(1)};
-    const Vector3d shift = random.point(1.5);
-    for (Vector3d& x : b) x += shift;
-    if (k % 4 == 1)
-      b[1].z() = b[2].z() = b[0].z(), a[1].z() = a[2].z() = a[0].z();  // parallel faces
-    if (k % 4 == 2) b[1] = b[0] + (a[1] - a[0]);                       // parallel edges
-    if (k % 4 == 3) b[2] = 0.5 * (b[0] + b[1]);                        // a needle
-    const NearestPoints p = nearestPoints(a, b);
-    const double d = std::sqrt(p.squared);
-    EXPECT_NEAR((p.a - p.b).norm(), d, 1e-12);
-    EXPECT_NEAR((nearestOnTriangle(p.a, a) - p.a).norm(), 0, 1e-9);
-    EXPECT_NEAR((nearestOnTriangle(p.b, b) - p.b).norm(), 0, 1e-9);
-    const double sampled = std::min(sampledDistance(a, b, 60), sampledDistance(b, a, 60));
-    EXPECT_LE(d, sampled + 1e-12) << k;
-    EXPECT_GE(d, sampled - 0.08) << k;  // 60 steps over edges of up to 3.5
-  }
-}
-
-TEST(TriangleDistance, ZeroWhereTheyMeet) {
-  const Corners a{Vector3d(0, 0, 0), Vector3d(2, 0, 0), Vector3d(0, 2, 0)};
-  const Corners through{Vector3d(0.5, 0.5, -1), Vector3d(0.5, 0.5, 1), Vector3d(3, 3, 0)};
-  const Corners touching{Vector3d(0.5, 0.5, 0), Vector3d(0.5, 0.5, 1), Vector3d(3, 3, 1)};
-  const Corners flatOverlap{Vector3d(0.2, 0.2, 0), Vector3d(0.4, 0.2, 0), Vector3d(0.2, 0.4, 0)};
-  for (const Corners& b : {through, touching, flatOverlap}) {
-    EXPECT_EQ(nearestPoints(a, b).squared, 0);
-    EXPECT_EQ(nearestPoints(b, a).squared, 0);
-  }
-}
-
-TEST(BoxTree, InsideOfNestedAndOverlappingShells) {
+TEST(Part, InsideOfNestedAndOverlappingShells) {
   TriMesh mesh = makeBox(Vector3d::Constant(-10), Vector3d::Constant(10));
   append(mesh, inverted(makeBox(Vector3d::Constant(-4), Vector3d::Constant(4))));  // a cavity
   append(mesh, makeBall(Vector3d(9, 0, 0), 4, 2));                                 // overlaps
   for (const TriMesh& m : {mesh, soup(mesh)}) {
-    const BoxTree tree(m, "the mesh");
+    const Part tree(m, "the mesh");
     EXPECT_TRUE(tree.closed());
     EXPECT_EQ(tree.pieces().size(), 3u);
     EXPECT_FALSE(tree.inside({0, 0, 0}));
@@ -98,13 +39,13 @@ TEST(BoxTree, InsideOfNestedAndOverlappingShells) {
   }
   TriMesh open = mesh;
   open.triangles.pop_back();
-  EXPECT_FALSE(BoxTree(open, "the mesh").closed());
-  EXPECT_FALSE(BoxTree(open, "the mesh").inside({5, 5, 5}));
+  EXPECT_FALSE(Part(open, "the mesh").closed());
+  EXPECT_FALSE(Part(open, "the mesh").inside({5, 5, 5}));
 }
 
-TEST(BoxTree, InsideHoldsForEveryLatticePointOfABox) {
-  // Corners, edges and the diagonals of faces lie in the way of many of these rays.
-  const BoxTree tree(makeBox(Vector3d::Zero(), Vector3d::Constant(8)), "the box");
+TEST(Part, InsideHoldsForEveryLatticePointOfABox) {
+  // Triangle3d, edges and the diagonals of faces lie in the way of many of these rays.
+  const Part tree(makeBox(Vector3d::Zero(), Vector3d::Constant(8)), "the box");
   for (int i = -1; i <= 9; ++i)
     for (int j = -1; j <= 9; ++j)
       for (int k = -1; k <= 9; ++k) {
@@ -120,16 +61,16 @@ TEST(PairSearch, DistanceAgreesWithAllPairsAndWithFcl) {
   const TriMesh a = makeTorus(10, 3, 24, 12);
   TriMesh b = makeBall({0, 0, 0}, 4, 2);
   append(b, makeBox({6, 6, -20}, {7, 7, 20}));
-  const BoxTree treeA(a, "a");
-  const BoxTree treeB(b, "b");
+  const Part treeA(a, "a");
+  const Part treeB(b, "b");
   const PairSearch search(treeA, treeB);
   RunContext run;
   for (int k = 0; k < sampled(60, 12); ++k) {
-    const Eigen::Isometry3d place = random.pose(25);
+    const Eigen::Isometry3d place = randomPose(random, 25);
     const PairDistance found = search.distanceAt(place.linear(), place.translation(), 1e300);
     double all = 1e300;
     for (const auto& s : a.triangles) {
-      Corners p;
+      Triangle3d p;
       for (int i = 0; i < 3; ++i) p[i] = place * a.vertices[s[i]];
       for (const auto& t : b.triangles)
         all = std::min(
@@ -153,7 +94,7 @@ TEST(MotionBound, NoPointAdvancesFartherThanSaid) {
   for (const Interpolation kind :
        {Interpolation::None, Interpolation::Linear, Interpolation::Screw}) {
     Trajectory trajectory{{}, kind};
-    Eigen::Isometry3d place = random.pose(50);
+    Eigen::Isometry3d place = randomPose(random, 50);
     for (int i = 0; i < 40; ++i) {
       trajectory.poses.push_back(poseOf(i, place));
       place = placement(random.point(1), random.number(0, i % 3 == 0 ? 90 : 4),

@@ -57,16 +57,6 @@ struct Case {
   }
 };
 
-bool holds(const RayColumns& rays, const Eigen::Vector3d& x) {
-  std::vector<RayColumns::Crossing> line;
-  rays.crossings(x.y(), x.z(), line);
-  int depth = 0;
-  for (const auto& crossing : line) {
-    if (crossing.x > x.x()) depth -= crossing.direction;
-  }
-  return depth > 0;
-}
-
 TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
   std::mt19937 random(200);
   std::int64_t inCopies = 0;
@@ -89,7 +79,7 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
         bool inside = true;
         for (const double way : {-1e-4, 1e-4}) {
           const Eigen::Vector3d y = x + Eigen::Vector3d::Constant(way * scene.grid.cell);
-          inside = inside && holds(rays, p.rotation.transpose() * (y - p.translation));
+          inside = inside && rays.winding(p.rotation.transpose() * (y - p.translation)) > 0;
         }
         if (!inside) continue;
         ++inCopies;

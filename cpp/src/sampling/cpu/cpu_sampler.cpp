@@ -90,15 +90,10 @@ class ItemSampler {
     out_.elements.push_back({code, placement});
   }
   void triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c) {
-    rasteriseTriangle<0>(a, b, c, [&](std::int32_t j, std::int32_t k, std::int32_t i, double f) {
-      push(0, i, j, k, f);
-    });
-    rasteriseTriangle<1>(a, b, c, [&](std::int32_t i, std::int32_t k, std::int32_t j, double f) {
-      push(1, i, j, k, f);
-    });
-    rasteriseTriangle<2>(a, b, c, [&](std::int32_t i, std::int32_t j, std::int32_t k, double f) {
-      push(2, i, j, k, f);
-    });
+    rasteriseAllAxes(a, b, c,
+                     [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
+                       push(axis, i, j, k, f);
+                     });
   }
   /// Removes the last element again if it crosses no lattice edge.
   void finish() {

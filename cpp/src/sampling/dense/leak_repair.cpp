@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "geometry/box_tree.h"
 #include "geometry/ray_columns.h"
-#include "sampling/dense/segment_grid.h"
 #include "signs/contributing_edges.h"
 
 namespace swept::dense {
@@ -31,7 +31,7 @@ class LeakFinder {
         clear_(clear),
         run_(run),
         rays_(input.body),
-        segments_(input.body, input.grid.cell) {}
+        tree_(boxTreeOf(input.body.vertices, input.body.triangles)) {}
 
   LeakSearch find() {
     seed();
@@ -53,7 +53,6 @@ class LeakFinder {
     }
   };
   struct Scratch {
-    std::vector<RayColumns::Crossing> ray;
     std::vector<PlacementSpace::Best> found;
     std::vector<std::uint32_t> hit;
   };
@@ -77,16 +76,30 @@ class LeakFinder {
         input_.grid.origin + input_.grid.cell * Eigen::Vector3d(g[0], g[1], g[2]);
     return p.rotation.transpose() * (world - p.translation);
   }
-  bool isInside(const Eigen::Vector3d& x, Scratch& s) const {
-    if ((x.array() < rays_.low().array()).any() || (x.array() > rays_.high().array()).any()) {
-      return false;
-    }
-    rays_.crossings(x.y(), x.z(), s.ray);
-    int depth = 0;
-    for (const auto& crossing : s.ray) {
-      if (crossing.x > x.x()) depth -= crossing.direction;
-    }
-    return depth > 0;
+  bool isInside(const Eigen::Vector3d& x) const { return rays_.winding(x) > 0; }
+
+  /// The segment passes through the triangle, borders included.
+  bool meets(std::uint32_t triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    const auto& t = input_.body.triangles[triangle];
+    const Eigen::Vector3d &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
+                          &c = input_.body.vertices[t[2]];
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    const double above = n.dot(from - a), below = n.dot(to - a);
+    if ((above > 0) == (below > 0) || above == below) return false;
+    const Eigen::Vector3d x = from + (to - from) * (above / (above - below));
+    const double room = -1e-9 * n.squaredNorm();
+    return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
+           n.dot((a - c).cross(x - c)) >= room;
+  }
+  /// Triangles of the body that the segment meets, sorted.
+  void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                std::vector<std::uint32_t>& out) const {
+    out.clear();
+    tree_.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
+      const auto t = static_cast<std::uint32_t>(tree_.item(place));
+      if (meets(t, from, to)) out.push_back(t);
+    });
+    std::sort(out.begin(), out.end());
   }
 
   /// Lattice point g lies near `face` at `placement`, outside of that copy. Looks for another
@@ -102,7 +115,7 @@ class LeakFinder {
     const PlacementSpace::Best best = space_.support(gradient, placement);
     if (best.advance <= needed) return false;
     const auto accept = [&](const PlacementSpace::Best& c) {
-      if (!isInside(inBody(g, c.placement), s)) return false;
+      if (!isInside(inBody(g, c.placement))) return false;
       out = {pack(g), c.placement, c.advance - needed + static_cast<float>(margin_)};
       return true;
     };
@@ -194,11 +207,11 @@ class LeakFinder {
         if (to[axis] < 0 || to[axis] >= input_.grid.points[axis]) continue;
         if (isMarked(direction < 0 ? to : g, axis) || cover_.contains(pack(to))) continue;
         const Eigen::Vector3d y = inBody(to, from.placement);
-        if (isInside(y, s)) {
+        if (isInside(y)) {
           covered.push_back({pack(to), from.placement, 0});
           continue;
         }
-        segments_.hits(inBody(g, from.placement), y, s.hit);
+        findHits(inBody(g, from.placement), y, s.hit);
         Covered other{};
         bool elsewhere = false;
         for (const std::uint32_t f : s.hit) {
@@ -241,7 +254,7 @@ class LeakFinder {
   ClearPoints& clear_;
   RunContext& run_;
   RayColumns rays_;
-  SegmentGrid segments_;
+  BoxTree tree_;
   std::unordered_map<std::uint64_t, std::uint32_t> cover_;
   std::vector<Covered> front_;
   LeakSearch out_;

@@ -22,13 +22,10 @@ class ElementSampler {
               const SnappedPoint& b, const SnappedPoint& c) {
     const auto element = static_cast<std::uint32_t>(out_.elements.size());
     const std::size_t before = out_.records.size();
-    const auto push = [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
-      out_.records.push_back(CrossingRecord::make(axis, i, j, k, f, element));
-    };
-    using I = std::int32_t;
-    rasteriseTriangle<0>(a, b, c, [&](I j, I k, I i, double f) { push(0, i, j, k, f); });
-    rasteriseTriangle<1>(a, b, c, [&](I i, I k, I j, double f) { push(1, i, j, k, f); });
-    rasteriseTriangle<2>(a, b, c, [&](I i, I j, I k, double f) { push(2, i, j, k, f); });
+    rasteriseAllAxes(a, b, c,
+                     [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
+                       out_.records.push_back(CrossingRecord::make(axis, i, j, k, f, element));
+                     });
     if (out_.records.size() != before) out_.elements.push_back({face, placement});
   }
 

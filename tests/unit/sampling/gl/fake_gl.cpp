@@ -264,11 +264,11 @@ void drawElement(std::uint32_t code, std::uint32_t placement, std::uint32_t id) 
         bufferAs<std::int32_t>(2) + 2 * (code & ~SweptElement::kSidePatchBit);
     const SnappedPoint a = corner(placement, edge[0]), b = corner(placement, edge[1]),
                        c = corner(placement + 1, edge[1]), d = corner(placement + 1, edge[0]);
-    triangleCrossings(a, b, c, emit);
-    triangleCrossings(a, c, d, emit);
+    rasteriseAllAxes(a, b, c, emit);
+    rasteriseAllAxes(a, c, d, emit);
   } else {
     const std::int32_t* t = bufferAs<std::int32_t>(1) + 3 * code;
-    triangleCrossings(corner(placement, t[0]), corner(placement, t[1]), corner(placement, t[2]),
+    rasteriseAllAxes(corner(placement, t[0]), corner(placement, t[1]), corner(placement, t[2]),
                       emit);
   }
 }

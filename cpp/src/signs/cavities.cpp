@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "cavities/cavities.h"
+#include "signs/cavities.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "geometry/nearest_triangle.h"
 #include "geometry/ray_columns.h"
-#include "offset/cover_tree.h"
 
 namespace swept {
 namespace {
@@ -20,16 +20,18 @@ constexpr double kGrazing = 0.05;  // cells: nearer to the body than this counts
 /// Does the moving body ever hold a point?
 class Holder {
  public:
-  explicit Holder(const SamplerInput& input)
-      : input_(input), rays_(input.body), cover_(coverOf(input.body)), tree_(cover_.triangles) {
-    grazing_ = kGrazing * input.grid.cell;
-    const auto& placements = input.motion.placements;
-    for (const Placement& p : placements) rotations_.emplace_back(p.rotation);
+  Holder(const TriMesh& body, const Motion& motion, double grazing)
+      : motion_(motion),
+        rays_(body),
+        nearest_(body.vertices, body.triangles),
+        squaredGrazing_(grazing * grazing),
+        grazing_(grazing) {
+    for (const Placement& p : motion.placements) rotations_.emplace_back(p.rotation);
   }
 
   bool holds(const Vector3d& world) const {
-    const std::size_t n = input_.motion.placements.size();
-    if (!input_.motion.continuous) {
+    const std::size_t n = motion_.placements.size();
+    if (!motion_.continuous) {
       // In strides: what is held at all is mostly held by many copies.
       const std::size_t stride = n > 64 ? n / 64 | 1 : 1;
       for (std::size_t start = 0; start < stride; ++start) {
@@ -46,55 +48,40 @@ class Holder {
   }
 
  private:
-  static offset::Cover coverOf(const TriMesh& body) {
-    return offset::coverOfMesh(body, {}, GridPlan{});
-  }
-
   /// The point in the body's frame, a share s of step k after its start.
   Vector3d inBody(const Vector3d& world, std::size_t k, double s) const {
-    const Placement& p = input_.motion.placements[k];
+    const Placement& p = motion_.placements[k];
     if (s == 0) return p.rotation.transpose() * (world - p.translation);
-    const Placement& q = input_.motion.placements[k + 1];
+    const Placement& q = motion_.placements[k + 1];
     return rotations_[k].slerp(s, rotations_[k + 1]).conjugate() *
            (world - (1 - s) * p.translation - s * q.translation);
   }
-  bool isInside(const Vector3d& x) const {
-    if ((x.array() < rays_.low().array()).any() || (x.array() > rays_.high().array()).any()) {
-      return false;
-    }
-    std::vector<RayColumns::Crossing> crossings;
-    rays_.crossings(x.y(), x.z(), crossings);
-    int winding = 0;
-    for (const auto& crossing : crossings) {
-      if (crossing.x > x.x()) winding -= crossing.direction;
-    }
-    return winding > 0;
-  }
+  bool isInside(const Vector3d& x) const { return rays_.winding(x) > 0; }
   bool isHeld(const Vector3d& x) const {
-    return isInside(x) || tree_.nearest(x, grazing_).triangle >= 0;
+    return isInside(x) || nearest_.query(x, squaredGrazing_, squaredGrazing_) < squaredGrazing_;
   }
   bool inStep(const Vector3d& world, std::size_t k, double from, double to) const {
-    const Placement &p = input_.motion.placements[k], &q = input_.motion.placements[k + 1];
+    const Placement &p = motion_.placements[k], &q = motion_.placements[k + 1];
     const double angle = rotations_[k].angularDistance(rotations_[k + 1]);
     const double shift = (q.translation - p.translation).norm();
     const double arm = std::max((world - p.translation).norm(), (world - q.translation).norm());
     const double way = (shift + angle * arm) * (to - from) / 2 * (1 + 1e-9);
     const Vector3d x = inBody(world, k, (from + to) / 2);
     const double clear = std::max(way, 0.0) + grazing_;
-    const auto found = tree_.nearest(x, clear);
-    if (found.triangle < 0) return isInside(x);
-    if (found.reach < grazing_) return true;
+    const double squared = nearest_.query(x, clear * clear, squaredGrazing_);
+    if (squared >= clear * clear) return isInside(x);
+    if (squared < squaredGrazing_) return true;
     if (isInside(x)) return true;
     const double middle = (from + to) / 2;
     return inStep(world, k, from, middle) || inStep(world, k, middle, to);
   }
 
-  const SamplerInput& input_;
+  const Motion& motion_;
   RayColumns rays_;
-  offset::Cover cover_;
-  offset::CoverTree tree_;
+  NearestTriangle nearest_;
   std::vector<Eigen::Quaterniond> rotations_;
-  double grazing_ = 0;
+  double squaredGrazing_;
+  double grazing_;
 };
 
 struct Asked {
@@ -105,12 +92,11 @@ struct Asked {
 }  // namespace
 
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
-                          const MarkedEdges& marked, const SamplerInput& input,
-                          const SolidPoint& isSolid, RunContext& run) {
+                          const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
+                          const Motion& motion, const SolidPoint& isSolid, RunContext& run) {
   std::vector<std::uint32_t> names;
   std::vector<std::vector<Asked>> asked;
   std::unordered_map<std::uint32_t, std::size_t> place;
-  const GridPlan& grid = input.grid;
   for (std::int32_t i = 0; i < grid.points[0]; ++i) {
     const LayerEdges& layer = marked.layers[i];
     for (std::int32_t j = 0; j < grid.points[1]; ++j) {
@@ -137,7 +123,7 @@ std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& com
       }
     }
   }
-  const Holder holder(input);
+  const Holder holder(body, motion, kGrazing * grid.cell);
   std::vector<std::uint8_t> hollow(names.size(), 0);
   parallelBlocks(names.size(), 16, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Signs, begin, names.size());

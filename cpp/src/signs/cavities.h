@@ -13,8 +13,10 @@
 
 #include <functional>
 
-#include "sampling/sampler.h"
+#include "grid/marked_edges.h"
+#include "motion/motion.h"
 #include "signs/signs.h"
+#include "swept/types.h"
 
 namespace swept {
 
@@ -23,7 +25,7 @@ using SolidPoint = std::function<bool(std::int32_t i, std::int32_t j, std::int32
 /// Components that were opened. isSolid(i, j, k): lattice points that are solid whatever the body
 /// does, for an offset those within the distance; may be empty.
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
-                          const MarkedEdges& marked, const SamplerInput& input,
-                          const SolidPoint& isSolid, RunContext& run);
+                          const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
+                          const Motion& motion, const SolidPoint& isSolid, RunContext& run);
 
 }  // namespace swept

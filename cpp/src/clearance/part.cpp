@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "clearance/box_tree.h"
+#include "clearance/part.h"
 
-#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -57,7 +56,7 @@ std::vector<std::int32_t> weldedIndices(const TriMesh& mesh) {
   return welded;
 }
 
-std::pair<int, double> longestEdge(const Corners& c) {
+std::pair<int, double> longestEdge(const Triangle3d& c) {
   int longest = 0;
   double best = -1;
   for (int k = 0; k < 3; ++k) {
@@ -124,32 +123,43 @@ std::vector<Vector3d> onePointAPiece(const TriMesh& mesh, const std::vector<std:
 
 }  // namespace
 
-BoxTree::BoxTree(const TriMesh& mesh, const std::string& who) {
+Part::Part(const TriMesh& mesh, const std::string& who) {
   requireUsable(mesh, who);
   const std::size_t count = mesh.triangles.size();
   if (count > 500'000'000)
     throw Error(Status::ResourceLimit, "TooManyTriangles",
                 who + " has " + std::to_string(count) + " triangles, the limit is 500 million");
   const std::vector<Piece> parts = cutSlivers(mesh);
-  std::vector<std::int32_t> order(parts.size());
-  std::iota(order.begin(), order.end(), 0);
-  nodes_.resize(2 * parts.size() - 1);
+  tree_ = BoxTree(
+      parts.size(),
+      [&](std::size_t i) {
+        BoxTree::Bounds box;
+        for (const Vector3d& x : parts[i].corners) box.extend(x);
+        return box;
+      },
+      BoxTree::Order::Medians);
   corners_.resize(parts.size());
   triangles_.resize(parts.size());
-  build(0, order.data(), order.data() + parts.size(), parts, 0);
+  for (std::size_t place = 0; place < parts.size(); ++place) {
+    const Piece& piece = parts[static_cast<std::size_t>(tree_.item(place))];
+    corners_[place] = piece.corners;
+    triangles_[place] = piece.triangle;
+  }
   const std::vector<std::int32_t> welded = weldedIndices(mesh);
-  closed_ = balanced(mesh, welded);
   pieces_ = onePointAPiece(mesh, welded);
+  if (!balanced(mesh, welded)) return;
+  mesh_ = std::make_unique<TriMesh>(mesh);
+  rays_.emplace(*mesh_);
 }
 
-std::vector<BoxTree::Piece> BoxTree::cutSlivers(const TriMesh& mesh) {
+std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
   constexpr double kSlender = 6;  // longest edge over height from which a triangle is cut
   const std::size_t count = mesh.triangles.size();
   std::vector<Piece> parts(count);
   std::vector<std::array<double, 2>> sizes(count);  // longest edge, height over it
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Corners& c = parts[i].corners;
+    Triangle3d& c = parts[i].corners;
     for (int k = 0; k < 3; ++k) c[k] = mesh.vertices[mesh.triangles[i][k]];
     parts[i].triangle = static_cast<std::int64_t>(i);
     const double edge = std::sqrt(longestEdge(c).second);
@@ -189,149 +199,41 @@ std::vector<BoxTree::Piece> BoxTree::cutSlivers(const TriMesh& mesh) {
   return parts;
 }
 
-void BoxTree::build(std::int32_t node, std::int32_t* first, std::int32_t* last,
-                    const std::vector<Piece>& parts, std::int32_t leafOffset) {
-  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Vector3d high = -low;
-  Vector3d centreLow = low;
-  Vector3d centreHigh = high;
-  for (const std::int32_t* i = first; i != last; ++i) {
-    Vector3d sum = Vector3d::Zero();
-    for (const Vector3d& x : parts[*i].corners) {
-      low = low.cwiseMin(x);
-      high = high.cwiseMax(x);
-      sum += x;
-    }
-    centreLow = centreLow.cwiseMin(sum);
-    centreHigh = centreHigh.cwiseMax(sum);
+Box Part::box(BoxTree::Node node) const {
+  if (node.level == tree_.root().level) {
+    const auto& [low, high] = tree_.bounds();
+    const Vector3d centre = 0.5 * (low + high);
+    return {centre, (high - centre).cwiseMax(centre - low)};
   }
-  BoxNode& box = nodes_[node];
-  box.centre = 0.5 * (low + high);
-  // Rounding of the centre must not leave a corner outside.
-  box.half = (high - box.centre).cwiseMax(box.centre - low);
-  const auto count = static_cast<std::int32_t>(last - first);
-  if (count == 1) {
-    box.leaf = leafOffset;
-    triangles_[leafOffset] = parts[*first].triangle;
-    corners_[leafOffset] = parts[*first].corners;
-    return;
-  }
-  int axis = 0;
-  (centreHigh - centreLow).maxCoeff(&axis);
-  const auto key = [&](std::int32_t i) {
-    const Corners& c = parts[i].corners;
-    return c[0][axis] + c[1][axis] + c[2][axis];
-  };
-  std::int32_t* middle = first + count / 2;
-  std::nth_element(first, middle, last, [&](std::int32_t a, std::int32_t b) {
-    const double x = key(a);
-    const double y = key(b);
-    return x != y ? x < y : a < b;
-  });
-  const std::int32_t onLeft = count / 2;
-  box.right = node + 2 * onLeft;
-  const auto left = [&] { build(node + 1, first, middle, parts, leafOffset); };
-  const auto right = [&] { build(node + 2 * onLeft, middle, last, parts, leafOffset + onLeft); };
-  if (count > 4096) {
-    tbb::parallel_invoke(left, right);
-  } else {
-    left();
-    right();
-  }
+  const BoxTree::Group& group = tree_.groupOf(node);
+  const std::uint32_t lane = node.index % BoxTree::kWidth;
+  const Eigen::Array3d low(group.low[0][lane], group.low[1][lane], group.low[2][lane]);
+  const Eigen::Array3d high(group.high[0][lane], group.high[1][lane], group.high[2][lane]);
+  return {tree_.middle() + (0.5 * (low + high)).matrix(), (0.5 * (high - low)).matrix()};
 }
 
-NearestOnMesh BoxTree::nearest(const Vector3d& point, double within) const {
-  NearestOnMesh best;
-  double bestSquared = within * within;
-  struct Item {
-    std::int32_t node;
-    double squared;
-  };
-  Item stack[96];
-  int top = 0;
-  const auto toBox = [&](std::int32_t node) {
-    const BoxNode& b = nodes_[node];
-    return ((point - b.centre).cwiseAbs() - b.half).cwiseMax(0.0).squaredNorm();
-  };
-  stack[top++] = {0, toBox(0)};
-  while (top > 0) {
-    const Item item = stack[--top];
-    if (item.squared >= bestSquared) continue;
-    const BoxNode& box = nodes_[item.node];
-    if (box.leaf >= 0) {
-      const Vector3d x = nearestOnTriangle(point, corners_[box.leaf]);
-      const double squared = (x - point).squaredNorm();
-      if (squared < bestSquared) {
-        bestSquared = squared;
-        best.point = x;
-        best.leaf = box.leaf;
-      }
-      continue;
-    }
-    const Item left{item.node + 1, toBox(item.node + 1)};
-    const Item right{box.right, toBox(box.right)};
-    const bool leftFirst = left.squared <= right.squared;
-    stack[top++] = leftFirst ? right : left;
-    stack[top++] = leftFirst ? left : right;
-  }
-  best.distance = std::sqrt(bestSquared);
+NearestOnPart Part::nearest(const Vector3d& point, double within) const {
+  NearestOnPart best;
+  double squared = within * within;
+  tree_.searchNear(point, within, [&](std::uint32_t place, double& reach) {
+    const Foot foot = footOnTriangle(point, corners_[place]);
+    const double d = foot.offset.squaredNorm();
+    if (d >= squared) return true;
+    squared = d;
+    reach = std::sqrt(d);
+    best.point = foot.point;
+    best.place = static_cast<std::int32_t>(place);
+    return d > 0;
+  });
+  best.distance = std::sqrt(squared);
   return best;
 }
 
-int BoxTree::windingAlong(const Vector3d& point, const Vector3d& direction) const {
-  const Vector3d inverse = direction.cwiseInverse();
-  std::int32_t stack[96];
-  int top = 0;
-  stack[top++] = 0;
-  int winding = 0;
-  while (top > 0) {
-    const std::int32_t node = stack[--top];
-    const BoxNode& box = nodes_[node];
-    const Vector3d mid = (box.centre - point).cwiseProduct(inverse);
-    const Vector3d reach = box.half.cwiseProduct(inverse.cwiseAbs());
-    const double slack = 1e-12 * (mid.cwiseAbs().maxCoeff() + reach.maxCoeff());
-    const double enter = std::max((mid - reach).maxCoeff(), 0.0);
-    if ((mid + reach).minCoeff() < enter - slack) continue;
-    if (box.leaf < 0) {
-      stack[top++] = box.right;
-      stack[top++] = node + 1;
-      continue;
-    }
-    const Corners& c = corners_[box.leaf];
-    const Vector3d a = c[0] - point;
-    const Vector3d b = c[1] - point;
-    const Vector3d d = c[2] - point;
-    const double u = direction.dot(a.cross(b));
-    const double v = direction.dot(b.cross(d));
-    const double w = direction.dot(d.cross(a));
-    // A ray through a shared edge takes zero as positive on both sides of the sum, so it may be
-    // counted twice or not at all: that is what the other two rays are for.
-    const bool positive = u >= 0 && v >= 0 && w >= 0 && u + v + w > 0;
-    const bool negative = u < 0 && v < 0 && w < 0;
-    if (!positive && !negative) continue;
-    const double volume = a.dot(b.cross(d));  // same sign as the side if the crossing lies ahead
-    if (positive && volume > 0) ++winding;
-    if (negative && volume < 0) --winding;
-  }
-  return winding;
-}
+bool Part::inside(const Vector3d& point) const { return rays_ && rays_->winding(point) != 0; }
 
-bool BoxTree::inside(const Vector3d& point) const {
-  if (!closed_) return false;
-  const BoxNode& box = nodes_[0];
-  if (((point - box.centre).cwiseAbs() - box.half).maxCoeff() > 0) return false;
-  static const std::array<Vector3d, 3> kDirections{Vector3d(0.36127, 0.51893, 0.77475),
-                                                   Vector3d(-0.81349, 0.27611, 0.51187),
-                                                   Vector3d(0.21731, -0.91117, 0.35019)};
-  const bool first = windingAlong(point, kDirections[0]) != 0;
-  const bool second = windingAlong(point, kDirections[1]) != 0;
-  if (first == second) return first;
-  return windingAlong(point, kDirections[2]) != 0;
-}
-
-double BoxTree::depth(const Vector3d& point) const {
-  const BoxNode& box = nodes_[0];
-  const double outside = ((point - box.centre).cwiseAbs() - box.half).cwiseMax(0.0).norm();
+double Part::depth(const Vector3d& point) const {
+  const auto& [low, high] = tree_.bounds();
+  const double outside = (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
   if (outside > 0) return -outside;
   const double distance = nearest(point, std::numeric_limits<double>::infinity()).distance;
   return inside(point) ? distance : -distance;

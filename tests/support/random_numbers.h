@@ -1,0 +1,25 @@
+// Numbers and points drawn from a seed; the same everywhere.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+namespace swept::test {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double number(double low, double high) {
+    return low + (high - low) * (double(engine_()) / double(std::mt19937::max()));
+  }
+  /// In a cube of half this size about the origin.
+  Eigen::Vector3d point(double half) {
+    return {number(-half, half), number(-half, half), number(-half, half)};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+}  // namespace swept::test
