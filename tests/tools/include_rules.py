@@ -44,12 +44,12 @@ MAY_INCLUDE = {
     # A consumer beside the pipeline: it checks its own inputs as the pipeline does.
     "clearance": BELOW | {"input"},
     "solid/carrier": BELOW,
-    "solid/mesh": BELOW | {"solid/carrier"},
+    "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
     "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
-    "solid": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
+    "solid": BELOW | {"simplify"} | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"io"},  # besides the public headers
     "tools": {"base", "io"},

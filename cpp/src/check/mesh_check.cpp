@@ -11,10 +11,10 @@
 
 #include "base/threads.h"
 #include "check/mesh_topology.h"
-#include "check/self_intersections.h"
 #include "geometry/exact_predicates.h"
 #include "geometry/mesh_numbers.h"
 #include "geometry/ray_columns.h"
+#include "geometry/self_intersections.h"
 #include "geometry/shells.h"
 #include "swept/compute.h"
 

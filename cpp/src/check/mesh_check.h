@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "check/mesh_topology.h"
-#include "check/self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "check/triangle_pairs.h"
 #include "geometry/certainly_apart.h"
+#include "geometry/triangle_pairs.h"
 
 namespace swept {
 namespace {

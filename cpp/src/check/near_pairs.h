@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/raw_array.h"
-#include "check/self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 

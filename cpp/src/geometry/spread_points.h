@@ -9,16 +9,18 @@
 
 namespace swept {
 
-/// Calls stop(point) for points no more than about a cell apart (coarser on triangles of more than
-/// 32 cells: 32 steps); ends with true as soon as stop() says so.
+/// Calls stop(point) for points no more than about `spacing` apart (coarser on triangles of more
+/// than 32 times that: 32 steps); ends with true as soon as stop() says so.
 template <class Stop>
 bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                  const Stop& stop) {
+                  double spacing, const Stop& stop) {
   const double ab = (a - b).squaredNorm(), bc = (b - c).squaredNorm(), ca = (c - a).squaredNorm();
   const double longest = std::sqrt(std::max({ab, bc, ca}));
   const double height =
       Eigen::Vector3d(b - a).cross(Eigen::Vector3d(c - a)).norm() / std::max(longest, 1e-300);
-  const auto steps = [](double x) { return std::clamp(static_cast<int>(std::ceil(x)), 2, 32); };
+  const auto steps = [&](double x) {
+    return std::clamp(static_cast<int>(std::ceil(std::min(x / spacing, 32.0))), 2, 32);
+  };
   // Rows run along the longest side.
   const Eigen::Vector3d *p = &a, *q = &b, *r = &c;
   if (bc >= ab && bc >= ca) {

@@ -247,7 +247,7 @@ void EnvelopeRun::simplify() {
     return;
   }
   result_.kept = std::make_shared<const SimplifyTree>(
-      std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid, run_);
+      std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid.cell);
   cutKept(result_, options_.tolerance, run_);
   stage("simplify");
 }

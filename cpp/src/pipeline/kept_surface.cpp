@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "check/mesh_check.h"
-#include "check/self_intersections.h"
 #include "pipeline/require_passed.h"
 #include "simplify/simplify.h"
 
@@ -17,8 +16,7 @@ void cutOnce(Result& result, double tolerance, RunContext& run) {
   const SimplifyTree& kept = *result.kept;
   Report& report = result.report;
   if (tolerance > 0) {
-    Simplified cut = kept.cut(
-        tolerance, [&](const TriMesh& m) { return findSelfIntersections(m, {}, run).pairs; }, run);
+    Simplified cut = kept.cut(tolerance, run);
     result.mesh = std::move(cut.mesh);
     result.contactTime = std::move(cut.contactTime);
     result.featureEdges = std::move(cut.featureEdges);

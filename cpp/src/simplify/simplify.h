@@ -1,55 +1,43 @@
 // Simplification of the envelope: fewer triangles, nowhere farther from the surface than a length.
 //
-// In:    a closed manifold surface and the grid it was made on. Out: a closed manifold mesh.
-// Steps: a cut through the vertex tree (vertex_tree.h) takes what is flat in large pieces, an edge
-//        collapse (edge_collapse.h) takes the rest within the tolerance; then the deviation is
-//        measured both ways and triangles that meet are looked for; where the result fails, the
-//        surface there is left as it was, and the cut is made again.
-// A SimplifyTree is kept to cut the same surface again at another tolerance. What is coarser than
-// kBaseCells is cut from a base: the surface within a fiftieth of a cell, simplified once, with a
-// tree of its own; the base's deviation is taken off the tolerance and added to the result's.
-// Units: mm outside, cells inside. Cost: O(n) for the tree, O(n log n) for the base and for fine
-// cuts; a coarse cut costs O(b log b) for b triangles of the base.
+// In:    a closed manifold surface and the cell of the grid it was made on. Out: a closed manifold
+//        mesh that does not meet itself.
+// Steps: the dense surface is thinned (thin.h) within a small part of the tolerance, edges are
+//        collapsed (collapse.h) within what is left of it; then the deviation is measured both
+//        ways, and where it is too large the second step is done again within less.
+// The surface is kept to cut it again at another tolerance. Coarse tolerances share thinned
+// surfaces: level 0 is the surface, each further one is thinned from the one before within twice
+// as much. Levels are made when they are first asked for.
+// Units: mm. Cost: O(n) for the levels, O(m log m) for a cut from a level of m triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include "geometry/nearest_triangle.h"
-#include "grid/grid_plan.h"
-#include "simplify/vertex_tree.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
 namespace swept {
 
-/// Pairs of triangles of a mesh that meet where they should not.
-using PairFinder =
-    std::function<std::vector<std::pair<std::int32_t, std::int32_t>>(const TriMesh&)>;
-
 struct Simplified {
   TriMesh mesh;
   std::vector<double> contactTime;
   std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases
-  double deviation = 0;           ///< mm, the larger of both directions, measured
-  std::size_t treeTriangles = 0;  ///< triangles after the cut, before the edge collapse
-  int rounds = 0;
+  double deviation = 0;  ///< mm, the larger of both directions, measured
 };
 
 class SimplifyTree {
  public:
-  SimplifyTree(TriMesh mesh, std::vector<double> contactTime, const GridPlan& plan,
-               RunContext& run);
+  SimplifyTree(TriMesh mesh, std::vector<double> contactTime, double cell);
 
   /// tolerance: mm, above 0. Safe to call from several threads; the bytes depend on the tolerance
   /// alone, never on earlier cuts.
-  Simplified cut(double tolerance, const PairFinder& findPairs, RunContext& run) const;
+  Simplified cut(double tolerance, RunContext& run) const;
 
   const TriMesh& mesh() const { return mesh_; }
   const std::vector<double>& contactTime() const { return contactTime_; }
@@ -57,25 +45,24 @@ class SimplifyTree {
   std::vector<std::array<std::int32_t, 2>> featureEdges() const;
 
  private:
-  /// The surface simplified a little, as a tree of its own; what that cost, in mm.
-  struct Base {
-    std::unique_ptr<SimplifyTree> tree;
-    double deviation = 0;
+  struct Level {
+    TriMesh mesh;
+    std::vector<std::int32_t> source;  ///< by vertex: its number in the surface
+    double limit = 0;                  ///< mm: how far it may lie from the surface
+    std::unique_ptr<NearestTriangle> nearest;
   };
-  const Base& base(const PairFinder& findPairs, RunContext& run) const;
-  /// accepted: mm, a measured deviation that ends the rounds even if it is above the tolerance.
-  Simplified cutFromHere(double tolerance, double accepted, const PairFinder& findPairs,
-                         RunContext& run) const;
+  std::unique_ptr<Level> thinned(const Level* from, double limit, RunContext& run) const;
+  /// The coarsest level within this; null: none.
+  const Level* levelWithin(double limit, RunContext& run) const;
+  const NearestTriangle& nearest() const;
+  Simplified cutFrom(const Level& level, double tolerance, RunContext& run) const;
 
   TriMesh mesh_;
   std::vector<double> contactTime_;
-  GridPlan plan_;
-  std::vector<Eigen::Vector3d> points_;  ///< vertices in cells
-  VertexTree tree_;
-  std::vector<std::uint8_t> creased_;  ///< per triangle: touches a vertex of rank 2 or 3
-  std::unique_ptr<NearestTriangle> nearest_;
-  mutable std::mutex baseMutex_;
-  mutable Base base_;  ///< made by the first coarse cut
+  double cell_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Level>> levels_;
+  mutable std::unique_ptr<NearestTriangle> nearest_;  ///< of the surface
 };
 
 }  // namespace swept

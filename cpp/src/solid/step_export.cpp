@@ -19,13 +19,13 @@
 #include "base/safe_file.h"
 #include "base/threads.h"
 #include "base/timer.h"
+#include "simplify/thin.h"
 #include "solid/kernel/kernel.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/shape_maker.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/mesh/patches.h"
-#include "solid/mesh/thin.h"
 #include "solid/text/step_text.h"
 #include "solid/text/tessellated.h"
 #include "swept/solid.h"
@@ -140,6 +140,12 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
   return box.diagonal().norm();
 }
 
+HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run) {
+  return buildHalfEdges(
+      thinOut({mesh.points, mesh.triangles}, limit, ThinFor::Surfaces, Phase::Export, run).mesh,
+      run);
+}
+
 // Builds with the given tolerance, or with the smallest of a series that meets the limits;
 // `options` then contains it.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format format,
@@ -162,7 +168,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   for (;; options.tolerance *= 2) {
     if (dense->triangles.size() > kDense) {
       // Continue with the result of the last round, whose part of the tolerance was half as large.
-      thin = thinOut(*dense, kThinFraction * options.tolerance, run);
+      thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }
     if (auto built = makeShape(mesh, *dense, options, fits, kernel, faces, run))
@@ -210,6 +216,15 @@ void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOption
                 "the file was written but reads back wrong: " + what +
                     "; the target was left as it was. Export a mesh file or change the tolerance");
   }
+}
+
+// A promise that is not kept must be seen.
+void noteDeviation(StepReport& report) {
+  if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
+  if (!report.note.empty()) report.note += "; ";
+  report.note += "the solid lies up to " + numberText(report.deviation, 4) +
+                 " mm from the mesh, above the tolerance of " + numberText(report.tolerance, 4) +
+                 " mm; a smaller tolerance may keep it nearer";
 }
 
 constexpr double kExact =
@@ -267,6 +282,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
     report.tolerance = options.tolerance;
+    noteDeviation(report);
     report.faces = check.faces;
     report.edges = check.edges;
     report.solids = check.solids;
@@ -308,7 +324,7 @@ SolidEstimate estimateChecked(const TriMesh& mesh, const StepOptions& options, R
   if (options.tolerance > 0) {
     double tolerance = options.tolerance;
     estimate.faces = static_cast<std::int64_t>(
-        uprightWithin(tolerance, [&] { return thinOut(whole, tolerance, run); }).triangles.size());
+        uprightWithin(tolerance, [&] { return thinned(whole, tolerance, run); }).triangles.size());
   } else {
     Partition partition;
     partition.patchOf.assign(whole.triangles.size(), -1);

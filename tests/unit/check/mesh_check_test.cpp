@@ -9,8 +9,8 @@
 #include <random>
 
 #include "check/mesh_topology.h"
-#include "check/self_intersections.h"
-#include "check/triangle_pairs.h"
+#include "geometry/self_intersections.h"
+#include "geometry/triangle_pairs.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
 

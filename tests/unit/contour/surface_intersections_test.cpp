@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "check/triangle_pairs.h"
+#include "geometry/triangle_pairs.h"
 #include "contour/mend/mend.h"
 #include "crossings/hermite.h"
 #include "geometry/body_topology.h"

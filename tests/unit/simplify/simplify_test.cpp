@@ -1,15 +1,19 @@
 // Simplification: deviation, topology, creases, a second cut of the kept surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/simplify.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/quadric.h"
-#include "simplify/vertex_tree.h"
+#include "simplify/moving_boxes.h"
+#include "simplify/thin.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
 
@@ -128,23 +132,69 @@ TEST(Simplify, RecutNeedsAKeptSurface) {
   EXPECT_THROW(recut(result, 0.1, run), Error);
 }
 
-/// A torus in a grid of few cells: patches that are rings or wrap round a handle are no discs.
-TEST(VertexTree, CutKeepsTheHandle) {
-  const TriMesh torus = makeTorus(6, 2, 60, 30);
+TEST(Thin, KeepsTheHandleAndASubsetOfTheVertices) {
+  const TriMesh torus = makeTorus(6, 2, 120, 60);
   RunContext run;
-  VertexTree tree;
-  tree.build(torus.vertices, torus.triangles, run);
-  std::vector<std::uint8_t> blocked(tree.nodes().size(), 0);
-  const TreeCut cut = cutTree(tree, torus.triangles, 1e9, blocked, run);
-  TriMesh mesh;
-  for (const std::int32_t node : cut.nodeOf) mesh.vertices.push_back(tree.nodes()[node].position);
-  mesh.triangles = cut.triangles;
-  const MeshCheck check = checkMesh(mesh, run);
-  EXPECT_TRUE(check.closed && check.manifold);
-  const auto v = static_cast<std::int64_t>(mesh.vertices.size());
-  const auto f = static_cast<std::int64_t>(mesh.triangles.size());
-  EXPECT_EQ(v - 3 * f / 2 + f, 0);  // Euler characteristic of a torus
-  EXPECT_LT(f, 1800);
+  for (const ThinFor purpose : {ThinFor::Collapse, ThinFor::Surfaces}) {
+    const Thinned thin = thinOut(torus, 0.05, purpose, Phase::Simplify, run);
+    const MeshCheck check = checkMesh(thin.mesh, run);
+    EXPECT_TRUE(check.passes());
+    EXPECT_EQ(check.selfIntersections, 0);
+    const auto v = static_cast<std::int64_t>(thin.mesh.vertices.size());
+    const auto f = static_cast<std::int64_t>(thin.mesh.triangles.size());
+    EXPECT_EQ(v - 3 * f / 2 + f, 0);  // Euler characteristic of a torus
+    EXPECT_LT(f, static_cast<std::int64_t>(torus.triangles.size()) / 4);
+    for (std::size_t n = 0; n < thin.source.size(); ++n)
+      EXPECT_EQ(thin.mesh.vertices[n], torus.vertices[thin.source[n]]);
+    // Estimated by vertex, so that the farthest may lie beyond it, but not by much.
+    for (const Eigen::Vector3d& p : torus.vertices) EXPECT_LE(distanceTo(thin.mesh, p), 0.1);
+  }
+}
+
+/// A flat shell whose two sheets lie much nearer than the tolerance: either alone could be moved
+/// through the other.
+TEST(Simplify, SheetsNearEachOtherDoNotMeet) {
+  TriMesh mesh = makeTorus(6, 2, 120, 60);
+  const std::size_t count = mesh.triangles.size();
+  const auto outer = static_cast<std::int32_t>(mesh.vertices.size());
+  const TriMesh inner = makeTorus(6, 1.98, 97, 51);
+  mesh.vertices.insert(mesh.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (auto t : inner.triangles)
+    mesh.triangles.push_back({t[0] + outer, t[2] + outer, t[1] + outer});
+  RunContext run;
+  ASSERT_EQ(checkMesh(mesh, run).selfIntersections, 0);
+  const SimplifyTree kept(mesh, std::vector<double>(mesh.vertices.size()), 0.3);
+  const Simplified cut = kept.cut(0.2, run);
+  EXPECT_EQ(checkMesh(cut.mesh, run).selfIntersections, 0);
+  EXPECT_LE(cut.deviation, 0.2);
+  EXPECT_LT(cut.mesh.triangles.size(), count);
+}
+
+TEST(MovingBoxes, FindWhatAllBoxesTogetherFind) {
+  TriMesh mesh = makeTorus(6, 2, 40, 20);
+  std::vector<std::int32_t> members(mesh.triangles.size());
+  std::iota(members.begin(), members.end(), 0);
+  MovingBoxes boxes(mesh, members);
+  std::vector<char> gone(members.size(), 0);
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(members.size()); ++t) {
+    if (t % 4 != 0) {
+      boxes.remove(t);
+      gone[t] = 1;
+    } else {
+      mesh.triangles[t][0] = (7 * t) % static_cast<std::int32_t>(mesh.vertices.size());
+      boxes.grow(t);
+    }
+  }
+  for (int n = 0; n < 50; ++n) {
+    MovingBoxes::Box box(mesh.vertices[16 * n]);
+    box.extend(Eigen::Vector3d(mesh.vertices[16 * n] + Eigen::Vector3d(1, 0.5, 0.7)));
+    std::set<std::int32_t> found, expected;
+    boxes.any(box, [&](std::int32_t t) { return !found.insert(t).second; });
+    for (const std::int32_t t : members) {
+      if (!gone[t] && MovingBoxes::boxOf(mesh, t).intersects(box)) expected.insert(t);
+    }
+    EXPECT_EQ(found, expected) << n;
+  }
 }
 
 TEST(Quadric, RankCountsTheDirectionsThatAreFixed) {

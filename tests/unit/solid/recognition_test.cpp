@@ -200,7 +200,9 @@ TEST_F(Recognition, BordersOfOpenGroundStayOnTheirSurface) {
   step::Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
   step::recogniseSurfaces(mesh, mesh, tolerance, partition, run);
-  const step::Decimated small = step::decimate({mesh, partition, {}, {}, 0}, tolerance, run);
+  const NearestTriangle original(mesh.points, mesh.triangles);
+  const step::Decimated small =
+      step::decimate({mesh, partition, {}, {}, 0}, tolerance, original, run);
   int borders = 0;
   for (std::size_t h = 0; h < small.mesh.opposite.size(); ++h) {
     const std::int32_t patch = small.partition.patchOf[h / 3];
@@ -227,7 +229,8 @@ TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
   const step::HalfEdgeMesh mesh = step::buildHalfEdges(input, run);
   step::Partition nothing;
   nothing.patchOf.assign(mesh.triangles.size(), -1);
-  const step::Decimated small = step::decimate({mesh, nothing, {}, {}, 0}, 0.1, run);
+  const NearestTriangle original(mesh.points, mesh.triangles);
+  const step::Decimated small = step::decimate({mesh, nothing, {}, {}, 0}, 0.1, original, run);
   EXPECT_LT(small.mesh.triangles.size(), mesh.triangles.size() / 4);
   EXPECT_LE(small.deviation, 0.1);
   TriMesh output;
@@ -246,7 +249,10 @@ TEST_F(Recognition, DecimationInPartsIsTheSameWithOneThread) {
   ASSERT_GT(mesh.triangles.size(), 30000U);
   step::Partition nothing;
   nothing.patchOf.assign(mesh.triangles.size(), -1);
-  const auto decimated = [&] { return step::decimate({mesh, nothing, {}, {}, 0}, 0.1, run); };
+  const NearestTriangle original(mesh.points, mesh.triangles);
+  const auto decimated = [&] {
+    return step::decimate({mesh, nothing, {}, {}, 0}, 0.1, original, run);
+  };
   const step::Decimated parallel = decimated();
   tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const step::Decimated serial = decimated();

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "check/mesh_topology.h"
-#include "check/self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "contour/surface.h"
 #include "swept/run_context.h"
 

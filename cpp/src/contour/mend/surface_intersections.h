@@ -15,7 +15,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "check/self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "contour/surface.h"
 
 namespace swept {

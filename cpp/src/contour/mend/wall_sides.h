@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "contour/surface.h"
 
 namespace swept {

@@ -144,7 +144,8 @@ class ShapeMaker {
         options_(options),
         fits_(fits),
         reader_(options, kernel, run),
-        run_(run) {}
+        run_(run),
+        original_(dense.points, dense.triangles) {}
 
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
@@ -155,7 +156,7 @@ class ShapeMaker {
     if (known_ > 0 && worthTrial()) start = trial(first, tolerance);
     for (int round = 0; round <= kRounds; ++round) {
       const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
-      if (tolerance > 0) start = decimate(std::move(start), tolerance, run_, effort);
+      if (tolerance > 0) start = decimate(std::move(start), tolerance, original_, run_, effort);
       refused_.clear();
       if (auto built = tryMesh(start, faces)) return built;
       if (!fits_(faces)) return std::nullopt;
@@ -173,7 +174,8 @@ class ShapeMaker {
   // A rough simplification shows the patches that are not worth their border and those that the
   // kernel refuses; without them the real simplification starts from more open ground.
   Decimated trial(const Partition& first, double tolerance) {
-    Decimated left = decimate({dense_, first, {}, {}, 0}, tolerance, run_, Effort::Rough);
+    Decimated left =
+        decimate({dense_, first, {}, {}, 0}, tolerance, original_, run_, Effort::Rough);
     std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
     Decimated rough = left;
     addFacets(rough.mesh, rough.partition);
@@ -243,6 +245,7 @@ class ShapeMaker {
   const std::function<bool(std::int64_t)>& fits_;
   ReadCheck reader_;
   RunContext& run_;
+  const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "check/self_intersections.h"
+#include "geometry/self_intersections.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "check/triangle_pairs.h"
 #include "geometry/box_tree.h"
 #include "geometry/certainly_apart.h"
 #include "geometry/exact_predicates.h"
+#include "geometry/triangle_pairs.h"
 
 namespace swept {
 namespace {

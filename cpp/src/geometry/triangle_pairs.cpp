@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "check/triangle_pairs.h"
+#include "geometry/triangle_pairs.h"
 
 #include "geometry/exact_predicates.h"
 

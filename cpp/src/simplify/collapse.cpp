@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/collapse.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "geometry/half_edges.h"
+#include "simplify/collapser.h"
+
+namespace swept {
+namespace {
+
+using Eigen::Vector3d;
+
+// Points of long edges that are watched like vertices: their distance, in tolerances, and number.
+constexpr double kWatchSpacing = 3;
+constexpr int kMaxWatched = 3;
+// Slabs that are worked on at the same time: fixed, so that the result does not depend on the
+// number of threads.
+constexpr std::size_t kSlabs = 16;
+constexpr std::size_t kWorthSlabs = 4000;  // triangles
+
+void prepare(CollapseState& state) {
+  const std::size_t count = state.mesh.vertices.size(), triangles = state.mesh.triangles.size();
+  state.gone.assign(count, 0);
+  state.dead.assign(triangles, 0);
+  state.stamp.assign(count, 0);
+  state.kind.resize(count, VertexKind::Free);
+  state.label.resize(triangles, -1);
+  state.attached.resize(triangles);
+  state.around.assign(count, {});
+  state.quadric.assign(count, {});
+  state.origin.setZero();
+  for (const Vector3d& p : state.mesh.vertices) state.origin += p;
+  state.origin /= static_cast<double>(count);
+  double length = 0;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto& tri = state.mesh.triangles[t];
+    const Vector3d &a = state.mesh.vertices[tri[0]], &b = state.mesh.vertices[tri[1]],
+                   &c = state.mesh.vertices[tri[2]];
+    length += (b - a).norm() + (c - b).norm() + (a - c).norm();
+    const Vector3d area = (b - a).cross(c - a);
+    const double twice = area.norm();
+    Quadric plane;
+    if (twice > 0) plane.addPlane(area / twice, a - state.origin, twice);
+    for (const std::int32_t v : tri) {
+      state.around[v].push_back(static_cast<std::int32_t>(t));
+      state.quadric[v] += plane;
+    }
+  }
+  // Finer than the original's corners there is nothing to be found; finer than the tolerance, not
+  // much.
+  state.spacing = std::max(length / (3.0 * static_cast<double>(triangles)), state.tolerance);
+}
+
+// Slabs across the longest side with about the same number of vertices each; `shifted`: their
+// limits lie in the middle of the others.
+class Slabs {
+ public:
+  Slabs(const CollapseState& state, bool shifted) : state_(state) {
+    Eigen::AlignedBox3d box;
+    std::vector<std::int32_t> left;
+    for (std::size_t v = 0; v < state.mesh.vertices.size(); ++v) {
+      if (state.gone[v]) continue;
+      left.push_back(static_cast<std::int32_t>(v));
+      box.extend(state.mesh.vertices[v]);
+    }
+    box.sizes().maxCoeff(&axis_);
+    std::vector<double> along;
+    for (const std::int32_t v : left) along.push_back(state.mesh.vertices[v][axis_]);
+    tbb::parallel_sort(along.begin(), along.end());
+    for (std::size_t i = shifted ? 0 : 1; i < kSlabs; ++i)
+      limits_.push_back(along[(2 * i + (shifted ? 1 : 0)) * along.size() / (2 * kSlabs)]);
+    partOf_.assign(state.mesh.vertices.size(), -1);
+    for (const std::int32_t v : left) {
+      const std::size_t own = slabOf(v);
+      const bool inside =
+          std::all_of(state.around[v].begin(), state.around[v].end(), [&](std::int32_t t) {
+            const auto& tri = state.mesh.triangles[t];
+            return slabOf(tri[0]) == own && slabOf(tri[1]) == own && slabOf(tri[2]) == own;
+          });
+      if (inside) partOf_[v] = static_cast<std::int32_t>(own);
+    }
+  }
+
+  const std::vector<std::int32_t>& partOf() const { return partOf_; }
+
+  /// `done`: vertices of a part before, where nothing is left to do; null: none.
+  std::vector<WorkPart> parts(const std::vector<std::int32_t>* done) const {
+    std::vector<WorkPart> parts(limits_.size() + 1);
+    for (std::size_t s = 0; s < parts.size(); ++s) {
+      parts[s].partOf = &partOf_;
+      parts[s].number = static_cast<std::int32_t>(s);
+      parts[s].axis = static_cast<int>(axis_);
+      if (s > 0) parts[s].low = limits_[s - 1];
+      if (s < limits_.size()) parts[s].high = limits_[s];
+    }
+    for (std::size_t v = 0; v < partOf_.size(); ++v) {
+      if (partOf_[v] >= 0 && (done == nullptr || (*done)[v] < 0))
+        parts[partOf_[v]].vertices.push_back(static_cast<std::int32_t>(v));
+    }
+    for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t) {
+      if (state_.dead[t]) continue;
+      const auto& tri = state_.mesh.triangles[t];
+      const auto [low, high] = std::minmax({slabOf(tri[0]), slabOf(tri[1]), slabOf(tri[2])});
+      for (std::size_t s = low; s <= high; ++s)
+        parts[s].triangles.push_back(static_cast<std::int32_t>(t));
+    }
+    return parts;
+  }
+
+ private:
+  std::size_t slabOf(std::int32_t v) const {
+    return std::upper_bound(limits_.begin(), limits_.end(), state_.mesh.vertices[v][axis_]) -
+           limits_.begin();
+  }
+
+  const CollapseState& state_;
+  Eigen::Index axis_ = 0;
+  std::vector<double> limits_;
+  std::vector<std::int32_t> partOf_;
+};
+
+}  // namespace
+
+void watchLongEdges(CollapseState& state, const std::vector<char>& watched) {
+  const TriMesh& mesh = state.mesh;
+  state.attached.resize(mesh.triangles.size());
+  const RawArray<std::uint32_t> across = findAdjacency(mesh).across;
+  const double spacing = kWatchSpacing * state.tolerance;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (state.label[t] >= 0 || watched[t]) continue;
+    const auto& tri = mesh.triangles[t];
+    bool isLong = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d &a = mesh.vertices[tri[k]], &b = mesh.vertices[tri[(k + 1) % 3]];
+      const auto between =
+          static_cast<int>(std::min<double>(kMaxWatched, (b - a).norm() / spacing));
+      isLong = isLong || between > 0;
+      const std::size_t h = 3 * t + k;
+      if (h > across[h] && state.label[across[h] / 3] < 0) continue;
+      for (int i = 1; i <= between; ++i)
+        state.attached[t].push_back(a + (b - a) * (static_cast<double>(i) / (between + 1)));
+    }
+    if (!isLong) continue;
+    state.attached[t].push_back(
+        (mesh.vertices[tri[0]] + mesh.vertices[tri[1]] + mesh.vertices[tri[2]]) / 3);
+  }
+}
+
+void collapseEdges(CollapseState& state, bool quick, RunContext& run) {
+  prepare(state);
+  std::vector<std::int32_t> done(state.mesh.vertices.size(), -1);
+  if (state.mesh.triangles.size() > kWorthSlabs) {
+    for (const bool shifted : {false, true}) {
+      const Slabs slabs(state, shifted);
+      const std::vector<WorkPart> parts = slabs.parts(shifted ? &done : nullptr);
+      parallelFor(parts.size(), [&](std::size_t p) { Collapser(state, parts[p], run).work(); });
+      for (std::size_t v = 0; v < done.size(); ++v) done[v] = std::max(done[v], slabs.partOf()[v]);
+    }
+  }
+  if (quick) return;
+  WorkPart all;
+  for (std::size_t v = 0; v < done.size(); ++v) {
+    if (!state.gone[v] && done[v] < 0) all.vertices.push_back(static_cast<std::int32_t>(v));
+  }
+  for (std::size_t t = 0; t < state.dead.size(); ++t) {
+    if (!state.dead[t]) all.triangles.push_back(static_cast<std::int32_t>(t));
+  }
+  Collapser(state, all, run).work();
+}
+
+TriMesh takeMesh(const CollapseState& state, std::vector<std::int32_t>* triangles) {
+  TriMesh mesh;
+  std::vector<std::int32_t> id(state.mesh.vertices.size(), -1);
+  for (std::size_t t = 0; t < state.dead.size(); ++t) {
+    if (state.dead[t]) continue;
+    auto tri = state.mesh.triangles[t];
+    for (std::int32_t& v : tri) {
+      if (id[v] < 0) {
+        id[v] = static_cast<std::int32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(state.mesh.vertices[v]);
+      }
+      v = id[v];
+    }
+    mesh.triangles.push_back(tri);
+    if (triangles != nullptr) triangles->push_back(static_cast<std::int32_t>(t));
+  }
+  return mesh;
+}
+
+}  // namespace swept

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/collapser.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "geometry/certainly_apart.h"
+#include "geometry/spread_points.h"
+#include "geometry/triangle_pairs.h"
+
+namespace swept {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNearFraction = 0.05;  // of the squared tolerance: near enough to look no further
+constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
+constexpr double kMinCosine = 0.2;     // a triangle may turn by less than 78 degrees
+constexpr double kMinShape = 0.01;     // height / longest side of a new triangle
+// Of the squared tolerance: limit of points on new triangles, the rest is for those in between.
+constexpr double kNetFraction = 0.96;
+// Of the squared tolerance, for the squared length of an edge: flat regions collapse evenly.
+constexpr double kLengthWeight = 1e-3;
+
+bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {
+  return tri[0] == v || tri[1] == v || tri[2] == v;
+}
+
+double squaredLongest(const std::array<Vector3d, 3>& c) {
+  return std::max(
+      {(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
+}
+
+Vector3d areaOf(const std::array<Vector3d, 3>& c) { return (c[1] - c[0]).cross(c[2] - c[0]); }
+
+}  // namespace
+
+void Collapser::work() {
+  for (const std::int32_t v : part_.vertices) pushAround(v, true);
+  std::uint64_t steps = 0;
+  const std::uint64_t total = 5 * part_.vertices.size();
+  while (!queue_.empty()) {
+    if ((++steps & 1023U) == 0) run_.checkpoint(state_.phase, std::min(steps, total), 8 * total);
+    const Entry entry = queue_.top();
+    queue_.pop();
+    if (state_.gone[entry.from] || state_.gone[entry.to]) continue;
+    if (state_.stamp[entry.from] != entry.stampFrom || state_.stamp[entry.to] != entry.stampTo)
+      continue;
+    collapse(entry.from, entry.to);
+  }
+}
+
+void Collapser::neighbours(std::int32_t v, std::vector<std::int32_t>& result) const {
+  result.clear();
+  for (const std::int32_t t : state_.around[v]) {
+    for (const std::int32_t w : state_.mesh.triangles[t]) {
+      if (w != v) result.push_back(w);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+}
+
+bool Collapser::isBorderEdge(std::int32_t a, std::int32_t b) const {
+  bool open = false, patch = false;
+  for (const std::int32_t t : state_.around[a]) {
+    if (has(state_.mesh.triangles[t], b)) (state_.label[t] < 0 ? open : patch) = true;
+  }
+  return open && patch;
+}
+
+bool Collapser::mayGo(std::int32_t from, std::int32_t to) const {
+  if (isFree(from)) return true;
+  return state_.kind[from] == VertexKind::Border && !isFree(to) && isBorderEdge(from, to);
+}
+
+Vector3d Collapser::placeFor(std::int32_t from, std::int32_t to) const {
+  if (!isFree(from) || !isFree(to)) return at(to);
+  Quadric q = state_.quadric[from];
+  q += state_.quadric[to];
+  const Vector3d middle = 0.5 * (at(from) + at(to));
+  const Vector3d best = state_.origin + q.dampedMinimiser(middle - state_.origin);
+  const double length = (at(from) - at(to)).norm();
+  return best.allFinite() && (best - middle).norm() <= 2 * length ? best : middle;
+}
+
+void Collapser::push(std::int32_t a, std::int32_t b) {
+  if (!isMine(a) || !isMine(b)) return;
+  if (!mayGo(a, b)) {
+    if (!mayGo(b, a)) return;
+    std::swap(a, b);
+  } else if (isFree(a) && isFree(b) && b < a) {
+    std::swap(a, b);
+  }
+  Quadric q = state_.quadric[a];
+  q += state_.quadric[b];
+  const double error = q.error(placeFor(a, b) - state_.origin);
+  const double square = state_.tolerance * state_.tolerance;
+  // The mean distance of the planes is no more than the largest.
+  if (error > q.weight * square) return;
+  const double cost = error + kLengthWeight * square * (at(a) - at(b)).squaredNorm();
+  queue_.push({cost, a, b, state_.stamp[a], state_.stamp[b]});
+}
+
+void Collapser::pushAround(std::int32_t v, bool once) {
+  neighbours(v, ring_);
+  for (const std::int32_t w : ring_) {
+    // Edges between two vertices where the work begins are asked for once.
+    if (!once || v < w || !std::binary_search(part_.vertices.begin(), part_.vertices.end(), w))
+      push(v, w);
+  }
+}
+
+bool Collapser::linkIsSimple(std::int32_t from, std::int32_t to) {
+  neighbours(from, ring_);
+  neighbours(to, otherRing_);
+  common_.clear();
+  std::set_intersection(ring_.begin(), ring_.end(), otherRing_.begin(), otherRing_.end(),
+                        std::back_inserter(common_));
+  if (common_.size() != 2) return false;
+  // Corners beside the edge with three triangles would be left with two.
+  return state_.around[common_[0]].size() > 3 && state_.around[common_[1]].size() > 3;
+}
+
+void Collapser::collapse(std::int32_t from, std::int32_t to) {
+  if (!mayGo(from, to) || !linkIsSimple(from, to) || !borderHolds(from, to)) return;
+  const Vector3d best = placeFor(from, to);
+  if (tryCollapse(from, to, best)) return;
+  // Where the quadrics' place leaves a point too far off, another may not.
+  if (!isFree(from) || !isFree(to)) return;
+  const Vector3d middle = 0.5 * (at(from) + at(to));
+  const Vector3d first = at(from), last = at(to), between = 0.5 * (best + middle);
+  for (const Vector3d& place : {last, first, middle, between}) {
+    if (tryCollapse(from, to, place)) return;
+  }
+}
+
+// The straight edge that a border gets stays within the tolerance of the patch's surface: where
+// open ground rises beside it, the points of that ground do not see to it.
+bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
+  if (state_.kind[from] != VertexKind::Border) return true;
+  const LabelSurface* surface = nullptr;
+  for (const std::int32_t t : state_.around[from]) {
+    if (state_.label[t] >= 0) surface = state_.surfaces[state_.label[t]].get();
+  }
+  if (surface == nullptr || surface->isPlanar()) return true;
+  constexpr int kSteps = 4;
+  for (const std::int32_t before : ring_) {
+    if (before == to || !isBorderEdge(from, before)) continue;
+    for (int i = 1; i < kSteps; ++i) {
+      const double w = static_cast<double>(i) / kSteps;
+      const Vector3d p = (1 - w) * at(before) + w * at(to);
+      if (!(std::abs(surface->distance(p)) <= state_.tolerance)) return false;
+    }
+  }
+  return true;
+}
+
+// Seen along the surface's normal.
+bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const LabelSurface& surface) const {
+  const Vector3d normal = surface.normal((next[0] + next[1] + next[2]) / 3);
+  return areaOf(next).dot(normal) <
+         -kFoldFraction * state_.tolerance * std::sqrt(squaredLongest(next));
+}
+
+bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& place) {
+  if (!(place[part_.axis] >= part_.low && place[part_.axis] < part_.high)) return false;
+  staying_.clear();
+  dying_.clear();
+  for (const std::int32_t v : {from, to}) {
+    for (const std::int32_t t : state_.around[v]) {
+      if (has(state_.mesh.triangles[t], from) && has(state_.mesh.triangles[t], to)) {
+        if (v == from) dying_.push_back(t);
+      } else if (v == from || place != at(to)) {
+        staying_.push_back(t);
+      }
+    }
+  }
+  if (!shapesHold(from, to, place) || !findAllHomes(from, to)) return false;
+  if (state_.original != nullptr && !trianglesHold(from, to, place)) return false;
+  const Vector3d before = at(to);
+  was_.clear();
+  for (const std::int32_t t : staying_) was_.push_back(state_.mesh.triangles[t]);
+  moveCorners(from, to, place);
+  if (meetsOthers()) {
+    state_.mesh.vertices[to] = before;
+    for (std::size_t k = 0; k < staying_.size(); ++k) state_.mesh.triangles[staying_[k]] = was_[k];
+    if (!std::all_of(hits_.begin(), hits_.end(), [&](std::int32_t t) { return metBefore(t); }))
+      return false;
+    moveCorners(from, to, place);
+  }
+  apply(from, to);
+  return true;
+}
+
+bool Collapser::shapesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
+  corners_.clear();
+  for (const std::int32_t t : staying_) {
+    std::array<Vector3d, 3> now, next;
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t v = state_.mesh.triangles[t][k];
+      now[k] = at(v);
+      next[k] = v == from || v == to ? place : at(v);
+    }
+    corners_.push_back(next);
+    if (state_.label[t] >= 0) {
+      if (turnsOver(next, *state_.surfaces[state_.label[t]])) return false;
+      continue;
+    }
+    const Vector3d before = areaOf(now), after = areaOf(next);
+    const double area = after.norm();
+    if (before.dot(after) < kMinCosine * before.norm() * area) return false;
+    const double shape = area / squaredLongest(next);
+    if (!(shape >= kMinShape || shape > before.norm() / squaredLongest(now))) return false;
+  }
+  return true;
+}
+
+// Points that lie on the triangles about to change find a new one within the tolerance. Where
+// such a point lay before is asked first, and if it is near enough there, no other.
+bool Collapser::findAllHomes(std::int32_t from, std::int32_t to) {
+  moved_.clear();
+  if (!findHome(at(from), -1)) return false;
+  if (isFree(to) && !findHome(at(to), -1)) return false;
+  for (const std::int32_t t : dying_) {
+    if (state_.label[t] < 0 && !findHomes(t, -1)) return false;
+  }
+  for (std::size_t k = 0; k < staying_.size(); ++k) {
+    const bool open = state_.label[staying_[k]] < 0;
+    if (open && !findHomes(staying_[k], static_cast<std::int32_t>(k))) return false;
+  }
+  return true;
+}
+
+bool Collapser::findHomes(std::int32_t triangle, std::int32_t before) {
+  std::vector<Vector3d>& points = state_.attached[triangle];
+  for (Vector3d& p : points) {
+    if (findHome(p, before)) continue;
+    // Most collapses are tried in vain: what has failed is asked first the next time.
+    std::swap(p, points[0]);
+    return false;
+  }
+  return true;
+}
+
+bool Collapser::findHome(const Vector3d& p, std::int32_t before) {
+  const double limit = state_.tolerance * state_.tolerance;
+  double least = limit;
+  std::int32_t home = -1;
+  auto ask = [&](std::int32_t k) {
+    const double d = squaredDistance(p, corners_[k][0], corners_[k][1], corners_[k][2]);
+    if (d > least) return;
+    least = d;
+    home = k;
+  };
+  if (before >= 0) ask(before);
+  for (std::int32_t k = 0;
+       k < static_cast<std::int32_t>(staying_.size()) && least > kNearFraction * limit; ++k) {
+    if (k != before && state_.label[staying_[k]] < 0) ask(k);
+  }
+  if (home >= 0) moved_.emplace_back(p, home);
+  return home >= 0;
+}
+
+bool Collapser::isNearOriginal(const Vector3d& p) {
+  const double limit = kNetFraction * state_.tolerance * state_.tolerance;
+  return state_.original->query(p, 1.01 * limit, limit, nearest_) <= limit;
+}
+
+// Points spread over the new triangles lie near the original.
+bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
+  if (isFree(from) && isFree(to) && !isNearOriginal(place)) return false;
+  for (std::size_t k = 0; k < staying_.size(); ++k) {
+    if (state_.label[staying_[k]] >= 0) continue;
+    const auto& c = corners_[k];
+    if (squaredLongest(c) <= state_.spacing * state_.spacing) continue;
+    // The corners are known to be near.
+    const bool far = spreadPoints(c[0], c[1], c[2], state_.spacing, [&](const Vector3d& p) {
+      return p != c[0] && p != c[1] && p != c[2] && !isNearOriginal(p);
+    });
+    if (far) return false;
+  }
+  return true;
+}
+
+bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
+  const TriMesh& mesh = state_.mesh;
+  if (state_.label[triangle] >= 0 && state_.label[triangle] == state_.label[other]) return false;
+  return !certainlyApart(mesh, triangle, other) && !hasNoArea(mesh, other) &&
+         !hasNoArea(mesh, triangle) && trianglesIntersect(mesh, triangle, other);
+}
+
+// Whether triangles with their new corners meet any others; which, in hits_.
+bool Collapser::meetsOthers() {
+  hits_.clear();
+  for (std::size_t k = 0; k < staying_.size(); ++k) {
+    const std::int32_t t = staying_[k];
+    const bool own = boxes_.any(MovingBoxes::boxOf(state_.mesh, t), [&](std::int32_t other) {
+      if (std::find(dying_.begin(), dying_.end(), other) != dying_.end()) return false;
+      if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;
+      if (meet(t, other)) hits_.push_back(other);
+      return false;
+    });
+    if (own) return true;
+    for (std::size_t j = k + 1; j < staying_.size(); ++j) {
+      if (meet(t, staying_[j])) hits_.push_back(staying_[j]);
+    }
+  }
+  return !hits_.empty();
+}
+
+// With the corners as they were.
+bool Collapser::metBefore(std::int32_t other) const {
+  const auto meets = [&](std::int32_t t) { return t == other || meet(t, other); };
+  if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;
+  return std::any_of(staying_.begin(), staying_.end(), meets) ||
+         std::any_of(dying_.begin(), dying_.end(), meets);
+}
+
+void Collapser::moveCorners(std::int32_t from, std::int32_t to, const Vector3d& place) {
+  state_.mesh.vertices[to] = place;
+  for (const std::int32_t t : staying_) {
+    for (std::int32_t& v : state_.mesh.triangles[t]) {
+      if (v == from) v = to;
+    }
+  }
+}
+
+void Collapser::apply(std::int32_t from, std::int32_t to) {
+  for (const std::int32_t t : staying_) state_.attached[t].clear();
+  for (const std::int32_t t : dying_) state_.attached[t].clear();
+  for (const auto& [p, k] : moved_) state_.attached[staying_[k]].push_back(p);
+  for (const std::int32_t t : dying_) {
+    state_.dead[t] = 1;
+    for (const std::int32_t v : state_.mesh.triangles[t]) std::erase(state_.around[v], t);
+  }
+  for (const std::int32_t t : staying_) boxes_.grow(t);
+  for (const std::int32_t t : dying_) boxes_.remove(t);
+  std::vector<std::int32_t>& mine = state_.around[to];
+  mine.insert(mine.end(), state_.around[from].begin(), state_.around[from].end());
+  state_.around[from].clear();
+  state_.gone[from] = 1;
+  state_.quadric[to] += state_.quadric[from];
+  ++state_.stamp[to];
+  pushAround(to, false);
+}
+
+}  // namespace swept

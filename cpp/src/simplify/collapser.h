@@ -1,0 +1,89 @@
+// One worker of the edge collapse (collapse.h): a slab of the mesh, or all of it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "simplify/collapse.h"
+#include "simplify/moving_boxes.h"
+
+namespace swept {
+
+/// What a worker may touch: vertices with its number, which stay within [low, high) along the axis.
+struct WorkPart {
+  const std::vector<std::int32_t>* partOf = nullptr;  ///< by vertex; null: all are its own
+  std::int32_t number = 0;
+  int axis = 0;
+  double low = -1e300, high = 1e300;
+  std::vector<std::int32_t> vertices;   ///< where it begins, in rising order
+  std::vector<std::int32_t> triangles;  ///< that its triangles may meet, its own included
+};
+
+class Collapser {
+ public:
+  Collapser(CollapseState& state, const WorkPart& part, RunContext& run)
+      : state_(state), part_(part), run_(run), boxes_(state.mesh, part.triangles) {}
+  /// Takes the edges at the part's vertices and goes on until none is left that may collapse.
+  void work();
+
+ private:
+  struct Entry {
+    double cost;
+    std::int32_t from, to;  // `from` disappears into `to`
+    std::uint32_t stampFrom, stampTo;
+    bool operator<(const Entry& o) const {
+      if (cost != o.cost) return cost > o.cost;
+      return std::tie(from, to) > std::tie(o.from, o.to);
+    }
+  };
+  using Corners = std::array<std::int32_t, 3>;
+  using Point = Eigen::Vector3d;
+
+  const Point& at(std::int32_t v) const { return state_.mesh.vertices[v]; }
+  bool isMine(std::int32_t v) const {
+    return part_.partOf == nullptr || (*part_.partOf)[v] == part_.number;
+  }
+  bool isFree(std::int32_t v) const { return state_.kind[v] == VertexKind::Free; }
+  void neighbours(std::int32_t v, std::vector<std::int32_t>& result) const;
+  bool isBorderEdge(std::int32_t a, std::int32_t b) const;
+  bool mayGo(std::int32_t from, std::int32_t to) const;
+  Point placeFor(std::int32_t from, std::int32_t to) const;
+  void push(std::int32_t a, std::int32_t b);
+  void pushAround(std::int32_t v, bool once);
+  bool borderHolds(std::int32_t from, std::int32_t to);
+  bool turnsOver(const std::array<Point, 3>& next, const LabelSurface& surface) const;
+  bool linkIsSimple(std::int32_t from, std::int32_t to);
+  void collapse(std::int32_t from, std::int32_t to);
+  bool tryCollapse(std::int32_t from, std::int32_t to, const Point& place);
+  bool shapesHold(std::int32_t from, std::int32_t to, const Point& place);
+  bool findAllHomes(std::int32_t from, std::int32_t to);
+  bool findHomes(std::int32_t triangle, std::int32_t before);
+  bool findHome(const Point& p, std::int32_t before);
+  bool isNearOriginal(const Point& p);
+  bool trianglesHold(std::int32_t from, std::int32_t to, const Point& place);
+  bool meetsOthers();
+  bool metBefore(std::int32_t other) const;
+  bool meet(std::int32_t triangle, std::int32_t other) const;
+  void moveCorners(std::int32_t from, std::int32_t to, const Point& place);
+  void apply(std::int32_t from, std::int32_t to);
+
+  CollapseState& state_;
+  const WorkPart& part_;
+  RunContext& run_;
+  MovingBoxes boxes_;
+  std::priority_queue<Entry> queue_;
+  // Kept between calls for their memory.
+  std::vector<std::int32_t> ring_, otherRing_, common_;
+  std::vector<std::int32_t> staying_, dying_;          // triangles
+  std::vector<Corners> was_;                           // of those that stay
+  std::vector<std::array<Point, 3>> corners_;          // of those that stay, afterwards
+  std::vector<std::pair<Point, std::int32_t>> moved_;  // and the place in staying_
+  std::vector<std::int32_t> hits_;
+  std::int32_t nearest_ = -1;  // triangle of the original
+};
+
+}  // namespace swept

@@ -1,0 +1,72 @@
+// Boxes about triangles that change, to find what a triangle may meet.
+// In: a mesh and the triangles to be found. The tree is made once, four to a node along a Morton
+// curve; its boxes grow with the triangles, which stay near where they were, and it is made anew
+// when half of them are gone. (geometry/nearest_triangle.h and geometry/box_tree.h stand still.)
+// Cost: O(n log n) to make, O(log n) a change or question. Nothing depends on threads.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept {
+
+class MovingBoxes {
+ public:
+  using Box = Eigen::AlignedBox3d;
+
+  /// `members`: in rising order. The mesh must outlive the tree.
+  MovingBoxes(const TriMesh& mesh, std::vector<std::int32_t> members);
+
+  /// A member's corners are others now.
+  void grow(std::int32_t triangle);
+  void remove(std::int32_t triangle);
+
+  static Box boxOf(const TriMesh& mesh, std::int32_t triangle) {
+    const auto& c = mesh.triangles[triangle];
+    Box box(mesh.vertices[c[0]]);
+    return box.extend(mesh.vertices[c[1]]).extend(mesh.vertices[c[2]]);
+  }
+
+  /// Calls stop(triangle) for members whose boxes meet `box` until it says true; whether it did.
+  template <class Stop>
+  bool any(const Box& box, const Stop& stop) const {
+    std::array<std::pair<std::int32_t, std::uint32_t>, 128> stack;
+    int size = 0;
+    if (!levels_.empty()) stack[size++] = {static_cast<std::int32_t>(levels_.size()) - 1, 0};
+    while (size > 0) {
+      const auto [level, index] = stack[--size];
+      if (!levels_[level][index].intersects(box)) continue;
+      const std::size_t begin = std::size_t{4} * index;
+      const std::size_t all = level == 0 ? order_.size() : levels_[level - 1].size();
+      const std::size_t end = begin + 4 < all ? begin + 4 : all;
+      for (std::size_t c = begin; c < end; ++c) {
+        if (level > 0) {
+          stack[size++] = {level - 1, static_cast<std::uint32_t>(c)};
+        } else if (order_[c] >= 0 && boxOf(mesh_, order_[c]).intersects(box) && stop(order_[c])) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  void make();
+  std::size_t memberOf(std::int32_t triangle) const;
+
+  const TriMesh& mesh_;
+  std::vector<std::int32_t> members_;     ///< in rising order; those gone stay until make()
+  std::vector<std::uint32_t> slot_;       ///< by member: where it is in order_
+  std::vector<std::int32_t> order_;       ///< along the curve; -1: gone
+  std::vector<std::vector<Box>> levels_;  ///< levels_[0]: boxes of four triangles each
+  std::size_t left_ = 0;
+};
+
+}  // namespace swept
