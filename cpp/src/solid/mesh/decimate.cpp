@@ -16,13 +16,13 @@ using Eigen::Vector3d;
 // A patch's surface, as the simplifier asks for it.
 class PatchSurface final : public LabelSurface {
  public:
-  explicit PatchSurface(const Surface& surface) : surface_(surface) {}
+  explicit PatchSurface(const Carrier& surface) : surface_(surface) {}
   bool isPlanar() const override { return surface_.isPlanar(); }
   double distance(const Vector3d& p) const override { return surface_.distance(p); }
   Vector3d normal(const Vector3d& p) const override { return surface_.normal(p); }
 
  private:
-  const Surface& surface_;
+  const Carrier& surface_;
 };
 
 class Decimator {
