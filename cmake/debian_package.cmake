@@ -17,6 +17,6 @@ if(Python3_VERSION_MINOR)  # the module is for the Python it was built with
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS
     ", python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 endif()
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "freecad")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "freecad, qt6-svg-plugins")
 set(CPACK_STRIP_FILES ON)
 include(CPack)

@@ -695,12 +695,16 @@ Versucht:
    <translation>Abstandstabelle</translation>
   </message>
   <message>
+   <source>the cell size must be above 0 mm.</source>
+   <translation>Die Zellgröße muss über 0 mm liegen.</translation>
+  </message>
+  <message>
    <source>Motion from file</source>
    <translation>Bewegung aus Datei</translation>
   </message>
   <message>
-   <source>Edit motion</source>
-   <translation>Bewegung bearbeiten</translation>
+   <source>{0}: "{1}" is not understood here; it counts as {2}.</source>
+   <translation>{0}: „{1}“ wird hier nicht verstanden; es zählt als {2}.</translation>
   </message>
   <message>
    <source>no part: close the panel, select the moving part and open it again.</source>
@@ -715,17 +719,21 @@ Versucht:
    <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
   </message>
   <message>
+   <source>Edit motion</source>
+   <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
    <source>Export envelope</source>
    <translation>Hülle exportieren</translation>
   </message>
   <message>
-   <source>{0} triangles, {1:.3g} mm^3, {2:.2f} s</source>
-   <translation>{0} Dreiecke, {1:.3g} mm^3, {2:.2f} s</translation>
+   <source>{0} triangles, {1}, {2}</source>
+   <translation>{0} Dreiecke, {1}, {2}</translation>
   </message>
   <message>
-   <source>Written: {0} ({1:.1f} kB)
+   <source>Written: {0} ({1})
 </source>
-   <translation>Geschrieben: {0} ({1:.1f} kB)
+   <translation>Geschrieben: {0} ({1})
 </translation>
   </message>
   <message>
@@ -884,8 +892,8 @@ Versucht:
    <translation>Noch keine Kurve: zuerst prüfen.</translation>
   </message>
   <message>
-   <source>distance (mm) over time (s)</source>
-   <translation>Abstand (mm) über der Zeit (s)</translation>
+   <source>distance ({0}) over time (s)</source>
+   <translation>Abstand ({0}) über der Zeit (s)</translation>
   </message>
   <message>
    <source>Clearance</source>
@@ -952,10 +960,6 @@ Versucht:
    <translation>bei s</translation>
   </message>
   <message>
-   <source>depth</source>
-   <translation>Tiefe</translation>
-  </message>
-  <message>
    <source>Between the meshes; the line above has taken off how far these may leave the parts</source>
    <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
   </message>
@@ -992,6 +996,10 @@ Versucht:
    <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
   </message>
   <message>
+   <source>depth</source>
+   <translation>Tiefe</translation>
+  </message>
+  <message>
    <source>{0} (stale: check again)</source>
    <translation>{0} (veraltet: neu prüfen)</translation>
   </message>
@@ -1004,8 +1012,8 @@ Versucht:
    <translation>Zellen entlang der längsten Seite des überstrichenen Raums</translation>
   </message>
   <message>
-   <source>{0} x {1} x {2} cells of {3}; about {4:.0f} MB, {5:.1f} s</source>
-   <translation>{0} x {1} x {2} Zellen von {3}; etwa {4:.0f} MB, {5:.1f} s</translation>
+   <source>{0} x {1} x {2} cells of {3}; about {4}, {5}</source>
+   <translation>{0} x {1} x {2} Zellen zu {3}; etwa {4}, {5}</translation>
   </message>
   <message>
    <source>Accuracy</source>
@@ -1080,6 +1088,10 @@ Versucht:
    <translation>Lagenfilter</translation>
   </message>
   <message>
+   <source>The motion has one key: the parts do not move. Add another.</source>
+   <translation>Die Bewegung hat nur eine Stützstelle: Die Teile bewegen sich nicht. Fügen Sie eine weitere hinzu.</translation>
+  </message>
+  <message>
    <source>Number of cells</source>
    <translation>Zellenzahl</translation>
   </message>
@@ -1092,8 +1104,8 @@ Versucht:
    <translation>Tabelle exportieren</translation>
   </message>
   <message>
-   <source>{0} poses, {1:g} to {2:g} s, moving {3:.4g} x {4:.4g} x {5:.4g} mm</source>
-   <translation>{0} Lagen, {1:g} bis {2:g} s, Weg {3:.4g} x {4:.4g} x {5:.4g} mm</translation>
+   <source>{0} poses, {1:g} to {2:g} s, moving {3} x {4} x {5}</source>
+   <translation>{0} Stellungen, {1:g} bis {2:g} s, Weg {3} x {4} x {5}</translation>
   </message>
   <message>
    <source>Motions</source>
@@ -1228,6 +1240,10 @@ Versucht:
    <translation>Bahn</translation>
   </message>
   <message>
+   <source>A motion has at least two keys: move the part, then Capture.</source>
+   <translation>Eine Bewegung hat mindestens zwei Stützstellen: Bewegen Sie das Teil, dann Aufnehmen.</translation>
+  </message>
+  <message>
    <source>In the 3D view</source>
    <translation>In der 3D-Ansicht</translation>
   </message>
@@ -1308,12 +1324,24 @@ Versucht:
    <translation>Ab&amp;spielen</translation>
   </message>
   <message>
-   <source>Plays in real time, or pauses</source>
-   <translation>Spielt in Echtzeit ab oder hält an</translation>
+   <source>Plays in real time at speed 1, or pauses</source>
+   <translation>Spielt bei Tempo 1 in Echtzeit ab oder hält an</translation>
   </message>
   <message>
    <source>To the next key</source>
    <translation>Zur nächsten Stützstelle</translation>
+  </message>
+  <message>
+   <source>Seconds of the motion in one second</source>
+   <translation>Sekunden der Bewegung in einer Sekunde</translation>
+  </message>
+  <message>
+   <source>Loop</source>
+   <translation>Schleife</translation>
+  </message>
+  <message>
+   <source>Begins again at the end</source>
+   <translation>Beginnt am Ende von vorn</translation>
   </message>
   <message>
    <source>P&amp;ause</source>
@@ -1336,8 +1364,8 @@ Versucht:
    <translation>Zelle: {0}, vereinfacht um: {1}</translation>
   </message>
   <message>
-   <source>Time: {0:.2f} s on {1}</source>
-   <translation>Zeit: {0:.2f} s auf {1}</translation>
+   <source>Time: {0} on {1}</source>
+   <translation>Zeit: {0} auf {1}</translation>
   </message>
   <message>
    <source>Last run: {0}</source>
@@ -1349,9 +1377,9 @@ Versucht:
   </message>
   <message>
    <source>{0} triangles: at most {1} faces,
-about {2:.1f} MB, {3:.1f} s</source>
+about {2}, {3}</source>
    <translation>{0} Dreiecke: höchstens {1} Flächen,
-etwa {2:.1f} MB, {3:.1f} s</translation>
+etwa {2}, {3}</translation>
   </message>
   <message>
    <source>Solid</source>
@@ -1588,6 +1616,10 @@ etwa {2:.1f} MB, {3:.1f} s</translation>
   <message>
    <source>done</source>
    <translation>fertig</translation>
+  </message>
+  <message>
+   <source>{0}, {1} s</source>
+   <translation>{0}, {1} s</translation>
   </message>
   <message>
    <source>Progress</source>

@@ -10,7 +10,7 @@ import sweptvolume
 HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
 #: From the bottom up; a module may import what stands before its own group.
 ORDER = [
-    ["texts", "settings", "safe_file"],
+    ["texts", "settings", "safe_file", "quantities"],
     ["core_texts"],
     ["core"],
     ["convert"],

@@ -236,7 +236,7 @@ def test_bad_input_20_small_drift(both, box):
     motion[1, :3, :3] *= 1 + 2e-5
     accepted(both(*box, motion, resolution=24))
     refused(
-        both(*box, slide() * [[[1.01], [1], [1], [1]]]), "NotRigid", "pose 0", "scale", "0.0001"
+        both(*box, slide() * [[[1.01], [1], [1], [1]]]), "NotRigid", "pose 1", "scale", "0.0001"
     )
 
 
@@ -252,14 +252,14 @@ def test_bad_input_20_small_drift(both, box):
 def test_bad_input_21_not_rigid(both, box, change, word):
     motion = slide()
     motion[1] = change
-    refused(both(*box, motion), "NotRigid", "pose 1", word)
+    refused(both(*box, motion), "NotRigid", "pose 2", word)
 
 
 def test_bad_input_22_bad_pose(both, box, program, tmp_path):
     motion = slide()
     motion[1, 1, 3] = np.nan
-    refused(both(*box, motion), "BadPose", "pose 1")
-    with pytest.raises(_swept.InvalidInput, match="pose 1.*come after") as caught:
+    refused(both(*box, motion), "BadPose", "pose 2")
+    with pytest.raises(_swept.InvalidInput, match="pose 2.*come after") as caught:
         _swept.compute(*box, ([1.0, 0.5], slide()))
     assert caught.value.code == "BadPose"
 
@@ -270,7 +270,7 @@ def test_bad_input_23_jump_and_half_turn(both, box):
     assert report["largest_step_travel"] > report["cell"] and report["chord_error"] >= 0
     turn = slide(0)
     turn[1] = np.diag([-1, -1, 1, 1.0])
-    refused(both(*box, turn), "AmbiguousTurn", "pose 0 and pose 1", "180")
+    refused(both(*box, turn), "AmbiguousTurn", "pose 1 and pose 2", "180")
 
 
 def test_bad_input_24_and_25_cancel(box):

@@ -64,3 +64,20 @@ def test_freecad_finds_it_in_its_mod_folder(mod, tmp_path):
     )
     assert done.exists(), "the script did not run to its end"
     assert pathlib.Path(done.read_text()).parent == mod / "build/python"
+
+
+def test_the_script_asks_freecad_for_its_folder(root, tmp_path):
+    freecad = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    build = pathlib.Path(os.environ.get("SWEPT_BUILD", root / "build"))
+    if not freecad or not (build / "cmake_install.cmake").exists():
+        pytest.skip("FreeCAD is not installed, or no build")
+    environment = {**os.environ, "FREECADCMD": freecad, "FREECAD_USER_HOME": str(tmp_path)}
+    script = root / "resources/install-workbench"
+    done = subprocess.run(
+        [str(script), str(build)], env=environment, capture_output=True, text=True, check=True
+    )
+    assert (tmp_path / "Mod/SweptVolume/InitGui.py").is_file(), done.stdout
+    assert "installed in {}/Mod/SweptVolume".format(tmp_path) in done.stdout
+    environment["FREECADCMD"] = "/bin/false"
+    failed = subprocess.run([str(script)], env=environment, capture_output=True, text=True)
+    assert failed.returncode != 0 and "did not name its folder" in failed.stderr

@@ -116,6 +116,11 @@ class CoreError(RuntimeError):
         self.code = code
 
 
+def cancelled():
+    """What a run raises that was asked to stop, for one that could not answer."""
+    return CoreError("Cancelled", "Cancelled", said("Cancelled", ""))
+
+
 class Request:
     """Input of one run: plain arrays, independent of any document.
 

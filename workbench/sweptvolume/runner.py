@@ -3,10 +3,16 @@
 on the GUI thread.
 
 A task has `document`, `watched` (objects it needs to the end), `title`, `work(control)` (any thread,
-plain values only), `finish(value)` (GUI thread, inside one transaction), and optionally
-`fail(text, cancelled)` and `room(value)`. If the document closes or a watched object goes, the run is
-cancelled and finish() is never called.
+plain values only), `finish(value)` (GUI thread, inside one transaction), and what else the class Task
+names. If the document closes or a watched object goes, the run is cancelled and finish() is never
+called. A run that is asked to stop ends at once for whoever waits for it, even where its thread is in a
+piece of work that cannot be broken off.
 """
+import atexit
+import contextlib
+import os
+import time
+
 import FreeCAD as App
 from PySide import QtCore
 
@@ -17,10 +23,16 @@ from .texts import translate
 POLL = 100
 #: ms until a result that was taken over is freed: the window draws it first.
 FORGET = 400
+#: ms that a cancelled run has to end by itself: with a look of the window an answer within 0.3 s.
+GRACE = 150
+#: s that all threads have to end in when FreeCAD closes: with what it does itself, below 2 s.
+LEAVE = 1.0
 #: Bytes from which on memory for the result is fetched beforehand.
 LARGE = 8 << 20
 
 _runs = []
+#: Threads of runs that have ended without them.
+_left = []
 _observer = None
 
 
@@ -42,6 +54,12 @@ class Task:
 
     def finish(self, value):
         raise NotImplementedError
+
+    def after(self, value):
+        """GUI thread, after finish(): what must not be kept for Undo."""
+
+    def drop(self, value):
+        """A result that nobody takes: removes the files that it stands for."""
 
     def fail(self, text, cancelled=False):
         """A run that gave nothing, for the document to remember."""
@@ -103,8 +121,24 @@ class Run(QtCore.QObject):
             _refresh_icon(obj)
 
     def cancel(self):
-        """Asks the run to stop; it ends within a quarter of a second."""
+        """Asks the run to stop; it ends within GRACE."""
         self.control.cancel()
+        QtCore.QTimer.singleShot(GRACE, self._leave)
+
+    def _leave(self):
+        """Ends a run whose thread has not answered: the thread goes on alone until it looks up, and what
+        it finds is dropped."""
+        if self.state != "running" or self._thread.isFinished() or self._fetching is not None:
+            return
+        self._thread.finished.disconnect(self._worked)
+        _left.append(self._thread)
+        self._thread.finished.connect(self._come_late)
+        self._thread.error = core.cancelled()
+        self._ended(wait=False)
+
+    def _come_late(self):
+        _left.remove(self._thread)
+        self._forget()
 
     def concerns(self, obj):
         return obj.Document.Name == self._document and obj.Name in self._watched
@@ -115,10 +149,13 @@ class Run(QtCore.QObject):
             self._gone = True
             self.cancel()
 
-    def wait(self):
-        self._thread.wait()
-        if self._fetching is not None:
-            self._fetching.wait()
+    def threads(self):
+        """Its threads that may be at work."""
+        return [thread for thread in (self._thread, self._fetching) if thread is not None]
+
+    def _wait(self):
+        for thread in self.threads():
+            thread.wait()
 
     def _look(self):
         self.progress.emit(self.control.progress(), self.control.phase())
@@ -142,9 +179,10 @@ class Run(QtCore.QObject):
         fetching.start()
         self._fetching = fetching
 
-    def _ended(self):
+    def _ended(self, wait=True):
         self._timer.stop()
-        self.wait()
+        if wait:
+            self._wait()
         if self._fetching is not None:
             self._fetching.warm.release()
         _runs.remove(self)
@@ -165,16 +203,20 @@ class Run(QtCore.QObject):
 
     def _forget(self):
         """Gives the result back: it may be large, and the run lives on for a while."""
-        self._thread.value = None
+        value = self._thread.value
+        if self._thread not in _left and value is not None:
+            self._thread.value = None
+            if self.state != "ok":
+                self.task.drop(value)
 
     def _conclude(self):
         error = self._thread.error
         if error is None:
             try:
-                if self.task.writes:
-                    _in_transaction(self.task, lambda: self.task.finish(self._thread.value))
-                else:
+                writing = transaction(self.task.document, self.task.title)
+                with writing if self.task.writes else contextlib.nullcontext():
                     self.task.finish(self._thread.value)
+                self.task.after(self._thread.value)
                 self.state = "ok"
                 return
             except Exception as problem:
@@ -186,16 +228,17 @@ class Run(QtCore.QObject):
             return
         self.state = "failed"
         self.message = str(error) or type(error).__name__
-        if self.task.writes:
-            App.Console.PrintError("{}: {}\n".format(self.task.title, self.message))
+        # The panel and the object's Message tell it; the report view would open itself for an error.
+        App.Console.PrintLog("{}: {}\n".format(self.task.title, self.message))
         self.task.fail(self.message)
 
 
-def _in_transaction(task, action):
-    document = task.document
-    document.openTransaction(task.title)
+@contextlib.contextmanager
+def transaction(document, title):
+    """One undo step; an error undoes what the block did."""
+    document.openTransaction(title)
     try:
-        action()
+        yield
     except BaseException:
         document.abortTransaction()
         raise
@@ -248,6 +291,16 @@ def _watch():
 
 
 def _stop_all():
+    """FreeCAD closes: waits a moment for the threads, and leaves the process without those that stay."""
+    threads = list(_left)
     for run in list(_runs):
         run.lose(run._document)
-        run.wait()
+        threads += run.threads()
+    until = time.monotonic() + LEAVE
+    for thread in threads:
+        thread.wait(max(1, int(1000 * (until - time.monotonic()))))
+    if any(thread.isRunning() for thread in threads):
+        _left.extend(thread for thread in threads if thread not in _left)
+        # Python ends last, after FreeCAD has written its settings; Qt would end the process with an
+        # error for a thread that still runs.
+        atexit.register(os._exit, 0)

@@ -20,6 +20,9 @@ namespace swept {
 namespace {
 
 using namespace clearance;
+
+/// Neighbours that one sentence names; a reader asks for the first few.
+constexpr std::size_t kMaxNamedOpen = 8;
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
@@ -202,16 +205,22 @@ void summarise(ClearanceReport& report) {
 
 void warnOpen(ClearanceReport& report, bool bodyClosed) {
   Finding open{"OpenMesh", 0, {}, ""};
+  std::string names;
   for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
     if (report.neighbours[i].closed) continue;
     ++open.count;
-    if (open.first.size() < 8) open.first.push_back(static_cast<std::int64_t>(i));
+    if (open.first.size() >= kMaxNamedOpen) continue;
+    open.first.push_back(static_cast<std::int64_t>(i));
+    const std::string& name = report.neighbours[i].name;
+    names += (names.empty() ? "" : ", ") + (name.empty() ? std::to_string(i + 1) : name);
   }
   if (open.count > 0) {
+    if (static_cast<std::size_t>(open.count) > open.first.size()) names += ", ...";
     open.text =
-        std::to_string(open.count) +
-        " neighbours are open or badly oriented surfaces: a part that lies wholly inside one "
-        "is not noticed, and depth is measured on the other side only";
+        std::to_string(open.count) + (open.count == 1 ? " neighbour is" : " neighbours are") +
+        " open or badly oriented (" + names +
+        "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
+        "the other side only";
     report.warnings.push_back(open);
   }
   if (!bodyClosed)

@@ -170,7 +170,8 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
           "only where the motion closes it",
       edges.firstOpen);
   add(result, "NonManifoldEdges", edges.nonManifold,
-      std::to_string(edges.nonManifold) + " edges are shared by more than two triangles",
+      std::to_string(edges.nonManifold) +
+          " edges of the part are shared by more than two triangles",
       edges.firstNonManifold);
   const OrientationResult oriented = orientShells(result.mesh, table, result.closed, run);
   result.orientable = oriented.orientable;

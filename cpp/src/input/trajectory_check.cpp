@@ -15,7 +15,8 @@ constexpr double kRigidLimit = 1e-4;  // largest |q| - 1 that is taken for round
 constexpr double kMendNote = 1e-9;    // below: not worth a note
 constexpr double kAmbiguousDegrees = 1.0;
 
-std::string poseName(std::size_t index) { return "pose " + std::to_string(index); }
+// Poses are counted from 1, as the rows of a table.
+std::string poseName(std::size_t index) { return "pose " + std::to_string(index + 1); }
 
 void checkFinite(const Pose& pose, std::size_t index) {
   const char* what = nullptr;

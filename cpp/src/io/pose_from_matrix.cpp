@@ -14,7 +14,7 @@ constexpr double kRigidLimit = 1e-4;
 
 [[noreturn]] void notRigid(std::int64_t index, const std::string& what) {
   throw Error(Status::InvalidInput, "NotRigid",
-              textOf(6, "pose ", index, ": ", what, " (limit ", kRigidLimit,
+              textOf(6, "pose ", index + 1, ": ", what, " (limit ", kRigidLimit,
                      "); export placements as rotation and translation only"));
 }
 
@@ -44,8 +44,9 @@ Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t in
   for (int i = 0; i < 16; ++i) {
     if (std::isfinite(matrix[i])) continue;
     throw Error(Status::InvalidInput, "BadPose",
-                "pose " + std::to_string(index) + ": matrix entry " + std::to_string(i / 4 + 1) +
-                    "," + std::to_string(i % 4 + 1) + " (row, column) is not a finite number");
+                "pose " + std::to_string(index + 1) + ": matrix entry " +
+                    std::to_string(i / 4 + 1) + "," + std::to_string(i % 4 + 1) +
+                    " (row, column) is not a finite number");
   }
   const Eigen::RowVector4d last = full.row(3);
   if ((last - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {

@@ -162,8 +162,8 @@ class CsvReader {
       if (!std::isfinite(values_[i])) {
         throw Error(Status::InvalidInput, "BadPose",
                     "'" + path_ + "', line " + std::to_string(lines_.number()) + ", column " +
-                        std::to_string(i + 1) + ", pose " + std::to_string(poses_.size()) + ": '" +
-                        std::string(fields_[i]) + "' is not a finite number");
+                        std::to_string(i + 1) + ", pose " + std::to_string(poses_.size() + 1) +
+                        ": '" + std::string(fields_[i]) + "' is not a finite number");
       }
     }
     poses_.push_back(width_ == 8 ? poseFromColumns() : poseFromRow());
@@ -198,7 +198,7 @@ class CsvReader {
     if (std::abs(length - 1) > kRigidLimit) {
       throw Error(Status::InvalidInput, "NotRigid",
                   "'" + path_ + "', line " + std::to_string(lines_.number()) + ", pose " +
-                      std::to_string(poses_.size()) + ": the quaternion has length " +
+                      std::to_string(poses_.size() + 1) + ": the quaternion has length " +
                       numberText(length) +
                       " instead of 1 (limit 1e-4 off); write unit quaternions with at least 5 "
                       "decimals, order qx,qy,qz,qw");

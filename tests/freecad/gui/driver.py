@@ -27,10 +27,11 @@ END = object()
 class Gaps:
     """Longest time between two ticks of a 5 ms timer: how long the window stood still. `busy` is the
     longest that the window's own thread computed between two ticks: the rest it waited for a core.
+    `lost` is the sum of what the ticks came too late.
     """
 
     def __init__(self):
-        self.longest, self.busy = 0.0, 0.0
+        self.longest, self.busy, self.lost = 0.0, 0.0, 0.0
         self._last, self._cpu = time.perf_counter(), time.thread_time()
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._tick)
@@ -39,6 +40,7 @@ class Gaps:
     def _tick(self):
         now, cpu = time.perf_counter(), time.thread_time()
         self.longest = max(self.longest, now - self._last)
+        self.lost += max(0.0, now - self._last - 0.02)
         self.busy = max(self.busy, cpu - self._cpu)
         self._last, self._cpu = now, cpu
 

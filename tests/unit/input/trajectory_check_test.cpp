@@ -102,7 +102,7 @@ TEST(TrajectoryCheck, bad_input_20_small_drift_is_mended) {
 TEST(TrajectoryCheck, bad_input_21_not_rigid) {
   Trajectory trajectory = threePoses();
   trajectory.poses[1].rotation.coeffs() *= 1.01;
-  expectRefused(trajectory, "NotRigid", "pose 1");
+  expectRefused(trajectory, "NotRigid", "pose 2");
   trajectory.poses[1].rotation.coeffs().setZero();
   expectRefused(trajectory, "NotRigid", "quaternion is zero");
 }
@@ -110,16 +110,16 @@ TEST(TrajectoryCheck, bad_input_21_not_rigid) {
 TEST(TrajectoryCheck, bad_input_22_bad_pose) {
   Trajectory trajectory = threePoses();
   trajectory.poses[2].translation.y() = kNan;
-  expectRefused(trajectory, "BadPose", "pose 2: the translation");
+  expectRefused(trajectory, "BadPose", "pose 3: the translation");
   trajectory = threePoses();
   trajectory.poses[1].rotation.x() = HUGE_VAL;
-  expectRefused(trajectory, "BadPose", "pose 1: the rotation");
+  expectRefused(trajectory, "BadPose", "pose 2: the rotation");
   trajectory = threePoses();
   trajectory.poses[0].timeSeconds = kNan;
-  expectRefused(trajectory, "BadPose", "pose 0: the time");
+  expectRefused(trajectory, "BadPose", "pose 1: the time");
   trajectory = threePoses();
   trajectory.poses[2].timeSeconds = trajectory.poses[1].timeSeconds;
-  expectRefused(trajectory, "BadPose", "pose 2: time 1 s does not come after 1 s");
+  expectRefused(trajectory, "BadPose", "pose 3: time 1 s does not come after 1 s");
   trajectory = threePoses();
   trajectory.poses[1].translation.x() = -3e9;
   expectRefused(trajectory, "BadPose", "1e9 mm");
@@ -129,7 +129,7 @@ TEST(TrajectoryCheck, bad_input_23_ambiguous_turn) {
   Trajectory trajectory;
   trajectory.poses.push_back(poseOf(0, placement({0, 0, 1}, 10, {0, 0, 0})));
   trajectory.poses.push_back(poseOf(1, placement({0, 0, 1}, 189.5, {0, 0, 0})));
-  expectRefused(trajectory, "AmbiguousTurn", "between pose 0 and pose 1");
+  expectRefused(trajectory, "AmbiguousTurn", "between pose 1 and pose 2");
   trajectory.interpolation = Interpolation::Screw;
   expectRefused(trajectory, "AmbiguousTurn", "179.5 degrees");
   trajectory.interpolation = Interpolation::None;  // nothing happens between the poses

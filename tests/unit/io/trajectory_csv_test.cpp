@@ -125,7 +125,7 @@ const std::vector<BrokenTable>& brokenTables() {
       {"0;1,5;2;3;0;0;0;1\n", "BadFile", "line 1, column 2"},
       {"0;1,5;2;3;0;0;0;1\n", "BadFile", "not a comma"},
       {kHeader + "0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "BadFile", "decimal comma"},
-      {"0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "NotRigid", "line 1, pose 0"},
+      {"0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "NotRigid", "line 1, pose 1"},
       {kHeader + "0,1,2,3,0,0,\0,1\n"s, "BadFile", "line 2, byte 13: a NUL byte"},
       {"\xff\xfe"
        "0\0,\0"s,
@@ -138,9 +138,9 @@ const std::vector<BrokenTable>& brokenTables() {
       {"t,tx,tx,tz,qx,qy,qz,qw\n" + kRow, "BadFile", "stands twice"},
       {"part,state,tx,ty,tz,qx,qy,qz,qw\n", "BadFile", "unknown column 'part'"},
       {kHeader + kHeader + kRow, "BadFile", "line 2, column 1: expected a number, found 't'"},
-      {kHeader + "0,nan,2,3,0,0,0,1\n", "BadPose", "line 2, column 2, pose 0"},
-      {kHeader + kRow + "0,1,2,-inf,0,0,0,1\n", "BadPose", "line 3, column 4, pose 1"},
-      {kHeader + "0,1,2,3,0,0,0,0\n", "NotRigid", "line 2, pose 0: the quaternion has length 0"},
+      {kHeader + "0,nan,2,3,0,0,0,1\n", "BadPose", "line 2, column 2, pose 1"},
+      {kHeader + kRow + "0,1,2,-inf,0,0,0,1\n", "BadPose", "line 3, column 4, pose 2"},
+      {kHeader + "0,1,2,3,0,0,0,0\n", "NotRigid", "line 2, pose 1: the quaternion has length 0"},
       {kHeader + "0,1,2,3,0,0,0,1.01\n", "NotRigid", "length 1.01"},
       {"2,0,0,0,0,2,0,0,0,0,2,0,0,0,0,1\n", "NotRigid", "stretched by 2"},
       {"1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1\n", "NotRigid", "mirror"},
@@ -217,7 +217,7 @@ TEST(PoseFromMatrix, BadInput21SaysWhatIsWrongAndHowMuch) {
     const double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1};
     poseFromMatrix(matrix, 0, 17);
   });
-  EXPECT_NE(text.find("pose 17"), std::string::npos) << text;
+  EXPECT_NE(text.find("pose 18"), std::string::npos) << text;
   EXPECT_NE(text.find("1, 1, 3"), std::string::npos) << text;
   EXPECT_NE(text.find("limit 0.0001"), std::string::npos) << text;
   errorText(Status::InvalidInput, "BadPose", [] {

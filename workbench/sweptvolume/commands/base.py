@@ -42,7 +42,6 @@ class BaseCommand:
         try:
             self.run(App.ActiveDocument)
         except (InputProblem, core.CoreError, core.CoreMissing) as problem:
-            App.Console.PrintError(str(problem) + "\n")
             warn(translate("Commands", self.TEXT), str(problem))
 
     def run(self, document):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motion from selection: one pose for each selected object, in the order of selection."""
+from .. import runner
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import mark, translate
@@ -27,11 +28,6 @@ class Command(BaseCommand):
                     "motion: copies or links of the part, or local coordinate systems.",
                 )
             )
-        document.openTransaction(translate("Commands", self.TEXT))
-        try:
+        with runner.transaction(document, translate("Commands", self.TEXT)):
             obj = motion.motion_from_objects(document, objects)
             document.recompute([obj])
-        except BaseException:
-            document.abortTransaction()
-            raise
-        document.commitTransaction()

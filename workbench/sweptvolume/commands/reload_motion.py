@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reload motion: reads the file or the source again."""
+from .. import runner
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import mark, translate
@@ -17,11 +18,6 @@ class Command(BaseCommand):
         obj = selection.motion()
         if obj is None:
             raise InputProblem(translate("Messages", "Select a motion first."))
-        document.openTransaction(translate("Commands", self.TEXT))
-        try:
+        with runner.transaction(document, translate("Commands", self.TEXT)):
             motion.reload_source(obj)
             document.recompute()
-        except BaseException:
-            document.abortTransaction()
-            raise
-        document.commitTransaction()

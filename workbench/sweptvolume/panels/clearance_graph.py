@@ -2,6 +2,7 @@
 """Graph of distance over time, one line a neighbour, with the required distance."""
 from PySide import QtCore, QtGui
 
+from ..quantities import length_unit, number
 from ..texts import translate
 from .widgets import QtWidgets
 
@@ -21,8 +22,11 @@ class DistanceGraph(QtWidgets.QWidget):
         self.curves, self.required, self.chosen, self.moment = [], 0.0, -1, None
 
     def show_report(self, report):
-        self.curves = [(row["name"], row["curve"]) for row in report["neighbours"]]
-        self.required = report["required"]
+        one, self.unit = length_unit()
+        self.curves = [
+            (row["name"], [(t, d / one) for t, d in row["curve"]]) for row in report["neighbours"]
+        ]
+        self.required = report["required"] / one
         self.chosen, self.moment = -1, None
         self.update()
 
@@ -48,7 +52,8 @@ class DistanceGraph(QtWidgets.QWidget):
     def paintEvent(self, event):  # noqa: N802
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        painter.fillRect(self.rect(), QtGui.QColor("white"))
+        painter.fillRect(self.rect(), self.palette().color(QtGui.QPalette.Base))
+        painter.setPen(self.palette().color(QtGui.QPalette.Text))
         order = self._drawn()
         if not order:
             text = translate("Panels", "No curve yet: check first.")
@@ -78,30 +83,32 @@ class DistanceGraph(QtWidgets.QWidget):
     def _axes(self, painter, box, start, end, most, at):
         painter.setPen(QtGui.QPen(QtGui.QColor("#888a85"), 1))
         painter.drawRect(box)
-        painter.setPen(QtGui.QColor("#2e3436"))
+        painter.setPen(self.palette().color(QtGui.QPalette.Text))
         for k in range(5):
             d, t = most * k / 4.0, start + (end - start) * k / 4.0
             y, x = at(start, d).y(), at(t, 0).x()
             painter.drawText(
                 QtCore.QRectF(0, y - 8, LEFT - 4, 16),
                 QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter,
-                "{:.3g}".format(d),
+                number(d, 2),
             )
             painter.drawText(
                 QtCore.QRectF(min(x - 30, box.right() - 52), box.bottom() + 1, 60, 14),
                 QtCore.Qt.AlignCenter,
-                "{:.3g}".format(t),
+                number(t, 3),
             )
         painter.drawText(
             QtCore.QRectF(box.left(), box.bottom() + 14, box.width(), 16),
             QtCore.Qt.AlignCenter,
-            translate("Panels", "distance (mm) over time (s)"),
+            translate("Panels", "distance ({0}) over time (s)").format(self.unit),
         )
         if self.required > 0:
             painter.setPen(QtGui.QPen(QtGui.QColor("#cc0000"), 1, QtCore.Qt.DotLine))
             painter.drawLine(at(start, self.required), at(end, self.required))
 
     def _names(self, painter, box, order):
+        behind_names = self.palette().color(QtGui.QPalette.Base)
+        behind_names.setAlpha(200)
         for k, i in enumerate(order):
             painter.setPen(QtGui.QColor(COLOURS[k % len(COLOURS)]))
             text = painter.fontMetrics().elidedText(
@@ -109,5 +116,5 @@ class DistanceGraph(QtWidgets.QWidget):
             )
             where = QtCore.QRectF(box.left(), box.top() + 2 + 13 * k, box.width() - 6, 14)
             behind = painter.boundingRect(where, QtCore.Qt.AlignRight, text)
-            painter.fillRect(behind, QtGui.QColor(255, 255, 255, 200))
+            painter.fillRect(behind, behind_names)
             painter.drawText(where, QtCore.Qt.AlignRight, text)

@@ -4,19 +4,22 @@ the document before a run has ended well."""
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import core, runner
+from .. import quantities
 from ..convert import InputProblem, label_of
 from ..features import clearance, motion
 from ..features.base import objects_of_kind
 from ..features.envelope import Envelope
 from ..texts import translate
 from ..views.clearance_view import BANDS
-from . import file_dialogs, focus, selection, widgets
+from . import file_dialogs, focus, guard, selection, widgets
 from .clearance_graph import DistanceGraph
+from .run_panel import StartPanel
 from .tasks import ClearanceTask
 from .widgets import QtWidgets
 
 DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05}
+#: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
+NAME_LETTERS = 14
 RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
 
 
@@ -31,7 +34,7 @@ class _Cell(QtWidgets.QTableWidgetItem):
         return self.key < other.key
 
 
-class ClearancePanel:
+class ClearancePanel(StartPanel):
     """Makes a new check (obj None) or shows and repeats one."""
 
     def __init__(self, document, envelope=None, pairs=(), motion_obj=None, neighbours=(), obj=None):
@@ -107,6 +110,7 @@ class ClearancePanel:
         self.source.currentIndexChanged.connect(lambda *ignored: self._show_neighbours())
 
     def _build_result(self):
+        self.one, self.unit = quantities.length_unit()
         self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
         rows = QtWidgets.QVBoxLayout(self.result)
         self.summary = QtWidgets.QLabel()
@@ -117,12 +121,11 @@ class ClearancePanel:
         heads = (
             translate("Panels", "Neighbour"),
             translate("Panels", "Verdict"),
-            "mm",
+            self.unit,
             translate("Panels", "at s"),
-            translate("Panels", "depth"),
+            "{}\n{}".format(translate("Panels", "depth"), self.unit),
         )
         self.table.setHorizontalHeaderLabels(heads)
-        self.table.horizontalHeaderItem(4).setToolTip("mm")
         self.table.horizontalHeaderItem(2).setToolTip(
             translate(
                 "Panels",
@@ -196,6 +199,7 @@ class ClearancePanel:
 
     # --- inputs
 
+    @guard.told
     def _take(self):
         self.neighbours = selection.parts()
         self.all.setChecked(False)
@@ -219,6 +223,7 @@ class ClearancePanel:
             self.document, pairs, path, self.neighbours, self.all.isChecked(), values, envelope
         )
 
+    @guard.told
     def _show_neighbours(self):
         try:
             names = [label_of(*pair) for pair in self.plan().leaves()]
@@ -236,15 +241,9 @@ class ClearancePanel:
     # --- run
 
     def start(self):
-        widgets.show_message(self.message, "")
-        try:
-            self.run = runner.start(ClearanceTask(self.document, self.plan(), self.obj))
-        except (InputProblem, core.CoreMissing) as problem:
-            widgets.show_message(self.message, str(problem))
+        if not self.begin(lambda: ClearanceTask(self.document, self.plan(), self.obj), self.ended):
             return False
-        self.box.follow(self.run)
         self.check.setEnabled(False)
-        self.run.ended.connect(self.ended)
         return True
 
     def ended(self, run):
@@ -281,6 +280,9 @@ class ClearancePanel:
         self.graph.show_report(report)
         self._paint()
 
+    def _length(self, value):
+        return quantities.number(round(value, 9) / self.one, quantities.TABLE_DIGITS)
+
     def _fill(self):
         self.table.setSortingEnabled(False)
         self.table.setRowCount(len(self.report["neighbours"]))
@@ -290,9 +292,9 @@ class ClearancePanel:
             cells = (
                 _Cell(row["name"], row["name"].lower()),
                 _Cell(verdict, RANK[row["verdict"]]),
-                _Cell("{:.4g}".format(round(row["distance"], 9)), row["distance"]),
-                _Cell("{:.4g}".format(round(row["time_seconds"], 6)), row["time_seconds"]),
-                _Cell("{:.3g}".format(deep) if deep else "", -deep),
+                _Cell(self._length(row["distance"]), row["distance"]),
+                _Cell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
+                _Cell(self._length(deep) if deep else "", -deep),
             )
 
             colour = QtGui.QColor.fromRgbF(*BANDS[RANK[row["verdict"]]])
@@ -307,10 +309,17 @@ class ClearancePanel:
                 self.table.setItem(r, c, cell)
         clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
         self.table.setColumnHidden(4, not clashes)
+        # Names keep room where the numbers take it all: then the table is scrolled.
+        modes = QtWidgets.QHeaderView
+        self.table.horizontalHeader().setSectionResizeMode(
+            0, modes.Interactive if clashes else modes.Stretch
+        )
+        self.table.setColumnWidth(0, self.table.fontMetrics().averageCharWidth() * NAME_LETTERS)
         self.table.setSortingEnabled(True)
         self.table.sortItems(2)
         QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
 
+    @guard.told
     def _row_chosen(self):
         items = self.table.selectedItems()
         if not items:
@@ -320,14 +329,12 @@ class ClearancePanel:
             return
         index = items[0].data(QtCore.Qt.UserRole)
         self.graph.choose(index, self.report["neighbours"][index]["time_seconds"])
-        try:
-            self._view().show_row(self.obj, index)
-        except (InputProblem, RuntimeError) as problem:
-            widgets.show_message(self.message, str(problem))
+        self._view().show_row(self.obj, index)
 
     def _view(self):
         return self.obj.ViewObject.Proxy
 
+    @guard.told
     def _paint(self):
         if self.obj is None:
             return
@@ -348,15 +355,13 @@ class ClearancePanel:
             text = translate("Panels", "The envelope has changed since the check: check again.")
             widgets.show_message(self.message, text)
 
+    @guard.told
     def export_csv(self):
         path = file_dialogs.ask_table(self.obj.Label)
-        if not path:
-            return
-        try:
+        if path:
             clearance.write_csv(self.report, path)
-        except OSError as error:
-            widgets.show_message(self.message, str(error))
 
+    @guard.told
     def export_sheet(self):
         self.document.openTransaction(translate("Messages", "Clearance table"))
         clearance.make_spreadsheet(self.obj)
@@ -367,6 +372,10 @@ class ClearancePanel:
 
     def getStandardButtons(self):
         return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
+
+    def modifyStandardButtons(self, box):
+        """The button that starts is one of the form."""
+        widgets.forget_with(box)
 
     def reject(self):
         """Close: stops what still runs; the drawing of a row goes, the result stays."""

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel of an envelope: parts, motion, accuracy, estimate, coarse preview, run, read-outs. Nothing
 is written to the document before a run has ended well."""
-import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import core, runner, settings
+from .. import quantities, settings
 from ..convert import InputProblem
 from ..features.envelope import BACKENDS, COMPONENTS, Plan
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
-from . import focus, widgets
+from . import focus, guard, widgets
 from .parts_box import PartsBox
 from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
@@ -22,6 +21,9 @@ from .widgets import QtWidgets
 ESTIMATE_DELAY = 250
 #: ms after a run until the panel goes: the window first draws what it has taken over.
 CLOSE_DELAY = 150
+#: What can be typed for a number of cells; the core says how many it allows, where a field would cut
+#: digits off in silence.
+MOST_TYPED = 999999999
 #: Steps of the quality slider, in cells along the longest side.
 QUALITIES = [32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024]
 
@@ -93,7 +95,7 @@ class EnvelopePanel(StartPanel):
             [translate("Panels", "Number of cells"), translate("Panels", "Cell size")],
         )
         self.resolution = QtWidgets.QSpinBox()
-        self.resolution.setRange(8, 4096)
+        self.resolution.setRange(0, MOST_TYPED)
         self.resolution.setSingleStep(16)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
@@ -195,6 +197,8 @@ class EnvelopePanel(StartPanel):
         }
 
     def plan(self):
+        if self.by.currentData() == "CellSize" and not float(self.cell.property("rawValue")) > 0:
+            raise InputProblem(translate("Messages", "the cell size must be above 0 mm."))
         parts = self.parts
         return Plan(
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
@@ -248,14 +252,30 @@ class EnvelopePanel(StartPanel):
     def estimate(self):
         """Shows grid, memory and time before anything is started."""
         try:
+            guard.check_fields(self.form)
             e = self.plan().estimate()
-        except (InputProblem, core.CoreError, core.CoreMissing) as problem:
-            self.estimate_label.setText(str(problem))
+        except Exception as problem:
+            guard.tell(self.estimate_label, problem)
             return
-        cell = App.Units.Quantity(e["cell"], App.Units.Length).UserString
-        text = translate("Panels", "{0} x {1} x {2} cells of {3}; about {4:.0f} MB, {5:.1f} s")
+        self.estimate_label.show()
+        text = translate("Panels", "{0} x {1} x {2} cells of {3}; about {4}, {5}")
         self.estimate_label.setText(
-            text.format(*e["grid"], cell, e["memory_bytes"] / 1e6, max(e["seconds"], 0.1))
+            text.format(
+                *map(quantities.count, e["grid"]),
+                quantities.quantity(e["cell"]),
+                quantities.megabytes(e["memory_bytes"]),
+                quantities.seconds(e["seconds"]),
+            )
+            + self._one_pose()
+        )
+
+    def _one_pose(self):
+        """A hint where nothing moves."""
+        motion = self.parts.motion()
+        if motion is None or len(motion.Placements) != 1:
+            return ""
+        return "\n" + translate(
+            "Panels", "The motion has one key: the parts do not move. Add another."
         )
 
     # --- run
@@ -263,19 +283,12 @@ class EnvelopePanel(StartPanel):
     def start(self, close_when_done=True):
         """Reads the document and starts the run; problems are shown in the panel."""
         self.close_when_done = close_when_done
-        widgets.show_message(self.message, "")
-        try:
-            run = runner.start(EnvelopeTask(self.document, self.plan(), self.obj))
-        except (InputProblem, core.CoreMissing) as problem:
-            widgets.show_message(self.message, str(problem))
+        if not self.begin(lambda: EnvelopeTask(self.document, self.plan(), self.obj), self.ended):
             return False
         self.preview_box.setChecked(False)
         self.preview.stop()
         self._remove_coarse()
-        self.run = run
-        self.box.follow(self.run)
         self._enable(False)
-        self.run.ended.connect(self.ended)
         return True
 
     def _enable(self, on):

@@ -2,11 +2,14 @@
 """Dialogs that ask for a file."""
 import os
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..texts import translate
 from .widgets import QtWidgets
 
+#: Where FreeCAD keeps the folder of the last file.
+LAST = "User parameter:BaseApp/Preferences/General"
 _KINDS = [
     ("STEP", "*.step *.stp", ".step"),
     ("BREP", "*.brep *.brp", ".brep"),
@@ -18,13 +21,24 @@ _KINDS = [
 ]
 
 
+def folder_of(document):
+    """Where a file of a document belongs: beside it, or where the last one went; else the home folder."""
+    last = App.ParamGet(LAST).GetString("FileOpenSavePath", "")
+    own = os.path.dirname(document.FileName) if document is not None else ""
+    return next((f for f in (own, last) if f and os.path.isdir(f)), os.path.expanduser("~"))
+
+
+def _beside_document(name):
+    return os.path.join(folder_of(App.ActiveDocument), name.replace("/", "_"))
+
+
 def ask_export(name):
     """File to write, with a suffix; "" when cancelled."""
     filters = ["{} ({})".format(title, patterns) for title, patterns, _ in _KINDS]
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
         translate("Panels", "Export envelope"),
-        name + ".step",
+        _beside_document(name + ".step"),
         ";;".join(filters),
     )
     if path and not os.path.splitext(path)[1]:
@@ -35,6 +49,9 @@ def ask_export(name):
 def ask_table(name):
     """CSV file to write; "" when cancelled."""
     path, _ = QtWidgets.QFileDialog.getSaveFileName(
-        Gui.getMainWindow(), translate("Panels", "Export table"), name + ".csv", "CSV (*.csv)"
+        Gui.getMainWindow(),
+        translate("Panels", "Export table"),
+        _beside_document(name + ".csv"),
+        "CSV (*.csv)",
     )
     return path + ".csv" if path and not os.path.splitext(path)[1] else path

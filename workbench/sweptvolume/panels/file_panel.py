@@ -2,16 +2,18 @@
 """Task panel: a motion from a CSV file, with the unit of its lengths."""
 import os
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import core
-from ..convert import InputProblem, pose_arrays
+from .. import quantities, runner
+from ..convert import pose_arrays
 from ..features import motion
 from ..features.motion import UNITS
 from ..texts import translate
 from ..trajectory import csv_file
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
-from . import focus, widgets
+from . import focus, guard, widgets
+from .file_dialogs import folder_of
 from .widgets import QtWidgets
 
 
@@ -39,8 +41,8 @@ class FilePanel:
         rows.addRow(translate("Panels", "Unit of length"), self.unit)
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
-        self.info = widgets.message_label()
-        layout.addWidget(self.info)
+        self.message = widgets.message_label()
+        layout.addWidget(self.message)
         layout.addStretch(1)
         self.path.editingFinished.connect(self.look)
         self.unit.currentIndexChanged.connect(self.look)
@@ -52,26 +54,26 @@ class FilePanel:
             self.path.setText(path)
             self.look()
 
+    @guard.told
     def look(self, *ignored):
         """Reads the file and says what is in it."""
-        try:
-            poses = csv_file.read(self.path.text(), self.unit.currentData())
-        except (InputProblem, core.CoreMissing) as problem:
-            widgets.show_message(self.info, str(problem))
-            return
+        poses = csv_file.read(self.path.text(), self.unit.currentData())
         points = pose_arrays(poses.placements)[0]
         size = points.max(axis=0) - points.min(axis=0)
-        text = translate(
-            "Panels", "{0} poses, {1:g} to {2:g} s, moving {3:.4g} x {4:.4g} x {5:.4g} mm"
-        )
+        text = translate("Panels", "{0} poses, {1:g} to {2:g} s, moving {3} x {4} x {5}")
         widgets.show_message(
-            self.info, text.format(len(poses), poses.times[0], poses.times[-1], *size)
+            self.message,
+            text.format(
+                quantities.count(len(poses)),
+                poses.times[0],
+                poses.times[-1],
+                *map(quantities.quantity, size),
+            ),
         )
 
+    @guard.told
     def accept(self):
-        title = translate("Messages", "Motion from file")
-        self.document.openTransaction(title)
-        try:
+        with runner.transaction(self.document, translate("Messages", "Motion from file")):
             obj = motion.motion_from_file(
                 self.document,
                 self.path.text(),
@@ -81,11 +83,6 @@ class FilePanel:
             )
             obj.Label = os.path.splitext(os.path.basename(self.path.text()))[0]
             self.document.recompute([obj])
-        except (InputProblem, core.CoreMissing) as problem:
-            self.document.abortTransaction()
-            widgets.show_message(self.info, str(problem))
-            return False
-        self.document.commitTransaction()
         Gui.Control.closeDialog()
         return True
 
@@ -99,7 +96,10 @@ def ask_file():
     kinds = translate("Panels", "Motions") + " (*.csv *.txt *.csv.gz *.csv.xz);;"
     kinds += translate("Panels", "All files") + " (*)"
     answer = QtWidgets.QFileDialog.getOpenFileName(
-        Gui.getMainWindow(), translate("Panels", "Motion from file"), "", kinds
+        Gui.getMainWindow(),
+        translate("Panels", "Motion from file"),
+        folder_of(App.ActiveDocument),
+        kinds,
     )
     return answer[0]
 

@@ -2,6 +2,7 @@
 """Table of key placements with its buttons and keys of the keyboard; what they do is the panel's."""
 from PySide import QtCore
 
+from ..quantities import length_unit
 from ..texts import mark, translate
 from ..trajectory.edit import as_numbers
 from . import widgets
@@ -9,7 +10,6 @@ from .widgets import QtWidgets
 
 COLUMNS = ["t", "x", "y", "z"]
 ANGLES = [mark("Panels", "yaw"), mark("Panels", "pitch"), mark("Panels", "roll")]
-UNITS = ["s", "mm", "mm", "mm", "deg", "deg", "deg"]
 #: (key, with Ctrl) -> name of an action.
 KEYS = {
     (QtCore.Qt.Key_Insert, False): "Insert",
@@ -49,6 +49,12 @@ def short(number):
     return "{:g}".format(round(number, digits) + 0.0)
 
 
+def units():
+    """(name, what one of it is in s, mm or degrees) of each column, as FreeCAD's preferences have it."""
+    one, name = length_unit()
+    return [("s", 1.0)] + [(name, one)] * 3 + [("deg", 1.0)] * 3
+
+
 class KeyTable(QtCore.QObject):
     """`wanted(name)`: an action; `typed(row, column, text)`: a cell; `chosen(row)`: the current key."""
 
@@ -59,12 +65,12 @@ class KeyTable(QtCore.QObject):
     def __init__(self, rows):
         super().__init__()
         self.filling = False
-        self.table = QtWidgets.QTableWidget(0, len(UNITS))
+        self.units = units()
+        self.table = QtWidgets.QTableWidget(0, len(self.units))
         self.table.setObjectName("SweptVolumeKeys")
         angles = [translate("Panels", name) for name in ANGLES]
-        self.table.setHorizontalHeaderLabels(COLUMNS + angles)
-        for column, unit in enumerate(UNITS):
-            self.table.horizontalHeaderItem(column).setToolTip(unit)
+        heads = zip(COLUMNS + angles, self.units)
+        self.table.setHorizontalHeaderLabels(["{}\n{}".format(n, unit) for n, (unit, _) in heads])
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setMinimumHeight(150)
         self.table.setTabKeyNavigation(
@@ -113,9 +119,10 @@ class KeyTable(QtCore.QObject):
     def _fill(self, keys, row):
         right = QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
         for column, number in enumerate((keys.times[row],) + as_numbers(keys.placements[row])):
-            item = QtWidgets.QTableWidgetItem(short(number))
+            unit, one = self.units[column]
+            item = QtWidgets.QTableWidgetItem(short(number / one))
             item.setTextAlignment(widgets.number_of(right))
-            item.setToolTip("{:.9g} {}".format(number, UNITS[column]))
+            item.setToolTip("{:.9g} {}".format(number / one, unit))
             self.table.setItem(row, column, item)
 
     def _edited(self, item):

@@ -6,7 +6,7 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import convert, core, settings
+from .. import convert, core, runner, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import translate
@@ -16,7 +16,7 @@ from ..trajectory.spline import Spline
 from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
 from ..views.surface import LightParts
-from . import focus, key_table, selection, widgets
+from . import focus, guard, key_table, selection, widgets
 from .player import Player
 from .preview import MOST_CELLS, Preview, request_for
 from .tangent_box import TangentBox
@@ -56,6 +56,11 @@ class MotionPanel:
             layout, convert.label_of(*self.pair) if self.pair else none
         )
         self.table = self.keyboard.table
+        self.few = widgets.message_label()
+        self.few.setText(
+            translate("Panels", "A motion has at least two keys: move the part, then Capture.")
+        )
+        layout.addWidget(self.few)
         self._build_rules(layout)
         self.player = Player()
         layout.addWidget(self.player)
@@ -162,14 +167,12 @@ class MotionPanel:
             keys.delete(row)
         return min(row, len(keys) - 1)
 
+    @guard.told
     def act(self, name):
         """An action of a button or a key; problems are shown."""
         widgets.show_message(self.message, "")
         row = self.keyboard.row()
-        try:
-            self.fill(self._do(name, row if row >= 0 else len(self.keys) - 1))
-        except InputProblem as problem:
-            widgets.show_message(self.message, str(problem))
+        self.fill(self._do(name, row if row >= 0 else len(self.keys) - 1))
 
     def fill(self, current):
         """Shows the keys everywhere."""
@@ -177,12 +180,14 @@ class MotionPanel:
         self.player.set_times(self.keys.times)
         self.chosen(self.keyboard.row())
         self.show_ghosts()
+        self.few.setVisible(len(self.keys) < 2)
 
     def edited(self, row, column, text):
         """A number was typed; units are understood ("2 in")."""
         widgets.show_message(self.message, "")
         try:
-            number = number_from(text, key_table.UNITS[column])
+            unit, one = self.keyboard.units[column]
+            number = number_from(text, unit) * one
             if column == 0:
                 self.keys.set_time(row, number)
                 self.player.set_times(self.keys.times)
@@ -190,8 +195,8 @@ class MotionPanel:
                 numbers = list(as_numbers(self.keys.placements[row]))
                 numbers[column - 1] = number
                 self.keys.update(row, from_numbers(numbers))
-        except InputProblem as problem:
-            widgets.show_message(self.message, str(problem))
+        except Exception as problem:
+            guard.tell(self.message, problem)
         self.keyboard.show_row(self.keys, row)
         self.show_dragger()
         self.show_ghosts()
@@ -375,9 +380,10 @@ class MotionPanel:
         Gui.Control.closeDialog()
         return True
 
+    @guard.told
     def accept(self):
-        self.document.openTransaction(translate("Messages", "Edit motion"))
-        try:
+        guard.check_fields(self.form)
+        with runner.transaction(self.document, translate("Messages", "Edit motion")):
             if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
                 self.obj = motion.make_motion(self.document)
             if _content(self.keys)[:2] != self.before[:2]:
@@ -388,11 +394,6 @@ class MotionPanel:
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.Frame = self.frame.currentData()
             self.document.recompute()
-        except InputProblem as problem:
-            self.document.abortTransaction()
-            widgets.show_message(self.message, str(problem))
-            return False
-        self.document.commitTransaction()
         return self._close()
 
     def reject(self):

@@ -8,6 +8,8 @@ from .widgets import QtWidgets
 
 #: ms between two pictures while playing; steps of the slider.
 FRAME_TIME, SLIDER = 40, 1000
+#: How many seconds of the motion pass in one second.
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
 class Player(QtWidgets.QGroupBox):
@@ -17,7 +19,8 @@ class Player(QtWidgets.QGroupBox):
 
     def __init__(self):
         super().__init__(translate("Panels", "Play"))
-        self.times = []
+        self.times, self.moment, self.moving = [], 0.0, False
+        self.clock = QtCore.QElapsedTimer()
         self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("SweptVolumeTime")
         self.slider.setRange(0, SLIDER)
@@ -25,20 +28,32 @@ class Player(QtWidgets.QGroupBox):
         self.back = self._button("Back", "|<", translate("Panels", "To the key before"))
         self.play = self._button("Play", translate("Panels", "Pl&ay"), "")
         self.play.setCheckable(True)
-        self.play.setToolTip(translate("Panels", "Plays in real time, or pauses"))
+        self.play.setToolTip(translate("Panels", "Plays in real time at speed 1, or pauses"))
         self.forth = self._button("Forth", ">|", translate("Panels", "To the next key"))
         self.time = QtWidgets.QLabel()
         self.time.setAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.time.setMinimumWidth(self.fontMetrics().boundingRect("000.00 s").width())
-        line = QtWidgets.QHBoxLayout(self)
-        line.setContentsMargins(*widgets.MARGINS)
-        line.setSpacing(4)
+        self.speed = widgets.choice(SPEEDS, 1.0, ["x {:g}".format(speed) for speed in SPEEDS])
+        self.speed.setObjectName("SweptVolumeSpeed")
+        self.speed.setMinimumContentsLength(4)
+        self.speed.setToolTip(translate("Panels", "Seconds of the motion in one second"))
+        self.loop = QtWidgets.QCheckBox(translate("Panels", "Loop"))
+        self.loop.setObjectName("SweptVolumeLoop")
+        self.loop.setToolTip(translate("Panels", "Begins again at the end"))
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(*widgets.MARGINS)
+        column.setSpacing(4)
+        above, below = QtWidgets.QHBoxLayout(), QtWidgets.QHBoxLayout()
+        # The slider has a line of its own: beside buttons of some themes a finger's width is left.
+        above.addWidget(self.slider, 1)
+        above.addWidget(self.time)
         for button in (self.back, self.forth):
             button.setFixedWidth(30)
-        for widget in (self.back, self.play, self.forth):
-            line.addWidget(widget)
-        line.addWidget(self.slider, 1)
-        line.addWidget(self.time)
+        for widget in (self.back, self.play, self.forth, self.speed, self.loop):
+            below.addWidget(widget)
+        below.addStretch(1)
+        column.addLayout(above)
+        column.addLayout(below)
         self.timer = QtCore.QTimer(self)
         self.timer.timeout.connect(self._advance)
         self.slider.valueChanged.connect(self._slid)
@@ -55,19 +70,21 @@ class Player(QtWidgets.QGroupBox):
     def set_times(self, times):
         """The times of the keys (s)."""
         self.times = list(times)
-        self._slid()
+        self._show_time()
 
     def now(self):
         """The time that is shown (s)."""
         if not self.times:
             return 0.0
-        first, last = self.times[0], self.times[-1]
-        return first + (last - first) * self.slider.value() / SLIDER
+        return min(max(self.moment, self.times[0]), self.times[-1])
 
     def go_to(self, time):
         span = self.times[-1] - self.times[0] if self.times else 0.0
         part = (time - self.times[0]) / span if span > 0 else 0.0
+        self.moment, self.moving = time, True
         self.slider.setValue(int(round(part * SLIDER)))
+        self.moving = False
+        self._show_time()
 
     def step(self, by):
         """To the next key before or after the time that is shown."""
@@ -77,25 +94,38 @@ class Player(QtWidgets.QGroupBox):
         if ahead:
             self.go_to(min(ahead) if by > 0 else max(ahead))
 
-    def _slid(self, *ignored):
+    def _slid(self, value):
+        """The slider was moved by hand."""
+        if not self.moving and self.times:
+            first, last = self.times[0], self.times[-1]
+            self.moment = first + (last - first) * value / SLIDER
+            self._show_time()
+
+    def _show_time(self):
         self.time.setText("{:.2f} s".format(self.now()))
         self.moved.emit()
 
     def _toggle(self, on):
         self.play.setText(translate("Panels", "P&ause") if on else translate("Panels", "Pl&ay"))
         if on and len(self.times) > 1:
-            if self.slider.value() >= SLIDER:
-                self.slider.setValue(0)
+            if self.now() >= self.times[-1]:
+                self.go_to(self.times[0])
+            self.clock.start()
             self.timer.start(FRAME_TIME)
         else:
             self.timer.stop()
             self.play.setChecked(False)
 
     def _advance(self):
-        span = max(self.times[-1] - self.times[0], 1e-9)
-        step = max(1, int(round(SLIDER * FRAME_TIME / 1000.0 / span)))
-        self.slider.setValue(min(SLIDER, self.slider.value() + step))
-        if self.slider.value() >= SLIDER:
+        """As far as the clock went: pictures that come late change nothing about the time."""
+        first, last = self.times[0], self.times[-1]
+        after = self.now() + self.clock.restart() / 1000.0 * self.speed.currentData()
+        if after < last:
+            self.go_to(after)
+        elif self.loop.isChecked() and last > first:
+            self.go_to(first + (after - first) % (last - first))
+        else:
+            self.go_to(last)
             self.play.setChecked(False)
 
     def stop(self):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is known of an envelope that was computed: numbers and warnings, to be read and copied."""
-import FreeCAD as App
 from PySide import QtCore
 
+from .. import quantities
 from ..features.envelope import CANCELLED, FAILED, report_of, warnings_of
 from ..texts import translate
 from . import widgets
@@ -36,21 +36,19 @@ class ReadOuts(QtWidgets.QGroupBox):
 def lines_of(obj, report):
     """The read-outs of an envelope, a line each."""
     box = obj.Mesh.BoundBox
-
-    def length(value):
-        return App.Units.Quantity(value, App.Units.Length).UserString
-
-    sides = " x ".join(length(v) for v in (box.XLength, box.YLength, box.ZLength))
+    sides = " x ".join(quantities.quantity(v) for v in (box.XLength, box.YLength, box.ZLength))
     deviation = report["simplification_deviation"]
     lines = [
-        translate("Panels", "Volume: {0}").format(obj.Volume.UserString),
+        translate("Panels", "Volume: {0}").format(quantities.volume(obj.Volume.Value)),
         translate("Panels", "Box: {0}").format(sides),
-        translate("Panels", "Triangles: {0}, shells: {1}").format(obj.Triangles, obj.Shells),
-        translate("Panels", "Cell: {0}, simplified by: {1}").format(
-            length(report["cell"]), length(deviation)
+        translate("Panels", "Triangles: {0}, shells: {1}").format(
+            quantities.count(obj.Triangles), quantities.count(obj.Shells)
         ),
-        translate("Panels", "Time: {0:.2f} s on {1}").format(
-            obj.Seconds, report["backend"].upper()
+        translate("Panels", "Cell: {0}, simplified by: {1}").format(
+            quantities.quantity(report["cell"]), quantities.quantity(deviation)
+        ),
+        translate("Panels", "Time: {0} on {1}").format(
+            quantities.seconds(obj.Seconds), report["backend"].upper()
         ),
     ]
     if obj.Message and obj.Status in (CANCELLED, FAILED):

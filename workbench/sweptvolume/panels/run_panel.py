@@ -4,7 +4,7 @@ wrong."""
 import FreeCADGui as Gui
 
 from .. import runner
-from . import focus, widgets
+from . import focus, guard, widgets
 from .widgets import QtWidgets
 
 
@@ -35,6 +35,16 @@ class StartPanel:
     def enable_buttons(self, on):
         for button in self.buttons:
             button.setEnabled(on)
+
+    @guard.told
+    def begin(self, task, ended):
+        """Starts task() and follows it; ended(run) is called at its end. Returns whether it runs."""
+        widgets.show_message(self.message, "")
+        guard.check_fields(self.form)
+        self.run = runner.start(task())
+        self.box.follow(self.run)
+        self.run.ended.connect(ended)
+        return True
 
     def accept(self):
         if self.run is None:

@@ -5,11 +5,10 @@ import os
 
 from PySide import QtCore
 
-from .. import core, export, runner
-from ..convert import InputProblem
+from .. import core, export, quantities, runner
 from ..features import solid
 from ..texts import translate
-from . import focus, tasks, widgets
+from . import focus, guard, tasks, widgets
 from .run_panel import StartPanel
 from .widgets import QtWidgets
 
@@ -74,7 +73,7 @@ class SolidPanel(StartPanel):
         )
         self.faces = QtWidgets.QSpinBox()
         self.faces.setObjectName("SweptVolumeMaxFaces")
-        self.faces.setRange(4, 10000000)
+        self.faces.setRange(0, 999999999)
         self.faces.setSingleStep(1000)
         self.faces.setValue(values["max_faces"])
         widgets.hint(
@@ -83,7 +82,7 @@ class SolidPanel(StartPanel):
         )
         self.megabytes = QtWidgets.QDoubleSpinBox()
         self.megabytes.setObjectName("SweptVolumeMaxMegabytes")
-        self.megabytes.setRange(0, 100000)
+        self.megabytes.setRange(0, 1e9)
         self.megabytes.setSuffix(" MB")
         self.megabytes.setSpecialValueText(translate("Panels", "no limit"))
         self.tessellated = QtWidgets.QCheckBox(translate("Panels", "Triangles as they are (AP242)"))
@@ -144,24 +143,29 @@ class SolidPanel(StartPanel):
             self.timer.start(ESTIMATE_DELAY)
             return
         try:
+            guard.check_fields(self.form)
             request = self.mesh.but(self.settings())
             self.looking = runner.start(_Estimate(self.document, request, self.show_estimate))
-        except (InputProblem, core.CoreMissing) as problem:
-            self.expected.setText(str(problem))
+        except Exception as problem:
+            guard.tell(self.expected, problem)
             return
         self.looking.ended.connect(self._estimated)
 
     def _estimated(self, run):
         self.looking = None
         if run.state == "failed":
-            self.expected.setText(run.message)
+            widgets.show_message(self.expected, run.message)
 
     def show_estimate(self, found):
-        text = translate("Panels", "{0} triangles: at most {1} faces,\nabout {2:.1f} MB, {3:.1f} s")
-        self.expected.setText(
+        text = translate("Panels", "{0} triangles: at most {1} faces,\nabout {2}, {3}")
+        widgets.show_message(
+            self.expected,
             text.format(
-                found["triangles"], found["faces"], found["megabytes"], max(found["seconds"], 0.1)
-            )
+                quantities.count(found["triangles"]),
+                quantities.count(found["faces"]),
+                quantities.megabytes(found["megabytes"] * 1e6),
+                quantities.seconds(found["seconds"]),
+            ),
         )
 
     # --- run
@@ -172,15 +176,8 @@ class SolidPanel(StartPanel):
         return tasks.SolidTask(self.document, self.source, self.obj, self.settings())
 
     def start(self):
-        widgets.show_message(self.message, "")
-        try:
-            self.run = runner.start(self.task())
-        except (InputProblem, core.CoreMissing) as problem:
-            widgets.show_message(self.message, str(problem))
-            return
-        self.box.follow(self.run)
-        self._enable(False)
-        self.run.ended.connect(self.ended)
+        if self.begin(self.task, self.ended):
+            self._enable(False)
 
     def _enable(self, on):
         self.fields.setEnabled(on)

@@ -2,6 +2,7 @@
 """Task panel: a motion from a path object."""
 import FreeCADGui as Gui
 
+from .. import runner
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import translate
@@ -10,7 +11,7 @@ from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ACCURACY, ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from ..trajectory.sources import interpolation_of
-from . import focus, widgets
+from . import focus, guard, widgets
 from .widgets import QtWidgets
 
 
@@ -100,7 +101,7 @@ class SourcePanel:
         rows.addRow(translate("Panels", "A B C turn"), convention)
         self.values["convention"] = convention.currentData
         rapid = QtWidgets.QDoubleSpinBox()
-        rapid.setRange(0.001, 1e6)
+        rapid.setRange(0, 1e12)
         rapid.setSuffix(" mm/s")
         rapid.setValue(100.0)
         rows.addRow(translate("Panels", "Speed of G0"), rapid)
@@ -119,7 +120,7 @@ class SourcePanel:
         ):
             field = QtWidgets.QDoubleSpinBox()
             field.setObjectName("SweptVolume" + key.capitalize())
-            field.setRange(-1e9, 1e9)
+            field.setRange(-1e12, 1e12)
             field.setDecimals(4)
             rows.addRow(text, field)
             self.values[key] = field.value
@@ -146,22 +147,23 @@ class SourcePanel:
     def _count(self, rows, value):
         count = QtWidgets.QSpinBox()
         count.setObjectName("SweptVolumeCount")
-        count.setRange(2, 100000)
+        count.setRange(0, 999999999)
         count.setValue(value)
         rows.addRow(translate("Panels", "Poses"), count)
         self.values["count"] = count.value
 
     def _seconds(self, rows, name, title, value):
         field = QtWidgets.QDoubleSpinBox()
-        field.setRange(0.001, 1e6)
+        field.setRange(0, 1e12)
         field.setSuffix(" s")
         field.setValue(value)
         rows.addRow(title, field)
         self.values[name] = field.value
 
+    @guard.told
     def accept(self):
-        self.document.openTransaction(self.title)
-        try:
+        guard.check_fields(self.form)
+        with runner.transaction(self.document, self.title):
             values = {name: read() for name, read in self.values.items()}
             obj = motion.motion_from_source(
                 self.document,
@@ -176,14 +178,6 @@ class SourcePanel:
                 self.told = obj.Message
                 once_more = translate("Panels", "OK once more takes the motion as it is.")
                 raise InputProblem("{} {}".format(self.told, once_more))
-        except InputProblem as problem:
-            self.document.abortTransaction()
-            widgets.show_message(self.message, str(problem))
-            return False
-        except BaseException:
-            self.document.abortTransaction()
-            raise
-        self.document.commitTransaction()
         Gui.Control.closeDialog()
         return True
 

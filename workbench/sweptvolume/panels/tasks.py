@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The long tasks of the workbench as the runner takes them."""
+import contextlib
 import os
+import shutil
+import tempfile
 
 import FreeCAD as App
 
-from .. import export
+from .. import export, quantities
 from ..features import clearance, envelope, solid
 from ..runner import Task
 from ..texts import mark, translate
@@ -44,6 +47,21 @@ class PlanTask(Task):
         if self.obj is None:
             self.obj = self.make()
         self.plan.write(self.obj)
+        if self.undoable(value):
+            self.apply(value)
+
+    def undoable(self, value):
+        """Whether the result is one that Undo keeps; else Undo brings back the inputs alone, and the
+        result is stale then."""
+        return True
+
+    def after(self, value):
+        if not self.undoable(value):
+            surface.watch_undo()
+            self.apply(value)
+
+    def apply(self, value):
+        """Writes the result."""
         self.FEATURE.apply(self.obj, value, self.hash)
         self.obj.purgeTouched()
         App.Console.PrintMessage("{}: {}\n".format(self.obj.Label, self.summary(value)))
@@ -76,16 +94,21 @@ class EnvelopeTask(PlanTask):
     def room(self, value):
         return surface.room(self.obj, value)
 
-    def finish(self, value):
-        super().finish(value)
+    def undoable(self, value):
+        return surface.undoable(value)
+
+    def apply(self, value):
+        super().apply(value)
         surface.show(self.obj, value)
         for warning in envelope.warnings_of(value.report):
-            App.Console.PrintWarning("{}: {}\n".format(self.obj.Label, warning["text"]))
+            App.Console.PrintMessage("{}: {}\n".format(self.obj.Label, warning["text"]))
 
     def summary(self, value):
         report = value.report
-        return translate("Messages", "{0} triangles, {1:.3g} mm^3, {2:.2f} s").format(
-            report["triangles"], report["volume"], report["seconds"]["total"]
+        return translate("Messages", "{0} triangles, {1}, {2}").format(
+            quantities.count(report["triangles"]),
+            quantities.volume(report["volume"]),
+            quantities.seconds(report["seconds"]["total"]),
         )
 
 
@@ -105,7 +128,7 @@ class ClearanceTask(PlanTask):
 def warn_of(report, label):
     """What was given up to get a solid."""
     if report.get("note"):
-        App.Console.PrintWarning("{}: {}\n".format(label, report["note"]))
+        App.Console.PrintMessage("{}: {}\n".format(label, report["note"]))
 
 
 class SolidTask(Task):
@@ -126,14 +149,14 @@ class SolidTask(Task):
     def work(self, control):
         return solid.work(self.request, control)
 
-    def finish(self, value):
-        try:
-            if self.obj is None:
-                self.obj = solid.make_solid(self.document, self.source)
-            solid.set_settings(self.obj, self.settings)
-        except BaseException:
+    def drop(self, value):
+        with contextlib.suppress(FileNotFoundError):
             os.remove(value[0])
-            raise
+
+    def finish(self, value):
+        if self.obj is None:
+            self.obj = solid.make_solid(self.document, self.source)
+        solid.set_settings(self.obj, self.settings)
         solid.apply(self.obj, value, self.hash)
         warn_of(value[1], self.obj.Label)
         self.obj.purgeTouched()
@@ -146,7 +169,8 @@ class SolidTask(Task):
 
 
 class ExportTask(Task):
-    """Writes an envelope to a file; the document stays as it is."""
+    """Writes an envelope to a file; the document stays as it is. The file is written in a folder beside
+    its place and moved there at the end: a run that is stopped leaves nothing."""
 
     def __init__(self, source, path, settings=None):
         self.title = translate("Messages", "Export envelope")
@@ -157,12 +181,25 @@ class ExportTask(Task):
         self.request = export.request(source, settings)
 
     def work(self, control):
-        return export.write(self.request, self.path, control)
+        folder = tempfile.mkdtemp(prefix=".", dir=os.path.dirname(os.path.abspath(self.path)))
+        beside = os.path.join(folder, os.path.basename(self.path))
+        try:
+            return dict(export.write(self.request, beside, control), beside=beside)
+        except BaseException:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
+
+    def drop(self, value):
+        shutil.rmtree(os.path.dirname(value["beside"]), ignore_errors=True)
 
     def finish(self, value):
+        if os.path.exists(self.path):
+            shutil.copymode(self.path, value["beside"])
+        os.replace(value["beside"], self.path)
+        self.drop(value)
         warn_of(value, self.path)
         App.Console.PrintMessage(
-            translate("Messages", "Written: {0} ({1:.1f} kB)\n").format(
-                self.path, os.path.getsize(self.path) / 1000.0
+            translate("Messages", "Written: {0} ({1})\n").format(
+                self.path, quantities.megabytes(os.path.getsize(self.path))
             )
         )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Small pieces that every panel uses, built from FreeCAD's own widgets."""
 import importlib
+import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -17,6 +18,8 @@ from ..texts import mark, translate
 #: The half of PySide that keeps its wrappers: shiboken2 or shiboken6.
 shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
 
+#: s without news of a run in which the bar goes half of what is left up to MOST_CREPT.
+CREEP, MOST_CREPT = 30.0, 0.98
 #: Left, top, right, bottom inside a titled box: the title stands on the upper border.
 MARGINS = (6, 10, 6, 6)
 
@@ -228,6 +231,8 @@ class RunBox(QtWidgets.QGroupBox):
     def follow(self, run):
         self.bar.setValue(0)
         self.stage.setText("")
+        self._told, self._began = 0.0, time.monotonic()
+        self._moved = self._began
         run.progress.connect(self._progress)
         self.stop.clicked.connect(run.cancel)
         self.show()
@@ -243,8 +248,15 @@ class RunBox(QtWidgets.QGroupBox):
             to_first_field(field)
 
     def _progress(self, part, phase):
-        self.bar.setValue(int(part * 1000))
-        self.stage.setText(translate("Panels", phase))
+        now = time.monotonic()
+        if part > self._told:
+            self._told, self._moved = part, now
+        # A stage that tells nothing has to be seen to be at work all the same.
+        creep = 1.0 - 0.5 ** ((now - self._moved) / CREEP)
+        shown = self._told + (MOST_CREPT - self._told) * creep if self._told < MOST_CREPT else part
+        self.bar.setValue(max(self.bar.value(), int(shown * 1000)))
+        text = translate("Panels", "{0}, {1} s")
+        self.stage.setText(text.format(translate("Panels", phase), int(now - self._began)))
 
 
 def warn(title, text):

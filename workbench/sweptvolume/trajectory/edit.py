@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Editing a list of key poses: pure operations, undone by not taking the result."""
 import bisect
+import math
 
 import FreeCAD as App
 
@@ -9,6 +10,8 @@ from ..texts import translate
 from .poses import Poses, at_time
 
 
+#: Beyond it no number of a key is a length, an angle or a time; the core takes up to 1e9 mm.
+LARGEST = 1e9
 AUTO = ("Auto", None)
 
 
@@ -127,19 +130,26 @@ def from_numbers(numbers):
     return App.Placement(App.Vector(x, y, z), App.Rotation(yaw, pitch, roll))
 
 
-def number_from(text, unit):
-    """A number with or without a unit: "12.5", "2 in", "1 rad". `unit`: "mm", "deg" or "s"."""
-    text = text.strip()
-    try:
-        return float(text.replace(",", "."))
-    except ValueError:
-        pass
+def _quantity_from(text, unit):
+    """A quantity as a number of units; NaN where it is none."""
     try:
         quantity, one = App.Units.Quantity(text), App.Units.Quantity("1 " + unit)
         if quantity.Unit == one.Unit:
             return quantity.Value / one.Value
     except (ValueError, SyntaxError, ArithmeticError):
         pass
+    return math.nan
+
+
+def number_from(text, unit):
+    """A number with or without a unit: "12.5", "2 in", "1 rad". `unit`: "mm", "deg" or "s"."""
+    text = text.strip()
+    try:
+        number = float(text.replace(",", "."))
+    except ValueError:
+        number = _quantity_from(text, unit)
+    if math.isfinite(number) and abs(number) <= LARGEST:
+        return number
     raise InputProblem(
         translate("Messages", '"{0}" is not a number or quantity in {1}.').format(text, unit)
     )

@@ -56,10 +56,25 @@ class View:
 
 
 def set_if_there(view, **values):
-    """View properties differ between versions of FreeCAD: sets those that exist."""
+    """View properties differ between versions of FreeCAD: sets those that exist. A ShapeColor is asked
+    for by its attribute: FreeCAD 1.1 has it no more among the properties, but in the ShapeAppearance.
+    """
     for name, value in values.items():
-        if name in view.PropertiesList:
-            try:
-                setattr(view, name, value)
-            except (TypeError, ValueError) as error:
-                App.Console.PrintLog("Swept Volume: {} not set: {}\n".format(name, error))
+        if name not in view.PropertiesList and not (name == "ShapeColor" and hasattr(view, name)):
+            if name == "ShapeColor":
+                _set_appearance(view, value)
+            continue
+        try:
+            setattr(view, name, value)
+        except (TypeError, ValueError, AttributeError) as error:
+            App.Console.PrintLog("Swept Volume: {} not set: {}\n".format(name, error))
+
+
+def _set_appearance(view, colour):
+    """The diffuse colour of the first material, where the view has materials."""
+    materials = getattr(view, "ShapeAppearance", None)
+    if not materials:
+        return
+    first = materials[0]
+    first.DiffuseColor = colour
+    view.ShapeAppearance = (first,) + tuple(materials[1:])

@@ -29,6 +29,15 @@ class _Recut(runner.Task):
         return surface.room(self.obj, found)
 
     def finish(self, found):
+        if surface.undoable(found):
+            self.apply(found)
+
+    def after(self, found):
+        if not surface.undoable(found):
+            surface.watch_undo()
+            self.apply(found)
+
+    def apply(self, found):
         envelope.apply(self.obj, found, self.hash)
         surface.show(self.obj, found)
         self.obj.purgeTouched()

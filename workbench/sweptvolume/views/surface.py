@@ -12,7 +12,8 @@ import numpy as np
 from PySide import QtCore
 
 from .. import convert, core, runner
-from ..features.base import kind_of
+from ..features import envelope
+from ..features.base import kind_of, objects_of_kind
 
 #: Triangles that are drawn of one surface, about; edges that turn by more (rad) are drawn sharp.
 MOST, CREASE = 40000, 0.6
@@ -127,10 +128,20 @@ def ready(outcome, most):
 _FACET, _POINT = 64 + 16, 24 + 12
 
 
+#: Triangles of an envelope up to which Undo keeps it: FreeCAD copies a mesh several times for each Undo,
+#: with 23 million triangles the window stood still for 10 to 20 s, with these for about one.
+MOST_UNDONE = 2000000
+
+
+def undoable(outcome):
+    """Whether a result is light enough to be kept for Undo."""
+    return len(outcome.triangles) <= MOST_UNDONE
+
+
 def room(obj, outcome):
     """Bytes that it takes to write an envelope to its object (None: a new one)."""
     meshes = [outcome.mesh]
-    if obj is not None and obj.Document.UndoMode:
+    if obj is not None and obj.Document.UndoMode and undoable(outcome):
         meshes.append(obj.Mesh)  # kept for Undo
     return sum(_FACET * m.CountFacets + _POINT * m.CountPoints for m in meshes)
 
@@ -139,6 +150,26 @@ def show(obj, outcome):
     """Draws the thinned copy of an envelope that was just written to its object."""
     if outcome.drawn is not None:
         obj.ViewObject.Proxy.display.show(outcome.drawn)
+
+
+class _Undone:
+    """Undo has brought back the inputs of results that it does not keep: are they still theirs?"""
+
+    def slotUndoDocument(self, document):  # noqa: N802
+        for obj in objects_of_kind(document, envelope.Envelope.KIND):
+            envelope.update_status(obj)
+
+    slotRedoDocument = slotUndoDocument
+
+
+_undone = []
+
+
+def watch_undo():
+    """From now on states are looked at after each Undo."""
+    if not _undone:
+        _undone.append(_Undone())
+        App.addDocumentObserver(_undone[0])
 
 
 class LightDisplay:

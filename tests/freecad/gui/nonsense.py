@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Nonsense is typed into every field of every panel and confirmed: no traceback, the panel tells what is
+wrong and stays, or takes what it shows. test_gui.py fails on any traceback that is printed."""
+import os
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Apply,
+    Ok,
+    QtCore,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    press,
+    run,
+    say,
+    shot,
+)
+
+V = App.Vector
+NONSENSE = ["abc", "", "-5", "0.000001", "5 kg", "999999999", "nan"]
+CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
+#: s that a run may take before it is stopped: a field may well have taken what was typed.
+PATIENCE = 0.3
+
+
+def type_text(field, text):
+    """Types over what stands in a field."""
+    edit = field if isinstance(field, QtWidgets.QLineEdit) else field.findChild(QtWidgets.QLineEdit)
+    edit.setFocus()
+    edit.selectAll()
+    press(edit, QtCore.Qt.Key_Delete)
+    for sign in text:
+        press(edit, 0, text=sign)
+    return edit
+
+
+def fields(form):
+    """Names are not enough: every field that takes text."""
+    spins = form.findChildren(QtWidgets.QAbstractSpinBox)
+    inner = [edit for spin in spins for edit in spin.findChildren(QtWidgets.QLineEdit)]
+    lines = [edit for edit in form.findChildren(QtWidgets.QLineEdit) if edit not in inner]
+    return [f for f in spins + lines if f.isVisible() and f.isEnabled()]
+
+
+def settled():
+    """Whether no run is under way; stops one that takes long."""
+    from sweptvolume import runner
+
+    for one in runner.running():
+        one.waited = getattr(one, "waited", 0) + 0.02
+        if one.waited > PATIENCE:
+            one.cancel()
+    return not runner.running()
+
+
+def answers(form):
+    """What a panel says: its labels."""
+    return [w.text() for w in form.findChildren(QtWidgets.QLabel) if w.isVisible()]
+
+
+def storm(name, reopen, confirm):
+    """Every kind of nonsense in every field of a panel."""
+    panel = reopen()
+    yield 0.4
+    count, told = len(fields(panel.form)), 0
+    for k in range(count):
+        for text in NONSENSE:
+            if no_panel():
+                panel = reopen()
+                yield 0.3
+            found = fields(panel.form)
+            if k >= len(found):
+                continue
+            edit = type_text(found[k], text)
+            typed, before = edit.text(), answers(panel.form)
+            confirm(panel)
+            yield 0.05
+            yield settled
+            yield 0.05
+            if no_panel():
+                continue
+            assert edit.text() == typed or edit.text(), "{}: what was typed is lost".format(name)
+            told += answers(panel.form) != before
+            if text == "5 kg":
+                shot("60_nonsense_{}_{}".format(name, k))
+        if not no_panel():
+            panel.reject()
+            yield no_panel
+    if not no_panel():
+        panel.reject()
+        yield no_panel
+    say("{}: {} fields, told {} times".format(name, count, told))
+    assert count and told, (name, count, told)
+
+
+def table_storm(panel):
+    """The key table takes text by itself."""
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    for column in range(table.columnCount()):
+        for text in NONSENSE:
+            table.item(1, column).setText(text)
+            yield 0.01
+    for place in panel.keys.placements:
+        numbers = list(place.Base) + list(place.Rotation.Q)
+        assert all(abs(n) <= 1e9 for n in numbers), numbers
+
+
+def scenario():
+    import Part
+
+    from sweptvolume.features import envelope, motion
+    from sweptvolume.panels import (
+        clearance_panel,
+        envelope_panel,
+        file_panel,
+        motion_panel,
+        solid_panel,
+        source_panel,
+    )
+
+    open_workbench()
+    yield
+    folder = tempfile.mkdtemp()
+    csv = os.path.join(folder, "way.csv")
+    with open(csv, "w") as out:
+        out.write(CSV)
+    doc = new_document("Nonsense")
+    box, wall = doc.addObject("Part::Box", "Slide"), doc.addObject("Part::Box", "Wall")
+    wall.Placement.Base = V(0, 13, 0)
+    wire = doc.addObject("Part::Feature", "Wire")
+    wire.Shape = Part.makePolygon([V(), V(20, 0, 0), V(20, 20, 0)])
+    places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
+    path = motion.motion_from_poses(doc, [0, 1], places)
+    doc.recompute()
+    hull = envelope.make_envelope(doc, [box], path, Resolution=24)
+    doc.recompute()
+    envelope.compute(hull)
+
+    def ok(panel):
+        click(panel_button(Ok))
+
+    def apply(panel):
+        click(panel_button(Apply))
+
+    def by_cell():
+        panel = envelope_panel.show(doc, obj=hull)
+        panel.by.setCurrentIndex(1)
+        return panel
+
+    def keys():
+        panel = motion_panel.show(doc, path, (box, ""))
+        panel.interpolation.setCurrentIndex(3)
+        panel.tangent.kind.setCurrentIndex(3)
+        return panel
+
+    panel = keys()
+    yield 0.4
+    yield from table_storm(panel)
+    click(panel_button(Ok))
+    yield no_panel
+    path.Placements, path.Times = places, [0, 1]
+    doc.recompute()
+    jobs = [
+        ("envelope", lambda: envelope_panel.show(doc, obj=hull), ok),
+        ("cell", by_cell, apply),
+        ("clearance", lambda: clearance_panel.show(doc, envelope=hull), lambda p: p.start()),
+        ("solid", lambda: solid_panel.show(hull), ok),
+        ("step", lambda: solid_panel.show(hull, path=os.path.join(folder, "a.step")), ok),
+        ("file", lambda: file_panel.show(doc, csv), ok),
+        ("wire", lambda: source_panel.show(doc, "Curve", [wire]), ok),
+        ("value", lambda: source_panel.show(doc, "Driven", [wall, box]), ok),
+        ("motion", keys, ok),
+    ]
+    for name, reopen, confirm in jobs:
+        yield from storm(name, reopen, confirm)
+    App.closeDocument(doc.Name)
+    yield
+
+
+run(scenario)

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Stop in the middle of every stage of a heavy run answers at once; FreeCAD closed in the middle of one is
+gone within two seconds, or a watch outside ends it with an error."""
+import os
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Gaps,
+    Gui,
+    Ok,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    say,
+    shot,
+)
+
+V = App.Vector
+#: s for an answer, beside what the machine itself lets the event loop wait.
+ANSWER = 0.3
+#: s that the window's own thread may compute meanwhile.
+WORK = 0.2
+#: s from closing the window to the end of the process.
+END = 2.0
+#: Share of the whole run at which it is stopped.
+PARTS = (0.1, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9)
+
+
+def scene():
+    import Part
+
+    from sweptvolume.features import motion
+
+    doc = new_document("Stop")
+    body = doc.addObject("Part::Feature", "Body")
+    body.Shape = Part.makeTorus(20, 6).fuse(Part.makeBox(30, 10, 10))
+    turned = App.Rotation(V(0, 0, 1), 90)
+    places = [
+        App.Placement(),
+        App.Placement(V(30, 0, 0), turned),
+        App.Placement(V(30, 30, 0), turned),
+    ]
+    path = motion.motion_from_poses(doc, [0, 1, 2], places)
+    doc.recompute()
+    return doc, body, path
+
+
+def heavy(doc, body, path):
+    """The panel with 0.12 mm cells and simplification, under way."""
+    from sweptvolume import runner
+    from sweptvolume.panels import envelope_panel
+
+    panel = envelope_panel.show(doc, [(body, "")], path)
+    panel.by.setCurrentIndex(1)
+    panel.cell.setProperty("rawValue", 0.12)
+    panel.tolerance.setProperty("rawValue", 0.02)
+    yield 0.3
+    click(panel_button(Ok))
+    yield lambda: bool(runner.running())
+    return panel
+
+
+def stopped_after(panel, seconds):
+    """Stops the run of a panel; returns (stage, s until the panel answers)."""
+    from sweptvolume import runner
+
+    yield seconds
+    stage, bar = panel.run.control.phase(), panel.box.bar.value()
+    gaps, began = Gaps(), time.perf_counter()
+    click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
+    yield lambda: panel.run is None
+    took = time.perf_counter() - began
+    gaps.stop()
+    say("stopped in {} at {:.1f} s, bar at {}: {:.2f} s".format(stage, seconds, bar, took))
+    assert not runner.running() and not panel.box.isVisible() and panel.message.text()
+    assert took < ANSWER + gaps.lost and gaps.busy < WORK, (took, gaps.lost, gaps.busy)
+    return stage
+
+
+def scenario():
+    open_workbench()
+    yield
+    doc, body, path = scene()
+    panel = yield from heavy(doc, body, path)
+    stages, values = set(), []
+    for part in PARTS:
+        if panel.run is None:
+            click(panel_button(Ok))
+            yield 0.1
+        stages.add((yield from stopped_after(panel, 14.0 * part)))
+    shot("61_stopped")
+    yield 0.3
+    assert len(stages) > 1, stages
+    # The bar moves in a stage that tells nothing.
+    click(panel_button(Ok))
+    for _ in range(12):
+        yield 1.0
+        values.append(panel.box.bar.value())
+        if panel.run is None:
+            break
+    say("bar: {}".format(values))
+    rising = [b > a for a, b in zip(values, values[1:])]
+    assert all(rising) or panel.run is None, values
+    shot("62_bar")
+    yield 0.3
+    panel.reject()
+    yield no_panel
+    # Closed in the middle of a run.
+    panel = yield from heavy(doc, body, path)
+    yield 6.0
+    assert panel.run is not None, "the run is over before FreeCAD is closed"
+    Gui.getDocument(doc.Name).Modified = False  # else it asks whether to save
+    say("passed")
+    watch = "sleep {}; kill -9 {} 2>/dev/null".format(END, os.getpid())
+    subprocess.Popen(["sh", "-c", watch], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    Gui.getMainWindow().close()
+    yield 60
+
+
+run(scenario)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whatever goes wrong in a panel is told in the panel: it stays open and keeps what was typed. FreeCAD
+itself closes a panel whose accept() raises."""
+import functools
+import math
+import traceback
+
+import FreeCAD as App
+
+from .. import core
+from ..convert import InputProblem
+from ..texts import translate
+from . import widgets
+from .widgets import QtCore, QtWidgets
+
+#: What is wrong with the input or the machine; anything else is a fault of the workbench.
+EXPECTED = (InputProblem, core.CoreError, core.CoreMissing, OSError)
+#: A typed length is taken as understood if the field's own value agrees with it up to rounding.
+AGREES = 1e-6
+
+
+def tell(label, problem):
+    """Shows a problem in a panel; a fault of the workbench stands in full in the report view."""
+    if isinstance(problem, EXPECTED):
+        widgets.show_message(label, str(problem))
+        return
+    text = "".join(traceback.format_exception(type(problem), problem, problem.__traceback__))
+    App.Console.PrintError(text)
+    widgets.show_message(label, "{}: {}".format(type(problem).__name__, problem))
+
+
+def told(method):
+    """A method of a panel with a `message` label: problems are shown there, and it returns False."""
+
+    @functools.wraps(method)
+    def run(self, *given, **named):
+        try:
+            return method(self, *given, **named)
+        except Exception as problem:
+            tell(self.message, problem)
+            return False
+
+    return run
+
+
+def check_fields(form):
+    """Raises InputProblem for a field whose text is not what its value says: it was typed, and not
+    understood."""
+    for field in form.findChildren(QtWidgets.QAbstractSpinBox):
+        if not field.isVisible() or not field.isEnabled():
+            continue
+        edit = field.findChild(QtWidgets.QLineEdit)
+        if edit is not None and edit.isModified() and not _understood(field, edit.text()):
+            field.setFocus(QtCore.Qt.OtherFocusReason)
+            raise InputProblem(
+                translate(
+                    "Messages", '{0}: "{1}" is not understood here; it counts as {2}.'
+                ).format(name_of(field, form), edit.text(), _counts_as(field))
+            )
+
+
+def name_of(field, form):
+    """What stands beside a field. What lies around the form is FreeCAD's own and never asked for
+    (widgets.forget_with)."""
+    widget = field
+    while widget is not form:
+        layout = widget.parentWidget().layout()
+        if isinstance(layout, QtWidgets.QFormLayout):
+            label = layout.labelForField(widget) or _label_of_line(layout, widget)
+            if label is not None:
+                return label.text().replace("&", "")
+        widget = widget.parentWidget()
+    return field.toolTip() or field.objectName()
+
+
+def _label_of_line(layout, widget):
+    """The label of the row in which several fields stand side by side."""
+    for row in range(layout.rowCount()):
+        item = layout.itemAt(row, QtWidgets.QFormLayout.FieldRole)
+        line = item.layout() if item is not None else None
+        label = layout.itemAt(row, QtWidgets.QFormLayout.LabelRole)
+        if line is not None and label is not None and line.indexOf(widget) >= 0:
+            return label.widget()
+    return None
+
+
+def _is_quantity(field):
+    return field.metaObject().className() == "Gui::QuantitySpinBox"
+
+
+def _counts_as(field):
+    if not _is_quantity(field):
+        return field.value()
+    unit = App.Units.Quantity("1 " + (field.property("unit") or "mm")).Unit
+    return App.Units.Quantity(field.property("rawValue"), unit).UserString
+
+
+def _understood(field, text):
+    if not _is_quantity(field):
+        return field.hasAcceptableInput()
+    locale = QtCore.QLocale()
+    group, point = (str(sign) for sign in (locale.groupSeparator(), locale.decimalPoint()))
+    plain = text.replace(group, "").replace(point, ".").strip()
+    try:
+        number = float(plain)
+        return math.isfinite(number) and (number >= 0 or field.property("minimum") < 0)
+    except ValueError:
+        pass
+    try:
+        typed = App.Units.Quantity(plain).Value
+    except (ValueError, ArithmeticError, SyntaxError):
+        return False
+    raw = float(field.property("rawValue"))
+    return abs(typed - raw) <= AGREES * max(abs(typed), abs(raw), 1e-9)
