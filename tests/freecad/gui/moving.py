@@ -78,7 +78,7 @@ def scenario():
     made = doc.getObject("Envelope")
     assert made.Motions == [swing, lift] and made.Shells == 1 and made.Mesh.isSolid()
     text = find(QtWidgets.QLabel, "SweptVolumeReadOuts").text()
-    assert str(made.Triangles) in text and "mm" in text, text
+    assert "{:,}".format(made.Triangles) in text and "mm" in text, text
     assert panel.coarse is None
     yield
     shot("31_read_outs")

@@ -4,6 +4,7 @@ gone within two seconds, or a watch outside ends it with an error."""
 import os
 import subprocess
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
@@ -118,7 +119,7 @@ def scenario():
     panel = yield from heavy(doc, body, path)
     yield 6.0
     assert panel.run is not None, "the run is over before FreeCAD is closed"
-    Gui.getDocument(doc.Name).Modified = False  # else it asks whether to save
+    doc.saveAs(os.path.join(tempfile.mkdtemp(), "stop.FCStd"))  # else it asks whether to save
     say("passed")
     watch = "sleep {}; kill -9 {} 2>/dev/null".format(END, os.getpid())
     subprocess.Popen(["sh", "-c", watch], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
