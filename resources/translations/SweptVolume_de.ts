@@ -707,6 +707,14 @@ Versucht:
    <translation>{0}: „{1}“ wird hier nicht verstanden; es zählt als {2}.</translation>
   </message>
   <message>
+   <source>Transform is locked while the path editor is open: drag the chosen key, or type numbers.</source>
+   <translation>Transformieren ist gesperrt, solange der Pfad-Editor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
+  </message>
+  <message>
+   <source>there is no change of the keys to undo or redo.</source>
+   <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
+  </message>
+  <message>
    <source>no part: close the panel, select the moving part and open it again.</source>
    <translation>Kein Teil: das Fenster schließen, das bewegte Teil auswählen und neu öffnen.</translation>
   </message>
@@ -821,6 +829,10 @@ Versucht:
    <translation>„{0}“ = {1:g}: Das Dokument lässt sich nicht neu berechnen.</translation>
   </message>
   <message>
+   <source>the clipboard holds no rows of numbers.</source>
+   <translation>Die Zwischenablage enthält keine Zeilen mit Zahlen.</translation>
+  </message>
+  <message>
    <source>there is a key at this time already.</source>
    <translation>zu dieser Zeit gibt es schon eine Stützstelle.</translation>
   </message>
@@ -831,6 +843,10 @@ Versucht:
   <message>
    <source>the time of key {0} must lie between those of its neighbours.</source>
    <translation>Die Zeit von Schlüssel {0} muss zwischen denen seiner Nachbarn liegen.</translation>
+  </message>
+  <message>
+   <source>row {0} of what is pasted has {1} columns: give t, x, y, z, or these and yaw, pitch, roll.</source>
+   <translation>Zeile {0} des Eingefügten hat {1} Spalten: Geben Sie t, x, y, z oder diese und Gieren, Nicken, Rollen an.</translation>
   </message>
   <message>
    <source>choose at least one object with a placement.</source>

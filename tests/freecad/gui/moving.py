@@ -141,7 +141,7 @@ def scenario():
     assert (made.Status, made.Mesh.CountFacets) == (envelope.FAILED, facets), made.Status
     yield
     text = find(QtWidgets.QLabel, "SweptVolumeReadOuts").text()
-    assert "cancelled" not in text and str(made.Triangles) in text, text
+    assert "cancelled" not in text and "{:,}".format(made.Triangles) in text, text
     shot("34_failed")
     yield 0.6
     click(panel_button(Cancel))

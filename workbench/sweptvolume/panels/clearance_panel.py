@@ -40,7 +40,7 @@ class ClearancePanel(StartPanel):
     def __init__(self, document, envelope=None, pairs=(), motion_obj=None, neighbours=(), obj=None):
         self.document = document
         self.obj = obj
-        self.run = None
+        self.run, self.hidden = None, None  # hidden: the envelope under its colours
         values, all_visible = DEFAULTS, not neighbours
         if obj is not None:
             plan = clearance.Plan.of(obj)
@@ -341,8 +341,9 @@ class ClearancePanel(StartPanel):
         envelope = self.obj.Envelope
         if not self.coloured.isChecked():
             self._view().hide_colours()
-            if envelope is not None:
-                envelope.ViewObject.Visibility = True
+            if self.hidden is not None and widgets.alive(self.hidden):
+                self.hidden.ViewObject.Visibility = True
+            self.hidden = None
             return
         shown = self._view().show_colours(
             self.obj,
@@ -350,6 +351,8 @@ class ClearancePanel(StartPanel):
             float(self.required_band.property("rawValue")),
         )
         if shown:
+            if envelope.ViewObject.Visibility:
+                self.hidden = envelope
             envelope.ViewObject.Visibility = False
         else:
             text = translate("Panels", "The envelope has changed since the check: check again.")

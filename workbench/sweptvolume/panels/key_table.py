@@ -4,7 +4,7 @@ from PySide import QtCore
 
 from ..quantities import length_unit
 from ..texts import mark, translate
-from ..trajectory.edit import as_numbers
+from ..trajectory.edit import as_numbers, rows_from
 from . import widgets
 from .widgets import QtWidgets
 
@@ -18,6 +18,8 @@ KEYS = {
     (QtCore.Qt.Key_Down, True): "Down",
     (QtCore.Qt.Key_D, True): "Duplicate",
     (QtCore.Qt.Key_Return, True): "Capture",
+    (QtCore.Qt.Key_V, True): "Paste",
+    (QtCore.Qt.Key_C, True): "Copy",
 }
 _ENTER = QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter
 #: What a number begins with.
@@ -107,7 +109,9 @@ class KeyTable(QtCore.QObject):
         for row in range(len(keys)):
             self._fill(keys, row)
         if len(keys):
-            self.table.setCurrentCell(max(0, min(current, len(keys) - 1)), 1)
+            # Alone, also while Ctrl is held, with which a view would add it to what is chosen.
+            alone = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
+            self.table.setCurrentCell(max(0, min(current, len(keys) - 1)), 1, alone)
         self.filling = False
 
     def show_row(self, keys, row):
@@ -124,6 +128,20 @@ class KeyTable(QtCore.QObject):
             item.setTextAlignment(widgets.number_of(right))
             item.setToolTip("{:.9g} {}".format(number / one, unit))
             self.table.setItem(row, column, item)
+
+    def copy(self, keys):
+        """The chosen rows go to the clipboard, as a spreadsheet takes them."""
+        lines = []
+        for row in sorted({index.row() for index in self.table.selectedIndexes()}):
+            numbers = (keys.times[row],) + as_numbers(keys.placements[row])
+            lines.append(
+                "\t".join("{:.9g}".format(n / one) for n, (_, one) in zip(numbers, self.units))
+            )
+        QtWidgets.QApplication.clipboard().setText("\n".join(lines))
+
+    def pasted(self):
+        """Rows of numbers (s, mm, degrees) on the clipboard. Raises InputProblem."""
+        return rows_from(QtWidgets.QApplication.clipboard().text(), self.units)
 
     def _edited(self, item):
         if not self.filling:

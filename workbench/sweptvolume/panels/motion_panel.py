@@ -1,51 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel: the path editor. Table of keys, capture, drag, play; the document changes only with OK,
 in one step, and Cancel puts the part back."""
-import time
-
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import convert, core, runner, settings
+from .. import convert, runner, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import translate
 from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from, snapped
-from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, at_time, base_of
+from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from ..trajectory.spline import Spline
-from ..views.dragger import PoseDragger
-from ..views.ghost import CoarseEnvelope, Ghosts
-from ..views.surface import LightParts
+from ..views.edit_lock import EditLock
 from . import focus, guard, key_table, selection, widgets
+from .key_history import History, UndoKeys, content
+from .keys_in_view import KeysInView
 from .player import Player
-from .preview import MOST_CELLS, Preview, request_for
+from .preview import MOST_CELLS, Preview
 from .tangent_box import TangentBox
 from .widgets import QtWidgets
-
-#: Deflection of the part for ghosts and preview, of its box diagonal; most keys that get a ghost;
-#: triangles of a mesh as it is drawn meanwhile.
-GHOST_DEFLECTION, MOST_GHOSTS, PART_TRIANGLES = 0.003, 60, 15000
-
-#: s between two pictures while a key is dragged: they wait for the envelope that belongs to them, but not
-#: longer than LATEST. A picture of its own for each would leave the envelopes no time.
-SOONEST, LATEST = 0.07, 0.16
 
 #: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
 opened = []
 
 
-class MotionPanel:
+class MotionPanel(KeysInView):
     """Makes a new motion (obj None) or changes one."""
 
     def __init__(self, document, obj=None, pair=None):
         self.document, self.obj = document, obj
         self.pair = pair or selection.moved_part(obj)
         self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
-        self.before = _content(self.keys)
+        self.before, self.history = content(self.keys), History(self.keys, 0)
         # Keys count in the group that holds the motion; all that is drawn stands in the world.
         self.container = motion.container_of(obj) if obj else App.Placement()
         self.body, self.ghosts, self.coarse, self.dragger = None, None, None, None
-        self.light, self.undrawn, self.drawn = None, None, 0.0
+        self.light, self.undrawn, self.drawn, self.path_seen = None, None, 0.0, True
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
         self.home = App.Placement(self.target.Placement) if self.target is not None else None
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
@@ -70,6 +60,8 @@ class MotionPanel:
         self.watch = widgets.DocumentWatch(document, self._close)
         self._make_ghosts()
         self._connect()
+        self.undo_keys = UndoKeys(self.step_back)
+        self.lock = EditLock(document, self.refuse_edit)
         self.fill(0)
 
     # --- building
@@ -150,6 +142,8 @@ class MotionPanel:
         if name == "Reverse":
             keys.reverse()
             return len(keys) - 1 - row
+        if name == "Paste":
+            return keys.paste(row, self.keyboard.pasted())
         if name == "Even":
             keys.even(1.0)
             return row
@@ -172,7 +166,49 @@ class MotionPanel:
         """An action of a button or a key; problems are shown."""
         widgets.show_message(self.message, "")
         row = self.keyboard.row()
+        if name == "Copy":
+            self.keyboard.copy(self.keys)
+            return
         self.fill(self._do(name, row if row >= 0 else len(self.keys) - 1))
+
+    @guard.told
+    def step_back(self, back):
+        """Undo of the last change of the keys (back), or Redo."""
+        widgets.show_message(self.message, "")
+        found = self.history.step(back)
+        if found is None:
+            text = translate("Messages", "there is no change of the keys to undo or redo.")
+            raise InputProblem(text)
+        self.keys, row = found
+        self.fill(row)
+
+    def refuse_edit(self):
+        """FreeCAD's Transform was called meanwhile. Its end would close this panel, so that is closed
+        first and opened again with its keys."""
+        self._close()
+        Gui.getDocument(self.document.Name).resetEdit()
+        show(self.document, self.obj, self.pair).take_over(self)
+
+    def take_over(self, before):
+        """Goes on where another panel was."""
+        self.keys, self.history, self.home = before.keys, before.history, before.home
+        self.before = before.before
+        for box, other in (
+            (self.interpolation, before.chosen_rules[0]),
+            (self.frame, before.chosen_rules[1]),
+        ):
+            box.setCurrentIndex(box.findData(other))
+        self.fill(self.history.now[1])
+        text = translate(
+            "Messages",
+            "Transform is locked while the path editor is open: drag the chosen key, or type numbers.",
+        )
+        widgets.show_message(self.message, text)
+
+    def noted(self):
+        """The keys were changed: one step of Undo."""
+        self.history.note(self.keys, self.keyboard.row())
+        self.few.setVisible(len(self.keys) < 2)
 
     def fill(self, current):
         """Shows the keys everywhere."""
@@ -180,7 +216,7 @@ class MotionPanel:
         self.player.set_times(self.keys.times)
         self.chosen(self.keyboard.row())
         self.show_ghosts()
-        self.few.setVisible(len(self.keys) < 2)
+        self.noted()
 
     def edited(self, row, column, text):
         """A number was typed; units are understood ("2 in")."""
@@ -198,6 +234,7 @@ class MotionPanel:
         except Exception as problem:
             guard.tell(self.message, problem)
         self.keyboard.show_row(self.keys, row)
+        self.noted()
         self.show_dragger()
         self.show_ghosts()
 
@@ -222,154 +259,16 @@ class MotionPanel:
             self.keys.set_tangent(self.keyboard.row(), kind, velocity)
             if kind != "Given":
                 self.show_tangent()
+            self.noted()
             self.show_ghosts()
-
-    # --- 3D view
-
-    def _make_ghosts(self):
-        if self.pair is None:
-            return
-        try:
-            corners = convert.box_corners([self.pair])
-            size = float(((corners.max(axis=0) - corners.min(axis=0)) ** 2).sum()) ** 0.5
-            body = convert.body_from([self.pair], max(size * GHOST_DEFLECTION, 1e-6))
-        except InputProblem as problem:
-            widgets.show_message(self.message, str(problem))
-            return
-        self.body = body
-        middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
-        middle = App.Vector(*(float(x) for x in middle))
-        # The dragger stands in the middle of the part, turned as the part.
-        self.handle = body.placement.inverse().multiply(
-            App.Placement(middle, body.placement.Rotation)
-        )
-        self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
-        self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
-        self.light = LightParts(self.pair, PART_TRIANGLES)
-        self._show_own_path(False)  # the edited one is drawn in its place
-        self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
-        self._set_snap()
-
-    def _show_own_path(self, on):
-        if self.obj is not None and widgets.alive(self.obj):
-            self.obj.ViewObject.Visibility = on
-
-    def _snap_steps(self):
-        return float(self.snap.property("rawValue")), float(self.snap_angle.property("rawValue"))
-
-    def _set_snap(self):
-        if self.dragger is not None:
-            self.dragger.snap(*self._snap_steps())
-
-    def base(self):
-        """The frame in which the body stands for the poses (poses.base_of)."""
-        # The ghosts' points are those of the body as it stood when they were made.
-        poses, frame = self.world_poses(), self.frame.currentData()
-        return base_of(poses, frame, self.body.placement, self.container)
-
-    def world_poses(self):
-        """The keys as they are seen from the document."""
-        return motion.seen_from_document(self.keys.poses(), self.container)
-
-    def show_dragger(self):
-        """The dragger at the chosen key."""
-        row = self.keyboard.row()
-        if self.dragger is None:
-            return
-        if not self.drag_box.isChecked() or not 0 <= row < len(self.keys):
-            self.dragger.hide()
-            return
-        there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())
-        self.dragger.show(there.multiply(self.body.placement).multiply(self.handle))
-
-    def dragged(self, placement):
-        """The dragger moves: the chosen key follows."""
-        row = self.keyboard.row()
-        if not 0 <= row < len(self.keys):
-            return
-        base = self.base()
-        if self.frame.currentData() == "RelativeToFirst" and row == 0:
-            return  # the first pose is where the part stands
-        world = placement.multiply(self.handle.inverse())
-        place = world.multiply(self.body.placement.inverse()).multiply(base)
-        self.keys.update(row, self.container.inverse().multiply(place))
-        self.undrawn = row
-        if self.preview_box.isChecked():
-            self.ask_preview(take=False)
-            since = time.perf_counter() - self.drawn
-            if since < SOONEST or since < LATEST and not self.preview.has_made():
-                return
-            self.preview.take()
-        self.draw_dragged()
-
-    def draw_dragged(self):
-        """Draws what was dragged since the last picture."""
-        row, self.undrawn, self.drawn = self.undrawn, None, time.perf_counter()
-        if row is not None and row < len(self.keys):
-            self.keyboard.show_row(self.keys, row)
-            self.draw_ghosts()
-
-    def dropped(self, placement):
-        self.dragged(placement)
-        self.draw_dragged()
-        self.show_dragger()
-
-    def _applied(self, placements):
-        """Placements that take the body to each pose (seen from the document)."""
-        back = self.base().inverse()
-        return [p.multiply(back) for p in placements]
-
-    def show_all(self):
-        self.show_dragger()
-        self.show_tangent()
-        self.show_ghosts()
-
-    def show_ghosts(self):
-        self.draw_ghosts()
-        self.ask_preview()
-
-    def draw_ghosts(self):
-        if self.ghosts is not None:
-            step = max(1, len(self.keys) // MOST_GHOSTS)
-            poses = self.world_poses()
-            placements = poses.placements[::step]
-            self.ghosts.show_keys(self._applied(placements) if placements else [])
-            self.ghosts.show_path(poses, self.interpolation.currentData())
-        self.show_moving()
-
-    def show_moving(self):
-        if len(self.keys) and self.ghosts is not None:
-            now = self.player.now()
-            here = at_time(self.world_poses(), self.interpolation.currentData(), now)
-            self.ghosts.show_moving(self._applied([here])[0])
-
-    def ask_preview(self, take=True):
-        """Wishes for a coarse envelope of the keys as they are now; take: as Preview.want()."""
-        if self.ghosts is None:
-            return
-        if not self.preview_box.isChecked() or not len(self.keys):
-            self.preview.stop()
-            self.coarse.clear()
-            return
-        try:
-            poses, rules = self.world_poses(), (self.base(), self.interpolation.currentData())
-            self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)], take)
-        except (InputProblem, core.CoreMissing) as problem:
-            self.report_preview(str(problem))
-
-    def show_preview(self, surface):
-        if self.coarse is not None and self.coarse.root is not None:
-            self.coarse.show(surface)
-            self.draw_dragged()
-
-    def report_preview(self, text):
-        self.preview_text.setText(text)
-        self.preview_text.setVisible(bool(text))
 
     # --- task panel
 
     def _close(self):
+        self.chosen_rules = self.interpolation.currentData(), self.frame.currentData()
         self.watch.stop()
+        self.undo_keys.stop()
+        self.lock.stop()
         self.player.stop()
         self.preview.stop()
         if widgets.alive(self.document):
@@ -386,10 +285,10 @@ class MotionPanel:
         with runner.transaction(self.document, translate("Messages", "Edit motion")):
             if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
                 self.obj = motion.make_motion(self.document)
-            if _content(self.keys)[:2] != self.before[:2]:
+            if content(self.keys)[:2] != self.before[:2]:
                 motion.make_stored(self.obj)
                 motion.store(self.obj, self.keys.poses())
-            if _content(self.keys) != self.before:
+            if content(self.keys) != self.before:
                 motion.set_tangents(self.obj, self.keys.tangents)
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.Frame = self.frame.currentData()
@@ -403,13 +302,6 @@ class MotionPanel:
                 self.target.Placement = self.home
                 self.document.recompute()
         return self._close()
-
-
-def _content(keys):
-    """What can be told apart: times, placements, tangents."""
-    numbers = [tuple(p.toMatrix().A) for p in keys.placements]
-    tangents = [(kind, tuple(v) if v is not None else ()) for kind, v in keys.tangents]
-    return list(keys.times), numbers, tangents
 
 
 def show(document, obj=None, pair=None):

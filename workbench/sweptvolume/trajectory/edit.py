@@ -2,6 +2,7 @@
 """Editing a list of key poses: pure operations, undone by not taking the result."""
 import bisect
 import math
+import re
 
 import FreeCAD as App
 
@@ -92,6 +93,19 @@ class Keys:
         self.placements.reverse()
         self.tangents = [(k, -v if v is not None else None) for k, v in reversed(self.tangents)]
 
+    def paste(self, index, rows):
+        """Rows of numbers (s, mm, degrees) take the place of the keys from an index on, and go on behind
+        them, as in a spreadsheet; returns the last one. Raises InputProblem, and changes nothing then.
+        """
+        begin = max(index, 0)
+        times, placements = list(self.times), list(self.placements)
+        times[begin : begin + len(rows)] = [row[0] for row in rows]
+        placements[begin : begin + len(rows)] = [from_numbers(row[1:]) for row in rows]
+        Poses(times, placements)  # times must grow
+        self.times, self.placements = times, placements
+        self.tangents = (self.tangents + [AUTO] * len(times))[: len(times)]
+        return begin + len(rows) - 1
+
     def set_time(self, index, time):
         """Changes one time; it must stay between its neighbours."""
         before = self.times[index - 1] if index else None
@@ -128,6 +142,33 @@ def from_numbers(numbers):
     """The way back from as_numbers."""
     x, y, z, yaw, pitch, roll = numbers
     return App.Placement(App.Vector(x, y, z), App.Rotation(yaw, pitch, roll))
+
+
+def rows_from(text, units):
+    """Text of a spreadsheet -> rows of t, x, y, z, yaw, pitch, roll (s, mm, degrees); angles may be left
+    out, and the first line may be a head. units: (name, what one of it is) of each column. Raises
+    InputProblem, which names the row."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    rows = []
+    for number, line in enumerate(lines):
+        cells = [
+            c for c in re.split("\t|;" if "\t" in line or ";" in line else r"\s+", line.strip())
+        ]
+        if number == 0 and not any(sign.isdigit() for sign in line):
+            continue
+        if len(cells) not in (4, 7):
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "row {0} of what is pasted has {1} columns: give t, x, y, z, or these and yaw, pitch, "
+                    "roll.",
+                ).format(number + 1, len(cells))
+            )
+        numbers = [number_from(c, unit) * one for c, (unit, one) in zip(cells, units)]
+        rows.append(numbers + [0.0] * (7 - len(numbers)))
+    if not rows:
+        raise InputProblem(translate("Messages", "the clipboard holds no rows of numbers."))
+    return rows
 
 
 def _quantity_from(text, unit):

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Undo in the path editor is of its keys, rows of a spreadsheet are pasted, FreeCAD's Transform is locked
+out, what was hidden stays hidden, and inches are inches."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Cancel,
+    Gui,
+    Ok,
+    QtCore,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    press,
+    run,
+    shot,
+)
+
+V = App.Vector
+HELD = QtCore.Qt.ControlModifier
+
+
+def undo_key(name):
+    """Presses the keys of Undo or Redo as the window gets them, if one shortcut alone has them."""
+    from sweptvolume.panels import motion_panel
+
+    panel = motion_panel.opened[-1]
+    wanted = {"undo": "Ctrl+Z", "redo": "Ctrl+Shift+Z"}[name]
+    ours = [k for k in panel.undo_keys.keys if k.key().toString() == wanted]
+    assert len(ours) == 1, [k.key().toString() for k in panel.undo_keys.keys]
+    theirs = [a for a, _ in panel.undo_keys.taken if a.shortcuts()]
+    assert not theirs, "FreeCAD's own Undo still has its keys"
+    ours[0].activated.emit()
+
+
+def scenario():
+    from sweptvolume.features import motion
+    from sweptvolume.panels import key_history, motion_panel
+
+    open_workbench()
+    yield
+    doc = new_document("Keys")
+    doc.openTransaction("Part")
+    box = doc.addObject("Part::Box", "Slide")
+    doc.commitTransaction()
+    doc.openTransaction("Motion")
+    places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
+    path = motion.motion_from_poses(doc, [0, 1], places)
+    doc.recompute()
+    doc.commitTransaction()
+    path.ViewObject.Visibility = False
+    undo = list(doc.UndoNames)
+    panel = motion_panel.show(doc, path, (box, ""))
+    yield 0.5
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    table.item(1, 1).setText("40")
+    table.setCurrentCell(1, 1)
+    press(table, QtCore.Qt.Key_Insert)
+    yield
+    assert table.rowCount() == 3 or len(panel.keys) == 3
+    undo_key("undo")
+    assert len(panel.keys) == 2 and table.item(1, 1).text() == "40"
+    undo_key("undo")
+    assert table.item(1, 1).text() == "30", table.item(1, 1).text()
+    undo_key("undo")
+    assert panel.message.text() and doc.getObject("Slide") is not None
+    assert list(doc.UndoNames) == undo
+    undo_key("redo")
+    assert table.item(1, 1).text() == "40"
+    # Rows of a spreadsheet over the second key and on; nonsense changes nothing.
+    clipboard = QtWidgets.QApplication.clipboard()
+    table.setCurrentCell(1, 1)
+    clipboard.setText("t\tx\ty\tz\n2\t50\t0\t1 cm\n3,5\t60\t5\t0\n")
+    press(table, QtCore.Qt.Key_V, HELD)
+    yield
+    assert panel.keys.times == [0, 2, 3.5], panel.keys.times
+    assert abs(panel.keys.placements[1].Base.z - 10) < 1e-9
+    for text in ("1\t2\t3", "0\t1\t2\t3", "x1\ty\tz\tw", ""):
+        clipboard.setText(text)
+        press(table, QtCore.Qt.Key_V, HELD)
+        yield
+        assert panel.message.text() and panel.keys.times == [0, 2, 3.5], text
+    shot("63_pasted")
+    yield 0.3
+    table.clearSelection()
+    table.setRangeSelected(QtWidgets.QTableWidgetSelectionRange(1, 0, 1, 6), True)
+    press(table, QtCore.Qt.Key_C, HELD)
+    assert clipboard.text() == "2\t50\t0\t10\t0\t0\t0", clipboard.text()
+    # Transform is locked out.
+    Gui.getDocument(doc.Name).setEdit(box.Name, 1)
+    yield 0.5
+    panel = motion_panel.opened[-1]
+    assert Gui.getDocument(doc.Name).getInEdit() is None and "Transform" in panel.message.text()
+    assert panel.keys.times == [0, 2, 3.5] and panel.history.before, panel.keys.times
+    shot("64_transform")
+    yield 0.3
+    click(panel_button(Cancel))
+    yield no_panel
+    assert not path.ViewObject.Visibility and list(path.Times) == [0, 1]
+    action = Gui.getMainWindow().findChildren(key_history._Action, "Std_Undo")
+    assert action and action[0].shortcuts(), "FreeCAD's Undo has lost its keys"
+    # Inches: numbers typed and shown are inches.
+    App.Units.setSchema(3)
+    panel = motion_panel.show(doc, path, (box, ""))
+    yield 0.5
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    assert table.horizontalHeaderItem(1).text() == "x\nin"
+    assert table.item(1, 1).text() == "1.181", table.item(1, 1).text()
+    table.item(1, 1).setText("2")
+    assert abs(panel.keys.placements[1].Base.x - 50.8) < 1e-9
+    table.item(1, 1).setText("2 mm")
+    assert abs(panel.keys.placements[1].Base.x - 2) < 1e-9
+    shot("65_inches")
+    yield 0.3
+    click(panel_button(Ok))
+    yield no_panel
+    App.Units.setSchema(0)
+    assert abs(path.Placements[1].Base.x - 2) < 1e-9
+    App.closeDocument(doc.Name)
+    yield
+
+
+run(scenario)

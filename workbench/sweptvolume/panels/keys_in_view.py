@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the path editor has in the 3D view: the part at its keys, the dragger, the coarse envelope."""
+import time
+
+import FreeCAD as App
+
+from .. import convert, core
+from ..convert import InputProblem
+from ..features import motion
+from ..trajectory.poses import at_time, base_of
+from ..views.dragger import PoseDragger
+from ..views.ghost import CoarseEnvelope, Ghosts
+from ..views.surface import LightParts
+from . import widgets
+from .preview import request_for
+
+#: Deflection of the part for ghosts and preview, of its box diagonal; most keys that get a ghost;
+#: triangles of a mesh as it is drawn meanwhile.
+GHOST_DEFLECTION, MOST_GHOSTS, PART_TRIANGLES = 0.003, 60, 15000
+
+#: s between two pictures while a key is dragged: they wait for the envelope that belongs to them, but not
+#: longer than LATEST. A picture of its own for each would leave the envelopes no time.
+SOONEST, LATEST = 0.07, 0.16
+
+
+class KeysInView:
+    """The half of the path editor (motion_panel.MotionPanel) that draws."""
+
+    def _make_ghosts(self):
+        if self.pair is None:
+            return
+        try:
+            corners = convert.box_corners([self.pair])
+            size = float(((corners.max(axis=0) - corners.min(axis=0)) ** 2).sum()) ** 0.5
+            body = convert.body_from([self.pair], max(size * GHOST_DEFLECTION, 1e-6))
+        except InputProblem as problem:
+            widgets.show_message(self.message, str(problem))
+            return
+        self.body = body
+        middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
+        middle = App.Vector(*(float(x) for x in middle))
+        # The dragger stands in the middle of the part, turned as the part.
+        self.handle = body.placement.inverse().multiply(
+            App.Placement(middle, body.placement.Rotation)
+        )
+        self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
+        self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
+        self.light = LightParts(self.pair, PART_TRIANGLES)
+        self._show_own_path(False)  # the edited one is drawn in its place
+        self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
+        self._set_snap()
+
+    def _show_own_path(self, on):
+        """The path of the document, as it was seen before (on), or hidden."""
+        if self.obj is not None and widgets.alive(self.obj):
+            view = self.obj.ViewObject
+            if not on:
+                self.path_seen = view.Visibility
+            view.Visibility = on and self.path_seen
+
+    def _snap_steps(self):
+        return float(self.snap.property("rawValue")), float(self.snap_angle.property("rawValue"))
+
+    def _set_snap(self):
+        if self.dragger is not None:
+            self.dragger.snap(*self._snap_steps())
+
+    def base(self):
+        """The frame in which the body stands for the poses (poses.base_of)."""
+        # The ghosts' points are those of the body as it stood when they were made.
+        poses, frame = self.world_poses(), self.frame.currentData()
+        return base_of(poses, frame, self.body.placement, self.container)
+
+    def world_poses(self):
+        """The keys as they are seen from the document."""
+        return motion.seen_from_document(self.keys.poses(), self.container)
+
+    def show_dragger(self):
+        """The dragger at the chosen key."""
+        row = self.keyboard.row()
+        if self.dragger is None:
+            return
+        if not self.drag_box.isChecked() or not 0 <= row < len(self.keys):
+            self.dragger.hide()
+            return
+        there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())
+        self.dragger.show(there.multiply(self.body.placement).multiply(self.handle))
+
+    def dragged(self, placement):
+        """The dragger moves: the chosen key follows."""
+        row = self.keyboard.row()
+        if not 0 <= row < len(self.keys):
+            return
+        base = self.base()
+        if self.frame.currentData() == "RelativeToFirst" and row == 0:
+            return  # the first pose is where the part stands
+        world = placement.multiply(self.handle.inverse())
+        place = world.multiply(self.body.placement.inverse()).multiply(base)
+        self.keys.update(row, self.container.inverse().multiply(place))
+        self.undrawn = row
+        if self.preview_box.isChecked():
+            self.ask_preview(take=False)
+            since = time.perf_counter() - self.drawn
+            if since < SOONEST or since < LATEST and not self.preview.has_made():
+                return
+            self.preview.take()
+        self.draw_dragged()
+
+    def draw_dragged(self):
+        """Draws what was dragged since the last picture."""
+        row, self.undrawn, self.drawn = self.undrawn, None, time.perf_counter()
+        if row is not None and row < len(self.keys):
+            self.keyboard.show_row(self.keys, row)
+            self.draw_ghosts()
+
+    def dropped(self, placement):
+        self.dragged(placement)
+        self.draw_dragged()
+        self.noted()
+        self.show_dragger()
+
+    def _applied(self, placements):
+        """Placements that take the body to each pose (seen from the document)."""
+        back = self.base().inverse()
+        return [p.multiply(back) for p in placements]
+
+    def show_all(self):
+        self.show_dragger()
+        self.show_tangent()
+        self.show_ghosts()
+
+    def show_ghosts(self):
+        self.draw_ghosts()
+        self.ask_preview()
+
+    def draw_ghosts(self):
+        if self.ghosts is not None:
+            step = max(1, len(self.keys) // MOST_GHOSTS)
+            poses = self.world_poses()
+            placements = poses.placements[::step]
+            self.ghosts.show_keys(self._applied(placements) if placements else [])
+            self.ghosts.show_path(poses, self.interpolation.currentData())
+        self.show_moving()
+
+    def show_moving(self):
+        if len(self.keys) and self.ghosts is not None:
+            now = self.player.now()
+            here = at_time(self.world_poses(), self.interpolation.currentData(), now)
+            self.ghosts.show_moving(self._applied([here])[0])
+
+    def ask_preview(self, take=True):
+        """Wishes for a coarse envelope of the keys as they are now; take: as Preview.want()."""
+        if self.ghosts is None:
+            return
+        if not self.preview_box.isChecked() or not len(self.keys):
+            self.preview.stop()
+            self.coarse.clear()
+            return
+        try:
+            poses, rules = self.world_poses(), (self.base(), self.interpolation.currentData())
+            self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)], take)
+        except (InputProblem, core.CoreMissing) as problem:
+            self.report_preview(str(problem))
+
+    def show_preview(self, surface):
+        if self.coarse is not None and self.coarse.root is not None:
+            self.coarse.show(surface)
+            self.draw_dragged()
+
+    def report_preview(self, text):
+        self.preview_text.setText(text)
+        self.preview_text.setVisible(bool(text))
