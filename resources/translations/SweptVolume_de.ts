@@ -421,20 +421,52 @@
  <context>
   <name>SweptVolume_Messages</name>
   <message>
+   <source>Open a document first.</source>
+   <translation>Öffnen Sie zuerst ein Dokument.</translation>
+  </message>
+  <message>
+   <source>There is no envelope in the document: make one with Create envelope.</source>
+   <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} envelopes.</source>
+   <translation>Wählen Sie eine der {0} Hüllen aus.</translation>
+  </message>
+  <message>
    <source>Select an envelope first.</source>
    <translation>Zuerst eine Hülle auswählen.</translation>
+  </message>
+  <message>
+   <source>There is no motion in the document: make one with New motion.</source>
+   <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit Neue Bewegung an.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} motions.</source>
+   <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
   </message>
   <message>
    <source>Select a motion first.</source>
    <translation>Zuerst eine Bewegung auswählen.</translation>
   </message>
   <message>
+   <source>Select the object with the value, then the part that it moves.</source>
+   <translation>Wählen Sie das Objekt mit dem Wert aus, dann das Teil, das es bewegt.</translation>
+  </message>
+  <message>
    <source>Select the object whose value is driven (spreadsheet, sketch, variables), then the part that it moves.</source>
    <translation>Das Objekt wählen, dessen Wert gesteuert wird (Tabelle, Skizze, Variablen), dann das Teil, das es bewegt.</translation>
   </message>
   <message>
+   <source>Select at least two objects whose placements are the poses.</source>
+   <translation>Wählen Sie mindestens zwei Objekte aus, deren Platzierungen die Stellungen sind.</translation>
+  </message>
+  <message>
    <source>Select at least two objects whose placements are the poses, in the order of the motion: copies or links of the part, or local coordinate systems.</source>
    <translation>Mindestens zwei Objekte auswählen, deren Platzierungen die Lagen sind, in der Reihenfolge der Bewegung: Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
+  </message>
+  <message>
+   <source>Select a wire, sketch, array, path, trajectory, or a simulation and a part.</source>
+   <translation>Wählen Sie einen Draht, eine Skizze, eine Anordnung, einen Pfad, eine Bahn oder eine Simulation und ein Teil aus.</translation>
   </message>
   <message>
    <source>Select one wire, sketch, robot trajectory, link or Draft array, or CAM path; or a path and a second curve; or a simulation of an assembly and the part to watch.</source>

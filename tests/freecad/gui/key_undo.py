@@ -42,7 +42,7 @@ def undo_key(name):
 
 def scenario():
     from sweptvolume.features import motion
-    from sweptvolume.panels import key_history, motion_panel
+    from sweptvolume.panels import motion_panel, widgets
 
     open_workbench()
     yield
@@ -104,7 +104,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
     assert not path.ViewObject.Visibility and list(path.Times) == [0, 1]
-    action = Gui.getMainWindow().findChildren(key_history._Action, "Std_Undo")
+    action = widgets.actions_of("Std_Undo")
     assert action and action[0].shortcuts(), "FreeCAD's Undo has lost its keys"
     # Inches: numbers typed and shown are inches.
     App.Units.setSchema(3)

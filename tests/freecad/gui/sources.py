@@ -2,6 +2,7 @@
 """Every kind of source through its command and panel, on objects that FreeCAD's own tools make."""
 import os
 import sys
+import time
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
@@ -177,16 +178,23 @@ def scenario():
     yield
     assert made(doc).SourceType == "Placements" and made(doc).Count == 2
 
-    # Wrong selection: a message that says what to select, nothing made.
+    # Wrong selection: the commands are grey, and their tool tips say what to select or make.
     from sweptvolume.panels import widgets
 
-    told, before = [], len(doc.Objects)
-    widgets.warn = lambda title, text: told.append(text)
+    before = len(doc.Objects)
     select(box)
+    began = time.thread_time()
     for command in ("MotionDriven", "MotionFromSource", "MotionFromSelection", "EditEnvelope"):
+        assert not Gui.isCommandActive("SweptVolume_" + command), command
+        tips = [action.toolTip() for action in widgets.actions_of("SweptVolume_" + command)]
+        assert tips and all("elect" in tip or "make one" in tip for tip in tips), tips
         Gui.runCommand("SweptVolume_" + command)
-    assert len(told) == 4 and all("elect" in text for text in told), told
+    assert time.thread_time() - began < 0.1, "FreeCAD asks this all the time"
     assert len(doc.Objects) == before and not Gui.Control.activeDialog()
+    tips = widgets.actions_of("SweptVolume_MotionFromSelection")[0].toolTip()
+    select(box, helix)
+    assert Gui.isCommandActive("SweptVolume_MotionFromSelection")
+    assert widgets.actions_of("SweptVolume_MotionFromSelection")[0].toolTip() in tips
 
     # The context menu offers what fits the selection.
     class Menu:

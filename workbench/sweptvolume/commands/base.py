@@ -18,6 +18,7 @@ class BaseCommand:
     ACCEL = ""
     KIND = ""
     NEEDS_DOCUMENT = True
+    _reason, _tip = "", None
 
     def GetResources(self):
         resources = {
@@ -31,10 +32,35 @@ class BaseCommand:
             resources["CmdType"] = self.KIND
         return resources
 
+    def missing(self, document):
+        """What the command cannot do without, as the user reads it; "" where it can act. Cheap: FreeCAD
+        asks again and again."""
+        return ""
+
     def IsActive(self):
         if Gui.Control.activeDialog():
             return False
-        return App.ActiveDocument is not None or not self.NEEDS_DOCUMENT
+        reason = ""
+        if self.NEEDS_DOCUMENT:
+            document = App.ActiveDocument
+            reason = translate("Messages", "Open a document first.")
+            if document is not None:
+                reason = self.missing(document)
+        self._explain(reason)
+        return not reason
+
+    def _explain(self, reason):
+        """Why the command is grey stands in its tool tip."""
+        if reason == self._reason:
+            return
+        self._reason = reason
+        from ..panels.widgets import actions_of
+
+        for action in actions_of(self.NAME):
+            if self._tip is None:
+                self._tip = action.toolTip()
+            text = reason.replace("<", "&lt;")
+            action.setToolTip("{}<p><b>{}</b></p>".format(self._tip, text) if text else self._tip)
 
     def Activated(self):
         from ..panels.widgets import warn

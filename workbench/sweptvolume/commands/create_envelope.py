@@ -22,4 +22,4 @@ class Command(BaseCommand):
         motions = objects_of_kind(document, motion_feature.Motion.KIND)
         if motion is None and motions:
             motion = motions[-1]
-        envelope_panel.show(document, selection.parts(), motion)
+        envelope_panel.show(document, selection.moving_parts(document), motion)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edit envelope: the panel of an existing envelope."""
 from ..convert import InputProblem
+from ..features.envelope import Envelope
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -11,10 +12,22 @@ class Command(BaseCommand):
     TIP = mark("Commands", "Changes parts, motion or accuracy of the selected envelope")
     ICON = "SweptVolume_Envelope"
 
+    def missing(self, document):
+        from ..panels import selection
+
+        return selection.wanting(
+            document,
+            Envelope.KIND,
+            translate(
+                "Messages", "There is no envelope in the document: make one with Create envelope."
+            ),
+            translate("Messages", "Select one of the {0} envelopes."),
+        )
+
     def run(self, document):
         from ..panels import envelope_panel, selection
 
-        obj = selection.envelope()
+        obj = selection.of_kind(document, Envelope.KIND)[0]
         if obj is None:
             raise InputProblem(translate("Messages", "Select an envelope first."))
         envelope_panel.show(document, obj=obj)

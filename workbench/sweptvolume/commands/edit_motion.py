@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edit motion: the path editor on an existing motion."""
 from ..convert import InputProblem
+from ..features.motion import Motion
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -13,10 +14,20 @@ class Command(BaseCommand):
         "Edits the keys of the selected motion in a table, plays it with a ghost of the part",
     )
 
+    def missing(self, document):
+        from ..panels import selection
+
+        return selection.wanting(
+            document,
+            Motion.KIND,
+            translate("Messages", "There is no motion in the document: make one with New motion."),
+            translate("Messages", "Select one of the {0} motions."),
+        )
+
     def run(self, document):
         from ..panels import motion_panel, selection
 
-        obj = selection.motion()
+        obj = selection.of_kind(document, Motion.KIND)[0]
         if obj is None:
             raise InputProblem(translate("Messages", "Select a motion first."))
         motion_panel.show(document, obj)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Export envelope: STEP, BREP or a mesh file."""
 from ..convert import InputProblem
+from ..features.envelope import Envelope
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -14,6 +15,20 @@ class Command(BaseCommand):
         "selected solid's tolerance and limits are taken",
     )
 
+    def missing(self, document):
+        from ..panels import selection
+
+        if selection.source() is not None or selection.solid() is not None:
+            return ""
+        return selection.wanting(
+            document,
+            Envelope.KIND,
+            translate(
+                "Messages", "There is no envelope in the document: make one with Create envelope."
+            ),
+            translate("Messages", "Select one of the {0} envelopes."),
+        )
+
     def run(self, document):
         from .. import export
         from ..panels import file_dialogs, run_panel, selection, solid_panel, tasks
@@ -21,6 +36,8 @@ class Command(BaseCommand):
         source, solid = selection.source(), selection.solid()
         if source is None and solid is not None:
             source = solid.Source
+        if source is None:
+            source = selection.of_kind(document, Envelope.KIND)[0]
         if source is None:
             raise InputProblem(translate("Messages", "Select an envelope first."))
         path = file_dialogs.ask_export(source.Label)

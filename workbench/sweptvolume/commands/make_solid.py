@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make solid: the B-rep solid of the selected envelope."""
 from ..convert import InputProblem
+from ..features.envelope import Envelope
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -14,10 +15,26 @@ class Command(BaseCommand):
         "makes it again",
     )
 
+    def missing(self, document):
+        from ..panels import selection
+
+        if selection.source() is not None or selection.solid() is not None:
+            return ""
+        return selection.wanting(
+            document,
+            Envelope.KIND,
+            translate(
+                "Messages", "There is no envelope in the document: make one with Create envelope."
+            ),
+            translate("Messages", "Select one of the {0} envelopes."),
+        )
+
     def run(self, document):
         from ..panels import selection, solid_panel
 
         obj, source = selection.solid(), selection.source()
+        if obj is None and source is None:
+            source = selection.of_kind(document, Envelope.KIND)[0]
         if obj is None and source is None:
             raise InputProblem(translate("Messages", "Select an envelope first."))
         solid_panel.show(source or obj.Source, obj)

@@ -14,6 +14,15 @@ class Command(BaseCommand):
         "dimension, a variable of an assembly. Select the object with the value, then the part",
     )
 
+    def missing(self, document):
+        from ..panels import selection
+
+        if len(selection.plain()) == 2:
+            return ""
+        return translate(
+            "Messages", "Select the object with the value, then the part that it moves."
+        )
+
     def run(self, document):
         from ..panels import selection, source_panel
         from ..trajectory import driven

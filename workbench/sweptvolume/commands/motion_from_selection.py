@@ -16,6 +16,13 @@ class Command(BaseCommand):
         "stays linked: moving an object moves its pose",
     )
 
+    def missing(self, document):
+        from ..panels import selection
+
+        if len(selection.placed()) >= 2:
+            return ""
+        return translate("Messages", "Select at least two objects whose placements are the poses.")
+
     def run(self, document):
         from ..panels import selection
 

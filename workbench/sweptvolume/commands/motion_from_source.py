@@ -15,6 +15,17 @@ class Command(BaseCommand):
         "stays linked to it",
     )
 
+    def missing(self, document):
+        from ..panels import selection
+        from ..trajectory import sources
+
+        if sources.kind_for(selection.plain()):
+            return ""
+        return translate(
+            "Messages",
+            "Select a wire, sketch, array, path, trajectory, or a simulation and a part.",
+        )
+
     def run(self, document):
         from ..panels import selection, source_panel
         from ..trajectory import sources

@@ -16,15 +16,23 @@ class Command(BaseCommand):
         "first one that is stale",
     )
 
-    def run(self, document):
-        from ..panels import envelope_panel, selection
+    def find(self, document):
+        """The selected envelope, else the first that is stale, else the only one."""
+        from ..panels import selection
 
-        obj = selection.envelope()
+        known = objects_of_kind(document, Envelope.KIND)
+        stale = [o for o in known if o.Status != UP_TO_DATE]
+        return selection.envelope() or next(iter(stale or (known if len(known) == 1 else [])), None)
+
+    def missing(self, document):
+        if self.find(document) is not None:
+            return ""
+        return translate("Messages", "No envelope is stale. Select one to compute it again.")
+
+    def run(self, document):
+        from ..panels import envelope_panel
+
+        obj = self.find(document)
         if obj is None:
-            stale = [o for o in objects_of_kind(document, Envelope.KIND) if o.Status != UP_TO_DATE]
-            if not stale:
-                raise InputProblem(
-                    translate("Messages", "No envelope is stale. Select one to compute it again.")
-                )
-            obj = stale[0]
+            raise InputProblem(self.missing(document))
         envelope_panel.show(document, obj=obj, start=True)

@@ -3,6 +3,7 @@
 from .. import runner
 from ..convert import InputProblem
 from ..features import motion
+from ..features.motion import Motion
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -12,10 +13,20 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Reload motion")
     TIP = mark("Commands", "Reads the file or the source of the selected motion again")
 
+    def missing(self, document):
+        from ..panels import selection
+
+        return selection.wanting(
+            document,
+            Motion.KIND,
+            translate("Messages", "There is no motion in the document: make one with New motion."),
+            translate("Messages", "Select one of the {0} motions."),
+        )
+
     def run(self, document):
         from ..panels import selection
 
-        obj = selection.motion()
+        obj = selection.of_kind(document, Motion.KIND)[0]
         if obj is None:
             raise InputProblem(translate("Messages", "Select a motion first."))
         with runner.transaction(document, translate("Commands", self.TEXT)):

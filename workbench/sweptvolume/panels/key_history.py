@@ -4,13 +4,12 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..trajectory.edit import Keys
-from .widgets import QtWidgets
+from .widgets import QtWidgets, actions_of
 
 #: Steps that are kept: more than anybody goes back, and some megabytes with a thousand keys.
 MOST_STEPS = 200
-#: Qt 6 has its shortcuts and actions among what belongs to no widget.
+#: Qt 6 has it among what belongs to no widget.
 _Shortcut = getattr(QtGui, "QShortcut", None) or QtWidgets.QShortcut
-_Action = getattr(QtGui, "QAction", None) or QtWidgets.QAction
 
 
 def copy_of(keys):
@@ -59,7 +58,7 @@ class UndoKeys(QtCore.QObject):
         super().__init__(window)
         self.taken, self.keys = [], []
         for name, back in (("Std_Undo", True), ("Std_Redo", False)):
-            for action in window.findChildren(_Action, name):
+            for action in actions_of(name):
                 self.taken.append((action, action.shortcuts()))
                 action.setShortcuts([])
             standard = QtGui.QKeySequence.Undo if back else QtGui.QKeySequence.Redo

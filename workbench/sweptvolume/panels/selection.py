@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is selected, sorted by what our commands can use. Sub paths through groups and links stay."""
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..convert import leaves, pairs_of, root_path, split_path
+from ..features.base import kind_of, objects_of_kind
 from ..features.clearance import is_clearance
 from ..features.envelope import is_envelope
 from ..features.motion import is_motion
@@ -54,7 +56,8 @@ def moved_part(obj):
     for user in obj.InList if obj else []:
         if is_envelope(user) and user.Generators:
             return pairs_of(user.Generators)[0]
-    return None
+    document = obj.Document if obj else App.ActiveDocument
+    return next(iter(_only_part(document)), None)
 
 
 def motion():
@@ -87,6 +90,44 @@ def placed():
         target = _target(pair)
         if target is not None and hasattr(target, "Placement") and not _ours(target):
             found.append(target)
+    return found
+
+
+def of_kind(document, kind):
+    """What a command acts on: the selected object of a kind (KIND of its proxy), else the only one of
+    the document. Returns (object or None, how many there are)."""
+    found = _first(lambda obj: kind_of(obj) == kind)
+    known = objects_of_kind(document, kind)
+    if found is None and len(known) == 1:
+        found = known[0]
+    return found, len(known)
+
+
+def wanting(document, kind, none, several):
+    """Texts for a command that acts on one object of a kind: none where there is none in the document,
+    several (with their number) where one has to be selected; "" where it is clear."""
+    found, count = of_kind(document, kind)
+    if found is not None:
+        return ""
+    return several.format(count) if count else none
+
+
+def moving_parts(document):
+    """The selected parts, else the only visible one of the document."""
+    chosen = parts()
+    return chosen if chosen or plain() else _only_part(document)
+
+
+def _only_part(document):
+    """The only visible solid or mesh of a document, in a list; empty if there are several."""
+    found = []
+    for obj in document.Objects:
+        if not getattr(obj, "Visibility", False) or kind_of(obj) or obj.InList:
+            continue
+        if obj.isDerivedFrom("Mesh::Feature") or getattr(obj, "Shape", None) and obj.Shape.Solids:
+            found.append(root_path(obj))
+        if len(found) > 1:
+            return []
     return found
 
 

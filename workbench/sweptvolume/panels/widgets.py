@@ -18,7 +18,9 @@ from ..texts import mark, translate
 #: The half of PySide that keeps its wrappers: shiboken2 or shiboken6.
 shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
 
-#: s without news of a run in which the bar goes half of what is left up to MOST_CREPT.
+#: Qt 6 has it among what belongs to no widget.
+Action = getattr(QtGui, "QAction", None) or QtWidgets.QAction
+#: s in which the bar goes half of what is left up to MOST_CREPT while a run tells nothing new.
 CREEP, MOST_CREPT = 30.0, 0.98
 #: Left, top, right, bottom inside a titled box: the title stands on the upper border.
 MARGINS = (6, 10, 6, 6)
@@ -146,6 +148,11 @@ def standard_buttons(*buttons):
         return value
 
 
+def actions_of(name):
+    """What stands in menu and toolbar for a command of FreeCAD."""
+    return Gui.getMainWindow().findChildren(Action, name)
+
+
 def alive(thing):
     """Whether a document or object still exists behind its Python face."""
     try:
@@ -218,7 +225,7 @@ class RunBox(QtWidgets.QGroupBox):
         layout = QtWidgets.QVBoxLayout(self)
         row = QtWidgets.QHBoxLayout()
         self.bar = QtWidgets.QProgressBar()
-        self.bar.setRange(0, 1000)
+        self.bar.setRange(0, 10000)
         self.stop = QtWidgets.QPushButton(translate("Panels", "Stop"))
         self.stop.setObjectName("SweptVolumeStop")
         self.stage = QtWidgets.QLabel()
@@ -231,8 +238,8 @@ class RunBox(QtWidgets.QGroupBox):
     def follow(self, run):
         self.bar.setValue(0)
         self.stage.setText("")
-        self._told, self._began = 0.0, time.monotonic()
-        self._moved = self._began
+        self._shown, self._began = 0.0, time.monotonic()
+        self._looked = self._began
         run.progress.connect(self._progress)
         self.stop.clicked.connect(run.cancel)
         self.show()
@@ -249,12 +256,12 @@ class RunBox(QtWidgets.QGroupBox):
 
     def _progress(self, part, phase):
         now = time.monotonic()
-        if part > self._told:
-            self._told, self._moved = part, now
-        # A stage that tells nothing has to be seen to be at work all the same.
-        creep = 1.0 - 0.5 ** ((now - self._moved) / CREEP)
-        shown = self._told + (MOST_CREPT - self._told) * creep if self._told < MOST_CREPT else part
-        self.bar.setValue(max(self.bar.value(), int(shown * 1000)))
+        # A stage that tells nothing has to be seen to be at work all the same; the farther the bar is
+        # ahead of what is known, the slower it goes.
+        half = CREEP * (1.0 + 10.0 * max(0.0, self._shown - part))
+        crept = max(0.0, MOST_CREPT - self._shown) * (1.0 - 0.5 ** ((now - self._looked) / half))
+        self._shown, self._looked = max(part, self._shown + crept), now
+        self.bar.setValue(int(self._shown * self.bar.maximum()))
         text = translate("Panels", "{0}, {1} s")
         self.stage.setText(text.format(translate("Panels", phase), int(now - self._began)))
 
