@@ -2,8 +2,10 @@
 """What our view providers share."""
 import FreeCAD as App
 import FreeCADGui as Gui
+from PySide import QtCore
 
 from .. import icon, runner
+from ..features.base import kind_of
 from ..features.envelope import CANCELLED, FAILED, NOT_COMPUTED, STALE
 
 #: State -> ending of the icon's name.
@@ -24,6 +26,26 @@ def run_command(obj, command):
     Gui.runCommand(command)
 
 
+def _is_ours(obj):
+    try:
+        return bool(kind_of(obj))
+    except ReferenceError:
+        return False  # deleted meanwhile
+
+
+def _show_children(holder):
+    """The tree asks an object for its children when one of its own properties was set: a number does
+    so that stays what it is (texts do not)."""
+    try:
+        name, touched = holder.ViewObject.Proxy.COUNTER, "Touched" in holder.State
+        setattr(holder, name, getattr(holder, name))
+        if not touched:
+            holder.purgeTouched()
+        Gui.getDocument(holder.Document.Name).toggleTreeItem(holder, 2)  # opened
+    except (AttributeError, ReferenceError, RuntimeError):
+        pass  # the object or its document went meanwhile
+
+
 class View:
     """Base of the view provider proxies."""
 
@@ -32,10 +54,65 @@ class View:
 
     def attach(self, view):
         self.Object = view.Object
+        for name in self.PARENTS:  # set before there was a view
+            self._tell_parents(view.Object, name)
+
+    #: Links of the object, by name, to those that hold it in the tree.
+    PARENTS = ()
+    #: A whole number of an object that holds others.
+    COUNTER = ""
+    #: The command that edits one of them.
+    EDITOR = ""
 
     def updateData(self, obj, name):
         if name == "Status" and getattr(obj, "ViewObject", None) is not None:
             obj.ViewObject.signalChangeIcon()
+        if name in self.PARENTS:
+            self._tell_parents(obj, name)
+
+    def _tell_parents(self, obj, name):
+        links = getattr(obj, name, None)
+        now = [h for h in (links if isinstance(links, list) else [links]) if h is not None]
+        above = self.__dict__.setdefault("_above", {})
+        before, above[name] = above.get(name, []), now
+        if getattr(obj.Document, "Restoring", False):
+            return  # the tree asks everybody then
+        for holder in now + [h for h in before if h not in now]:
+            if _is_ours(holder):
+                # From the loop: not while an object is being made, or the document undone.
+                QtCore.QTimer.singleShot(0, lambda holder=holder: _show_children(holder))
+
+    def claimChildren(self):
+        """What is made of this object stands below it in the tree: motion, envelope, solid and check."""
+        try:
+            users = self.Object.InList
+        except (AttributeError, ReferenceError):
+            return []
+        return [user for user in dict.fromkeys(users) if self._holds(user)]
+
+    def _holds(self, user):
+        view = getattr(getattr(user, "ViewObject", None), "Proxy", None)
+        for name in getattr(view, "PARENTS", ()):
+            links = getattr(user, name, None)
+            if self.Object in (links if isinstance(links, list) else [links]):
+                return True
+        return False
+
+    def doubleClicked(self, view):
+        run_command(view.Object, self.EDITOR)
+        return True
+
+    def setEdit(self, view, mode=0):
+        """FreeCAD's Edit of the tree: opens the panel, and FreeCAD is not in edit: its end would close
+        whatever panel is open. Other modes (Transform, colours) are FreeCAD's own."""
+        if mode != 0:
+            return None
+        # From the loop: the panel opens when FreeCAD has done with the menu.
+        QtCore.QTimer.singleShot(0, lambda: run_command(view.Object, self.EDITOR))
+        return False
+
+    def unsetEdit(self, view, mode=0):
+        return None
 
     def add_menu(self, menu, text, icon_name, action):
         from PySide import QtGui

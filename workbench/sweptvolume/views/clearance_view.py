@@ -4,7 +4,7 @@ line, and the distances as colours on the envelope."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import convert
+from .. import convert, icon
 from ..features import clearance
 from ..texts import translate
 from .base import View, run_command, state_icon
@@ -25,6 +25,9 @@ def band_of(distance, contact, required):
 
 class ClearanceView(View):
     """View provider of the clearance check."""
+
+    PARENTS = ("Envelope", "Motion")
+    EDITOR = "SweptVolume_Clearance"
 
     def attach(self, view):
         from pivy import coin
@@ -47,11 +50,13 @@ class ClearanceView(View):
         return mode
 
     def getIcon(self):
-        return state_icon("SweptVolume_Clearance", self.Object)
-
-    def doubleClicked(self, view):
-        run_command(view.Object, "SweptVolume_Clearance")
-        return True
+        name = state_icon("SweptVolume_Clearance", self.Object)
+        if name != icon("SweptVolume_Clearance") or not self.Object.Checked:
+            return name
+        if self.Object.Smallest.Value <= 0:
+            return icon("SweptVolume_Clearance_clash")
+        near = self.Object.Smallest.Value < self.Object.Required.Value
+        return icon("SweptVolume_Clearance_near") if near else name
 
     def setupContextMenu(self, view, menu):
         text = translate("Commands", "Check clearance")

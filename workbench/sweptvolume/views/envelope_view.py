@@ -59,6 +59,10 @@ def recut(obj):
 class EnvelopeView(View):
     """View provider of the envelope."""
 
+    PARENTS = ("Motion", "Motions")
+    COUNTER = "Triangles"
+    EDITOR = "SweptVolume_EditEnvelope"
+
     def __init__(self, view):
         super().__init__(view)
         set_if_there(
@@ -95,10 +99,6 @@ class EnvelopeView(View):
 
     def getIcon(self):
         return state_icon("SweptVolume_Envelope", self.Object)
-
-    def doubleClicked(self, view):
-        run_command(view.Object, "SweptVolume_EditEnvelope")
-        return True
 
     def setupContextMenu(self, view, menu):
         obj = view.Object

@@ -11,6 +11,9 @@ from .base import View, run_command
 class MotionView(View):
     """View provider of the motion."""
 
+    COUNTER = "Count"
+    EDITOR = "SweptVolume_EditMotion"
+
     def __init__(self, view):
         super().__init__(view)
         self.add_properties(view)
@@ -70,10 +73,6 @@ class MotionView(View):
             return icon("SweptVolume_Motion_stale")
         broken = status and len(self.Object.Placements)
         return icon("SweptVolume_Motion_failed" if broken else "SweptVolume_Motion")
-
-    def doubleClicked(self, view):
-        run_command(view.Object, "SweptVolume_EditMotion")
-        return True
 
     def setupContextMenu(self, view, menu):
         obj = view.Object

@@ -9,6 +9,9 @@ COLOUR = (0.93, 0.78, 0.20)
 class SolidView(View):
     """View provider of the solid."""
 
+    PARENTS = ("Source",)
+    EDITOR = "SweptVolume_Solid"
+
     def __init__(self, view):
         super().__init__(view)
         set_if_there(view, ShapeColor=COLOUR, Transparency=0, DisplayMode="Shaded")

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tree: envelopes below their motion, solids and checks below their envelope; a double click and
+FreeCAD's Edit open the panel of each; a clash is seen in the icon."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Gui,
+    QtCore,
+    QtWidgets,
+    no_panel,
+    new_document,
+    open_workbench,
+    run,
+    shot,
+)
+
+V = App.Vector
+
+
+def items(document):
+    """Label -> label of the item above it, of the whole tree, as it is shown."""
+    trees = [
+        t
+        for t in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
+        if t.metaObject().className() == "Gui::TreeWidget" and t.isVisible()
+    ]
+    found, walk = {}, [trees[0].topLevelItem(i) for i in range(trees[0].topLevelItemCount())]
+    while walk:
+        item = walk.pop()
+        for k in range(item.childCount()):
+            found.setdefault(item.child(k).text(0), []).append(item.text(0))
+            walk.append(item.child(k))
+    return found
+
+
+def scenario():
+    from sweptvolume import icon
+    from sweptvolume.features import clearance, envelope, motion, solid
+
+    open_workbench()
+    yield
+    doc = new_document("Tree")
+    box, wall = doc.addObject("Part::Box", "Slide"), doc.addObject("Part::Box", "Wall")
+    wall.Placement.Base = V(0, 13, 0)
+    places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
+    path = motion.motion_from_poses(doc, [0, 1], places)
+    doc.recompute()
+    yield 0.5
+    hull = envelope.make_envelope(doc, [box], path, Resolution=24)
+    doc.recompute()
+    envelope.compute(hull)
+    body = solid.make_solid(doc, hull)
+    solid.compute(body)
+    check = clearance.make_clearance(doc, Envelope=hull, Required=5.0)
+    doc.recompute()
+    clearance.compute(check)
+    yield 1.0
+    shot("66_tree")
+    yield 0.3
+    above = items(doc)
+    assert above["Envelope"] == ["Motion"], above
+    assert above[body.Label] == ["Envelope"] and above[check.Label] == ["Envelope"], above
+    assert not [o for o in doc.Objects if "Touched" in o.State], "the tree touched something"
+    # Icons: nothing wrong, too near, clash; a stale one says that first.
+    assert check.Smallest.Value == 3 and check.ViewObject.Proxy.getIcon() == icon(
+        "SweptVolume_Clearance_near"
+    )
+    wall.Placement.Base.y = 9
+    doc.recompute()
+    assert check.ViewObject.Proxy.getIcon() == icon("SweptVolume_Clearance_stale")
+    clearance.compute(check)
+    assert check.ViewObject.Proxy.getIcon() == icon("SweptVolume_Clearance_clash")
+    wall.Placement.Base.y = 40
+    doc.recompute()
+    clearance.compute(check)
+    assert check.ViewObject.Proxy.getIcon() == icon("SweptVolume_Clearance")
+    assert all(os.path.isfile(icon("SweptVolume_Clearance_" + k)) for k in ("near", "clash"))
+    # Each opens its panel, by a double click and by Edit; FreeCAD is not left in edit.
+    shown = Gui.getDocument(doc.Name)
+    for obj in (path, hull, body, check):
+        for begin in (
+            lambda: obj.ViewObject.Proxy.doubleClicked(obj.ViewObject),
+            lambda: shown.setEdit(obj.Name, 0),
+        ):
+            begin()
+            yield lambda: not no_panel()
+            yield 0.3
+            assert shown.getInEdit() is None
+            QtWidgets.QApplication.processEvents()
+            for button in Gui.getMainWindow().findChildren(QtWidgets.QPushButton):
+                if button.isVisible() and button.text().replace("&", "") in ("Cancel", "Close"):
+                    QtCore.QTimer.singleShot(0, button.click)
+                    break
+            yield no_panel
+            yield 0.2
+    # Undo and a deleted motion keep the tree in order.
+    other = motion.motion_from_poses(doc, [0, 1], places)
+    other.Label = "Other"
+    doc.recompute()
+    hull.Motion = other
+    yield 0.5
+    assert items(doc)["Envelope"] == ["Other"], items(doc)
+    doc.removeObject(other.Name)
+    yield 0.5
+    assert items(doc)["Envelope"] == ["Tree"], items(doc)
+    App.closeDocument(doc.Name)
+    yield
+
+
+run(scenario)
