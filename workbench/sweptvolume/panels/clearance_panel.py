@@ -19,7 +19,7 @@ from .widgets import QtWidgets
 
 DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05}
 #: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
-NAME_LETTERS = 14
+NAME_LETTERS = 18
 RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
 
 
