@@ -28,7 +28,9 @@ def entry(name):
     from sweptvolume import commands
 
     names = [n for n in commands._names if n != "Separator"]
-    return ["Alt_L+s"] + ["Down"] * names.index("SweptVolume_" + name) + ["Return"]
+    before = names[: names.index("SweptVolume_" + name)]
+    steps = [n for n in before if Gui.isCommandActive(n)]  # the arrows pass over grey ones
+    return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
 def opened():
