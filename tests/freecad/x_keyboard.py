@@ -19,6 +19,16 @@ _NAMES = {
 }
 
 
+def entry(name):
+    """Keys that choose a command in our menu, as it is now: the arrows pass over grey ones."""
+    from sweptvolume import commands
+
+    names = [n for n in commands._names if n != "Separator"]
+    before = names[: names.index("SweptVolume_" + name)]
+    steps = [n for n in before if Gui.isCommandActive(n)]
+    return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
+
+
 class Keyboard:
     """Presses keys by their X names; "Alt_L+s" holds the first one. Raises OSError without the
     libraries for it."""

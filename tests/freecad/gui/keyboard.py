@@ -16,7 +16,7 @@ from driver import (  # noqa: E402
     run,
     shot,
 )
-from x_keyboard import focused, keyboard_or_leave, letters  # noqa: E402
+from x_keyboard import entry, focused, keyboard_or_leave, letters  # noqa: E402
 from sweptvolume.panels import motion_panel  # noqa: E402
 
 
@@ -90,7 +90,6 @@ def edit(keyboard, table):
 
 
 def scenario():
-    from sweptvolume import commands
     from sweptvolume.features import envelope, motion
 
     open_workbench()
@@ -134,9 +133,9 @@ def scenario():
     assert [round(p.Base.x) for p in path.Placements] == [0, 30, 30], path.Placements
 
     # The envelope by its entry in the menu, cancelled by Escape, then made.
-    entry = [n for n in commands._names if n != "Separator"].index("SweptVolume_Envelope")
     for end in ("Escape", "Return"):
-        yield from press("Control_L+a", "Alt_L+s", *["Down"] * entry, "Return")
+        yield from press("Control_L+a")
+        yield from press(*entry("Envelope"))
         yield lambda: not no_panel()
         yield 0.6
         yield from press(end)

@@ -18,19 +18,9 @@ from driver import (  # noqa: E402
     run,
     shot,
 )
-from x_keyboard import chosen_in_tree, focused, keyboard_or_leave  # noqa: E402
+from x_keyboard import chosen_in_tree, entry, focused, keyboard_or_leave  # noqa: E402
 
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n2,4,4,0,0,0,0.7071068,0.7071068\n"
-
-
-def entry(name):
-    """Keys that choose a command in our menu."""
-    from sweptvolume import commands
-
-    names = [n for n in commands._names if n != "Separator"]
-    before = names[: names.index("SweptVolume_" + name)]
-    steps = [n for n in before if Gui.isCommandActive(n)]  # the arrows pass over grey ones
-    return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
 def opened():
