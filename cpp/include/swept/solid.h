@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,5 +86,16 @@ struct ImportedSolid {
 /// Throws Error(InvalidInput, "BadFile" | "NoSurface"), Error(Cancelled).
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run);
+
+/// What the kernel finds in a STEP or BREP file.
+struct SolidCheck {
+  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
+  bool valid = false;     ///< at least one solid; faces valid, shells closed and oriented
+  std::string complaint;  ///< empty when valid
+  double volume = 0;      ///< mm^3
+};
+
+/// Throws Error(InvalidInput, "BadFile"), Error(Cancelled).
+SolidCheck checkSolidFile(const std::string& path, RunContext& run);
 
 }  // namespace swept
