@@ -46,16 +46,25 @@ def envelope(inputs, output, *more):
 
 
 def test_help_and_version(call):
-    for words in (["--help"], ["-h"], ["help"], ["envelope", "--help"], ["check", "--help"]):
+    commands = ["envelope", "check"] + ["solid"] * _swept.HAS_SOLIDS
+    for words in (["--help"], ["-h"], ["help"]):
         done = call(*words)
-        assert done.returncode == 0 and "--report" in done.stdout and done.stderr == ""
-    text = call("--help").stdout
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        assert all(f"  {command} " in done.stdout for command in commands)
+    for command in commands:
+        done = call(command, "--help")
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        assert "--report" in done.stdout and "Examples:\n  swept " + command in done.stdout
+        assert call("help", command).stdout == done.stdout
+        assert "see swept" not in done.stdout, "the help is here"
+    text = call("envelope", "--help").stdout
     for option in (
         "--motion --motion-unit --generator-unit --interpolation --resolution --cell --threads "
         "--memory-limit --backend --components --output --tolerance --keep-cavities --offset "
         "--conservative --no-cull --chord --position-filter"
     ).split():
         assert option + " " in text or option + "\n" in text, option
+    assert call("-V").stdout == f"swept {_swept.__version__}\n"
     assert call("--version").stdout == f"swept {_swept.__version__}\n"
     assert call().returncode == 2
 
@@ -121,17 +130,17 @@ def test_same_bytes_for_any_number_of_threads(call, inputs):
         (["--resolution", "0"], "from 1 to"),
         (["--cell", "0"], "--cell must be greater than 0"),
         (["--cell", "nan"], "--cell is 'nan'"),
-        (["--cell", "1", "--resolution", "5"], "exclude one another"),
+        (["--cell", "1", "--resolution", "5"], "--resolution excludes --cell"),
         (["--threads", "-1"], "--threads is '-1'"),
         (["--backend", "tpu"], "auto, cpu, gpu"),
         (["--components", "best"], "consistent"),
         (["--interpolation", "cubic"], "none, linear, screw"),
         (["--motion-unit", "mile"], "mm, cm, m, in"),
         (["--frobnicate"], "unknown option '--frobnicate'"),
-        (["--quiet", "--quiet"], "given twice"),
-        (["--quiet=1"], "takes no value"),
+        (["--offset", "1", "--offset", "2"], "--offset is given twice"),
+        (["--solid-tolerance", "1", "--conservative"], "leave it out"),
         (["--tolerance"], "needs a value"),
-        (["second.ply"], "expected one generator, found 2"),
+        (["second.ply"], "one file too many: 'second.ply'"),
     ],
 )
 def test_wrong_usage_is_status_2_and_one_line(call, inputs, words, says):
@@ -167,7 +176,7 @@ def test_failures_are_status_1_with_a_report(call, inputs):
         assert done.returncode == 1 and done.stderr.count("\n") == 1 and says in done.stderr
         found = json.loads(report.read_text())
         assert (found["status"], found["code"]) == (status, code) and says in found["message"]
-        assert found["output"] == ""
+        assert "output" not in found and "volume" not in found and "cell" not in found
         assert not (inputs / "o.ply").exists()
 
 

@@ -67,7 +67,10 @@ THIRD_PARTIES = [
     (re.compile(r"Eigen/"), EVERYWHERE, "Eigen"),
     (re.compile(r"tbb/|oneapi/"), EVERYWHERE - {"include", "python", "tools"}, "TBB"),
     (re.compile(r"OpenMesh/"), {"io", "geometry", "simplify"}, "OpenMesh"),
-    (re.compile(r"zlib\.h|lzma\.h"), {"io"}, "zlib and lzma"),
+    (re.compile(r"zlib\.h|lzma\.h|minizip/"), {"io"}, "zlib, minizip and lzma"),
+    # Reports are JSON; the base has the common part of them.
+    (re.compile(r"nlohmann/"), {"base"}, "nlohmann-json"),
+    (re.compile(r"CLI/"), {"tools"}, "CLI11"),
     (re.compile(r"pybind11/"), {"python"}, "pybind11"),
     (re.compile(r"fcl/"), {"clearance"}, "FCL"),
     (re.compile(r"EGL/|GL/|glm/"), {"sampling/gl"}, "OpenGL"),

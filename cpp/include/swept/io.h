@@ -9,14 +9,18 @@
 
 namespace swept {
 
-/// PLY, STL, OBJ, OFF through OpenMesh. `millimetresPerUnit` scales the numbers in the file.
-TriMesh readMesh(const std::string& path, double millimetresPerUnit = 1.0);
+/// PLY, STL, OBJ, OFF; pipes as well. `millimetresPerUnit` scales the numbers in the file; `format`
+/// stands for the suffix where the name has none.
+TriMesh readMesh(const std::string& path, double millimetresPerUnit = 1.0,
+                 const std::string& format = {});
 /// The same formats, and 3MF.
 void writeMesh(const TriMesh& mesh, const std::string& path);
 
-/// CSV `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers a row (optionally preceded by t), `.gz`/`.xz`
-/// packed as well. Separators , ; tab; comment lines start with #. Rotations that drift up to 1e-4
-/// from rigid are kept for checkTrajectory() to mend; worse is Error(InvalidInput, "NotRigid").
+/// Table `t,tx,ty,tz,qx,qy,qz,qw` (TUM; a header, also in a comment, says another order, as in
+/// EuRoC's files), or 12 (KITTI) or 16 numbers of a row-major matrix a row, the latter optionally
+/// preceded by t; `.gz`/`.xz` packed as well. Separators , ; tab blanks; decimal commas where
+/// something else separates; comment lines start with #. Rotations that drift up to 1e-4 from rigid
+/// are kept for checkTrajectory() to mend; worse is Error(InvalidInput, "NotRigid").
 Trajectory readTrajectoryCsv(const std::string& path, double millimetresPerUnit,
                              Interpolation interpolation);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,16 @@ struct ImportedSolid {
 /// Throws Error(InvalidInput, "BadFile" | "NoSurface"), Error(Cancelled).
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run);
+
+/// What the kernel finds in a STEP or BREP file.
+struct SolidCheck {
+  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
+  bool valid = false;     ///< at least one solid; faces valid, shells closed and oriented
+  std::string complaint;  ///< empty when valid
+  double volume = 0;      ///< mm^3
+};
+
+/// Throws Error(InvalidInput, "BadFile"), Error(Cancelled).
+SolidCheck checkSolidFile(const std::string& path, RunContext& run);
 
 }  // namespace swept

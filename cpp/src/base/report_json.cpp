@@ -4,95 +4,107 @@
 #include "swept/check_text.h"
 
 namespace swept {
-namespace {
 
-void writeFinding(const Finding& finding, JsonWriter& json) {
-  json.beginObject();
-  json.field("code", finding.code);
-  json.field("count", finding.count);
-  json.key("first").beginArray();
-  for (const std::int64_t index : finding.first) json.value(index);
-  json.endArray();
-  json.field("text", finding.text);
-  json.endObject();
+Json reportHead(const char* command, Status status, const std::string& code,
+                const std::string& message) {
+  return {{"report_version", kReportVersion},
+          {"command", command},
+          {"status", statusName(status)},
+          {"code", code},
+          {"message", message}};
 }
 
-}  // namespace
-
-void writeCheckFields(const MeshCheck& check, JsonWriter& json) {
-  json.field("vertices", check.vertices);
-  json.field("triangles", check.triangles);
-  json.field("shells", check.shells);
-  json.field("finite", check.finite);
-  json.field("closed", check.closed);
-  json.field("manifold", check.manifold);
-  json.field("oriented", check.oriented);
-  json.field("open_edges", check.openEdges);
-  json.field("non_manifold_edges", check.nonManifoldEdges);
-  json.field("non_manifold_vertices", check.nonManifoldVertices);
-  json.field("misoriented_edges", check.misorientedEdges);
-  json.field("degenerate_triangles", check.degenerateTriangles);
-  json.field("unused_vertices", check.unusedVertices);
-  json.field("self_intersections", check.selfIntersections);
-  json.key("first_intersections").beginArray();
-  for (const auto& [a, b] : check.firstIntersections) {
-    json.beginArray().value(a).value(b).endArray();
+Json checkJson(const MeshCheck& check) {
+  if (check.vertices == 0 && check.triangles == 0) return Json::object();
+  Json json{{"vertices", check.vertices},
+            {"triangles", check.triangles},
+            {"shells", check.shells},
+            {"finite", check.finite},
+            {"closed", check.closed},
+            {"manifold", check.manifold},
+            {"oriented", check.oriented},
+            {"open_edges", check.openEdges},
+            {"non_manifold_edges", check.nonManifoldEdges},
+            {"non_manifold_vertices", check.nonManifoldVertices},
+            {"misoriented_edges", check.misorientedEdges},
+            {"degenerate_triangles", check.degenerateTriangles},
+            {"unused_vertices", check.unusedVertices}};
+  if (check.selfIntersections >= 0) {
+    json["self_intersections"] = check.selfIntersections;
+    json["first_intersections"] = check.firstIntersections;
   }
-  json.endArray();
-  json.field("volume", check.volume);
-  json.field("area", check.area);
+  json["volume"] = check.volume;
+  json["area"] = check.area;
+  return json;
 }
 
-void writeReportFields(const Report& report, JsonWriter& json) {
-  json.field("status", statusName(report.status));
-  json.field("code", report.code);
-  json.field("message", report.message);
-  writeCheckFields(report.check, json);
-  json.field("cell", report.cellSize);
-  json.key("grid").beginArray();
-  for (const std::int64_t n : report.grid) json.value(n);
-  json.endArray();
-  json.key("grid_origin").beginArray();
-  for (int axis = 0; axis < 3; ++axis) json.value(report.gridOrigin[axis]);
-  json.endArray();
-  json.field("placements", report.placements);
-  json.field("refined_placements", report.refinedPlacements);
-  json.field("position_filter_distance", report.positionFilterDistance);
-  json.field("swept_faces", report.sweptFaces);
-  json.field("swept_patches", report.sweptPatches);
-  json.field("crossings", report.crossings);
-  json.field("largest_step_travel", report.largestStepTravel);
-  json.field("chord_error", report.chordError);
-  json.field("simplification_deviation", report.simplificationDeviation);
-  json.field("conservative_bound", report.conservativeBound);
-  json.field("backend", report.backend);
-  json.field("device", report.device);
-  json.field("threads", report.threads);
-  json.key("seconds").beginObject();
-  for (const StageSeconds& stage : report.seconds) json.field(stage.stage, stage.seconds);
-  json.endObject();
-  json.field("estimated_memory_bytes", report.estimatedMemoryBytes);
-  json.field("peak_memory_bytes", report.peakMemoryBytes);
-  json.key("warnings").beginArray();
-  for (const Finding& finding : report.warnings) writeFinding(finding, json);
-  json.endArray();
+Json findingsJson(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& finding : findings) {
+    list.push_back({{"code", finding.code},
+                    {"count", finding.count},
+                    {"first", finding.first},
+                    {"text", finding.text}});
+  }
+  return list;
 }
 
-std::string toJson(const Report& report) {
-  JsonWriter json;
-  json.beginObject();
-  writeReportFields(report, json);
-  json.endObject();
-  return json.text() + "\n";
+Json secondsJson(const std::vector<StageSeconds>& seconds) {
+  Json json = Json::object();
+  for (const StageSeconds& stage : seconds) json[stage.stage] = stage.seconds;
+  return json;
+}
+
+Json reportJson(const Report& report, const char* command) {
+  Json json = reportHead(command, report.status, report.code, report.message);
+  json.update(checkJson(report.check));
+  if (report.cellSize > 0) {
+    const Eigen::Vector3d& origin = report.gridOrigin;
+    json["cell"] = report.cellSize;
+    json["grid"] = report.grid;
+    json["grid_origin"] = {origin[0], origin[1], origin[2]};
+  }
+  if (report.placements > 0) {
+    json["placements"] = report.placements;
+    json["refined_placements"] = report.refinedPlacements;
+    json["largest_step_travel"] = report.largestStepTravel;
+    json["chord_error"] = report.chordError;
+  }
+  if (report.crossings > 0) {
+    json["swept_faces"] = report.sweptFaces;
+    json["swept_patches"] = report.sweptPatches;
+    json["crossings"] = report.crossings;
+  }
+  const auto ifAny = [&json](const char* key, double value) {
+    if (value > 0) json[key] = value;
+  };
+  ifAny("position_filter_distance", report.positionFilterDistance);
+  if (report.crossings > 0) json["simplification_deviation"] = report.simplificationDeviation;
+  ifAny("conservative_bound", report.conservativeBound);
+  if (report.threads > 0) {
+    json["backend"] = report.backend;
+    json["device"] = report.device;
+    json["threads"] = report.threads;
+  }
+  json["seconds"] = secondsJson(report.seconds);
+  if (report.peakMemoryBytes > 0) {
+    json["estimated_memory_bytes"] = report.estimatedMemoryBytes;
+    json["peak_memory_bytes"] = report.peakMemoryBytes;
+  }
+  json["warnings"] = findingsJson(report.warnings);
+  return json;
+}
+
+std::string jsonText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string toJson(const MeshCheck& check) {
-  JsonWriter json;
-  json.beginObject();
-  json.field("passes", check.passes());
-  writeCheckFields(check, json);
-  json.endObject();
-  return json.text() + "\n";
+  Json json{{"passes", check.passes()}};
+  json.update(checkJson(check));
+  return jsonText(json);
 }
+
+std::string toJson(const Report& report) { return jsonText(reportJson(report)); }
 
 }  // namespace swept

@@ -1,83 +1,85 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/json_writer.h"
+#include "base/report_json.h"
 #include "swept/clearance.h"
 
 namespace swept {
 namespace {
 
-void put(JsonWriter& json, const char* name, const Eigen::Vector3d& v) {
-  json.key(name).beginArray().value(v[0]).value(v[1]).value(v[2]).endArray();
-}
+Json vectorJson(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-void put(JsonWriter& json, const Pose& pose) {
-  json.key("pose").beginObject().field("t", pose.timeSeconds);
-  put(json, "translation", pose.translation);
+Json poseJson(const Pose& pose) {
   const Eigen::Quaterniond& q = pose.rotation;
-  json.key("quaternion_xyzw").beginArray();
-  json.value(q.x()).value(q.y()).value(q.z()).value(q.w()).endArray().endObject();
+  return {{"t", pose.timeSeconds},
+          {"translation", vectorJson(pose.translation)},
+          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
 }
 
-void put(JsonWriter& json, const char* name, const std::vector<TimeInterval>& intervals) {
-  json.key(name).beginArray();
-  for (const TimeInterval& i : intervals) json.beginArray().value(i.from).value(i.to).endArray();
-  json.endArray();
+Json spansJson(const std::vector<TimeInterval>& spans) {
+  Json list = Json::array();
+  for (const TimeInterval& span : spans) list.push_back({span.from, span.to});
+  return list;
 }
 
-void put(JsonWriter& json, const PenetrationResult& p) {
-  json.key("penetration").beginObject();
-  json.field("depth", p.depth).field("depth_bound", p.depthBound);
-  json.field("time_seconds", p.timeSeconds);
-  put(json, p.pose);
-  json.field("point_of", p.pointOfBody ? "body" : "neighbour");
-  put(json, "point", p.point);
-  put(json, "surface", p.surface);
-  put(json, "region_min", p.regionMin);
-  put(json, "region_max", p.regionMax);
-  json.endObject();
+Json penetrationJson(const PenetrationResult& p) {
+  return {{"depth", p.depth},
+          {"depth_bound", p.depthBound},
+          {"time_seconds", p.timeSeconds},
+          {"pose", poseJson(p.pose)},
+          {"point_of", p.pointOfBody ? "body" : "neighbour"},
+          {"point", vectorJson(p.point)},
+          {"surface", vectorJson(p.surface)},
+          {"region_min", vectorJson(p.regionMin)},
+          {"region_max", vectorJson(p.regionMax)}};
 }
 
-void put(JsonWriter& json, const NeighbourClearance& row) {
-  json.beginObject().field("name", row.name).field("verdict", clearanceVerdictName(row.verdict));
-  json.field("distance", row.distance).field("guaranteed", row.guaranteed);
-  json.field("chord_error", row.chordError).field("time_seconds", row.timeSeconds);
-  put(json, row.pose);
-  put(json, "point_on_body", row.pointOnBody);
-  put(json, "point_on_neighbour", row.pointOnNeighbour);
-  json.field("body_triangle", row.bodyTriangle).field("neighbour_triangle", row.neighbourTriangle);
-  json.field("closed", row.closed).field("inside", row.inside);
-  if (row.penetration.known) put(json, row.penetration);
-  put(json, "below", row.below);
-  put(json, "contact", row.contact);
-  json.key("curve").beginArray();
-  for (const CurvePoint& p : row.curve)
-    json.beginArray().value(p.timeSeconds).value(p.distance).endArray();
-  json.endArray().field("distance_queries", row.distanceQueries);
-  json.field("certificates", row.certificates).field("seconds", row.seconds).endObject();
+Json rowJson(const NeighbourClearance& row) {
+  Json json{{"name", row.name},
+            {"verdict", clearanceVerdictName(row.verdict)},
+            {"distance", row.distance},
+            {"guaranteed", row.guaranteed},
+            {"chord_error", row.chordError},
+            {"time_seconds", row.timeSeconds},
+            {"pose", poseJson(row.pose)},
+            {"point_on_body", vectorJson(row.pointOnBody)},
+            {"point_on_neighbour", vectorJson(row.pointOnNeighbour)},
+            {"body_triangle", row.bodyTriangle},
+            {"neighbour_triangle", row.neighbourTriangle},
+            {"closed", row.closed},
+            {"inside", row.inside}};
+  if (row.penetration.known) json["penetration"] = penetrationJson(row.penetration);
+  json["below"] = spansJson(row.below);
+  json["contact"] = spansJson(row.contact);
+  Json curve = Json::array();
+  for (const CurvePoint& p : row.curve) curve.push_back({p.timeSeconds, p.distance});
+  json["curve"] = std::move(curve);
+  json["distance_queries"] = row.distanceQueries;
+  json["certificates"] = row.certificates;
+  json["seconds"] = row.seconds;
+  return json;
 }
 
 }  // namespace
 
 std::string toJson(const ClearanceReport& report) {
-  JsonWriter json;
-  json.beginObject().field("status", statusName(report.status)).field("code", report.code);
-  json.field("message", report.message).field("summary", report.summary);
-  json.field("required", report.required).field("tolerance", report.tolerance);
-  json.field("interpolation", report.interpolation).field("witness", report.witness);
-  json.field("placements", report.placements).field("body_triangles", report.bodyTriangles);
-  json.field("neighbour_triangles", report.neighbourTriangles).field("threads", report.threads);
-  json.field("smallest", report.smallest).key("neighbours").beginArray();
-  for (const NeighbourClearance& row : report.neighbours) put(json, row);
-  json.endArray().key("seconds").beginObject();
-  for (const StageSeconds& stage : report.seconds) json.field(stage.stage, stage.seconds);
-  json.endObject().key("warnings").beginArray();
-  for (const Finding& finding : report.warnings) {
-    json.beginObject().field("code", finding.code).field("count", finding.count);
-    json.key("first").beginArray();
-    for (const std::int64_t i : finding.first) json.value(i);
-    json.endArray().field("text", finding.text).endObject();
+  Json json = reportHead("clearance", report.status, report.code, report.message);
+  Json rows = Json::array();
+  for (const NeighbourClearance& row : report.neighbours) rows.push_back(rowJson(row));
+  if (report.placements > 0) {
+    json["summary"] = report.summary;
+    json["required"] = report.required;
+    json["tolerance"] = report.tolerance;
+    json["interpolation"] = report.interpolation;
+    json["witness"] = report.witness;
+    json["placements"] = report.placements;
+    json["body_triangles"] = report.bodyTriangles;
+    json["neighbour_triangles"] = report.neighbourTriangles;
+    json["threads"] = report.threads;
   }
-  json.endArray().endObject();
-  return json.text();
+  if (report.smallest >= 0) json["smallest"] = report.smallest;
+  json["neighbours"] = std::move(rows);
+  json["seconds"] = secondsJson(report.seconds);
+  json["warnings"] = findingsJson(report.warnings);
+  return jsonText(json);
 }
 
 }  // namespace swept

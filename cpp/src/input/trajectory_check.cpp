@@ -104,6 +104,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
   poses.reserve(trajectory.poses.size());
   Finding mended{"RotationMended", 0, {}, ""};
   Finding repeated{"RepeatedPoses", 0, {}, ""};
+  Finding equal{"EqualTimes", 0, {}, ""};
   double largest = 0;
   const bool continuous = trajectory.interpolation != Interpolation::None;
   for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
@@ -112,11 +113,13 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
     const double deviation = checkNorm(pose, i);
     largest = std::max(largest, deviation);
     if (deviation > kMendNote) addFirst(mended, i);
-    if (i > 0 && !(pose.timeSeconds > trajectory.poses[i - 1].timeSeconds)) {
+    if (i > 0 && pose.timeSeconds == trajectory.poses[i - 1].timeSeconds) addFirst(equal, i);
+    if (i > 0 && pose.timeSeconds < trajectory.poses[i - 1].timeSeconds) {
       throw Error(Status::InvalidInput, "BadPose",
-                  poseName(i) + ": time " + numberText(pose.timeSeconds) +
-                      " s does not come after " + numberText(trajectory.poses[i - 1].timeSeconds) +
-                      " s of the pose before; times must increase (the order is not guessed)");
+                  poseName(i) + ": time " + numberText(pose.timeSeconds, kTellingDigits) +
+                      " s comes before " +
+                      numberText(trajectory.poses[i - 1].timeSeconds, kTellingDigits) +
+                      " s of the pose before; times may not go back (the order is not guessed)");
     }
     pose.rotation.normalize();
     if (!poses.empty()) {
@@ -142,6 +145,13 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
         (repeated.count == 1 ? " pose repeats the placement before it and was left out"
                              : " poses repeat the placement before them and were left out");
     result.findings.push_back(repeated);
+  }
+  if (equal.count > 0) {
+    equal.text = std::to_string(equal.count) +
+                 (equal.count == 1 ? " pose has the time of the pose before it"
+                                   : " poses have the time of the pose before them") +
+                 "; the order of the file was kept";
+    result.findings.push_back(equal);
   }
   return result;
 }

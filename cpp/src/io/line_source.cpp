@@ -6,11 +6,10 @@
 
 #include <array>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <istream>
 #include <vector>
 
-#include "base/safe_file.h"
+#include "io/input_file.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -24,22 +23,22 @@ constexpr std::size_t kChunkBytes = 1 << 16;
 
 class PlainSource final : public ByteSource {
  public:
-  PlainSource(const std::string& path, std::ifstream stream)
+  PlainSource(const std::string& path, std::unique_ptr<std::istream> stream)
       : path_(path), stream_(std::move(stream)) {}
   std::size_t read(char* buffer, std::size_t capacity) override {
-    stream_.read(buffer, static_cast<std::streamsize>(capacity));
-    if (stream_.bad()) badFile("'" + path_ + "' cannot be read to its end");
-    return static_cast<std::size_t>(stream_.gcount());
+    stream_->read(buffer, static_cast<std::streamsize>(capacity));
+    if (stream_->bad()) badFile("'" + path_ + "' cannot be read to its end");
+    return static_cast<std::size_t>(stream_->gcount());
   }
 
  private:
   std::string path_;
-  std::ifstream stream_;
+  std::unique_ptr<std::istream> stream_;
 };
 
 class GzipSource final : public ByteSource {
  public:
-  GzipSource(const std::string& path, std::ifstream stream)
+  GzipSource(const std::string& path, std::unique_ptr<std::istream> stream)
       : path_(path), stream_(std::move(stream)), packed_(kChunkBytes) {
     constexpr int kGzipWindow = 15 + 16;
     if (inflateInit2(&state_, kGzipWindow) != Z_OK) throw std::bad_alloc();
@@ -53,9 +52,9 @@ class GzipSource final : public ByteSource {
     state_.avail_out = static_cast<uInt>(capacity);
     while (state_.avail_out == capacity) {
       if (state_.avail_in == 0) {
-        stream_.read(packed_.data(), static_cast<std::streamsize>(packed_.size()));
+        stream_->read(packed_.data(), static_cast<std::streamsize>(packed_.size()));
         state_.next_in = reinterpret_cast<Bytef*>(packed_.data());
-        state_.avail_in = static_cast<uInt>(stream_.gcount());
+        state_.avail_in = static_cast<uInt>(stream_->gcount());
         if (state_.avail_in == 0 && ended_) return 0;
         if (state_.avail_in == 0) badFile("'" + path_ + "' is truncated (gzip)");
       }
@@ -76,7 +75,7 @@ class GzipSource final : public ByteSource {
 
  private:
   std::string path_;
-  std::ifstream stream_;
+  std::unique_ptr<std::istream> stream_;
   std::vector<char> packed_;
   z_stream state_{};
   bool ended_ = false;
@@ -84,7 +83,7 @@ class GzipSource final : public ByteSource {
 
 class XzSource final : public ByteSource {
  public:
-  XzSource(const std::string& path, std::ifstream stream)
+  XzSource(const std::string& path, std::unique_ptr<std::istream> stream)
       : path_(path), stream_(std::move(stream)), packed_(kChunkBytes) {
     constexpr std::uint64_t kMemory = 256ULL << 20;
     if (lzma_stream_decoder(&state_, kMemory, LZMA_CONCATENATED) != LZMA_OK) throw std::bad_alloc();
@@ -98,12 +97,12 @@ class XzSource final : public ByteSource {
     state_.next_out = reinterpret_cast<std::uint8_t*>(buffer);
     state_.avail_out = capacity;
     while (state_.avail_out == capacity && !ended_) {
-      if (state_.avail_in == 0 && stream_) {
-        stream_.read(packed_.data(), static_cast<std::streamsize>(packed_.size()));
+      if (state_.avail_in == 0 && *stream_) {
+        stream_->read(packed_.data(), static_cast<std::streamsize>(packed_.size()));
         state_.next_in = reinterpret_cast<const std::uint8_t*>(packed_.data());
-        state_.avail_in = static_cast<std::size_t>(stream_.gcount());
+        state_.avail_in = static_cast<std::size_t>(stream_->gcount());
       }
-      const lzma_ret code = lzma_code(&state_, stream_ ? LZMA_RUN : LZMA_FINISH);
+      const lzma_ret code = lzma_code(&state_, *stream_ ? LZMA_RUN : LZMA_FINISH);
       if (code == LZMA_STREAM_END) {
         ended_ = true;
       } else if (code == LZMA_BUF_ERROR) {
@@ -117,7 +116,7 @@ class XzSource final : public ByteSource {
 
  private:
   std::string path_;
-  std::ifstream stream_;
+  std::unique_ptr<std::istream> stream_;
   std::vector<char> packed_;
   lzma_stream state_ = LZMA_STREAM_INIT;
   bool ended_ = false;
@@ -126,17 +125,12 @@ class XzSource final : public ByteSource {
 }  // namespace
 
 std::unique_ptr<ByteSource> openByteSource(const std::string& path) {
-  const std::filesystem::path name = pathFromUtf8(path);
-  std::error_code code;
-  if (!std::filesystem::exists(name, code)) badFile("'" + path + "' does not exist");
-  if (std::filesystem::is_directory(name, code)) badFile("'" + path + "' is a folder, not a file");
-  std::ifstream stream(name, std::ios::binary);
-  if (!stream) badFile("'" + path + "' cannot be opened for reading");
+  std::unique_ptr<std::istream> stream = openInput(path).stream;
   std::array<char, 6> head{};
-  stream.read(head.data(), head.size());
-  const auto got = stream.gcount();
-  stream.clear();
-  stream.seekg(0);
+  stream->read(head.data(), head.size());
+  const auto got = stream->gcount();
+  stream->clear();
+  stream->seekg(0);
   if (got >= 2 && std::memcmp(head.data(), "\x1f\x8b", 2) == 0) {
     return std::make_unique<GzipSource>(path, std::move(stream));
   }

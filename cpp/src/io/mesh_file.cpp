@@ -1,5 +1,5 @@
-// Mesh files through OpenMesh's readers and writers (see openmesh_bridge.h for why not its mesh),
-// PLY through our own.
+// Mesh files: STL through OpenMesh's reader and STL, OBJ and OFF through its writers (see
+// openmesh_bridge.h for why not its mesh); the rest through readers and writers of our own.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -8,17 +8,17 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <sstream>
 
 #include "base/limits.h"
 #include "base/safe_file.h"
-#include "io/exact_numbers.h"
+#include "io/input_file.h"
 #include "io/openmesh_bridge.h"
 #include "io/ply_mesh.h"
 #include "io/polygon_split.h"
+#include "io/text_mesh.h"
 #include "io/three_mf.h"
 #include "swept/io.h"
 
@@ -120,24 +120,6 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
   return mesh;
 }
 
-struct OpenedFile {
-  std::ifstream stream;
-  std::uint64_t bytes = 0;
-};
-
-OpenedFile openFile(const std::string& path) {
-  const std::filesystem::path name = pathFromUtf8(path);
-  std::error_code code;
-  if (!std::filesystem::exists(name, code)) badFile("'" + path + "' does not exist");
-  if (!std::filesystem::is_regular_file(name, code)) badFile("'" + path + "' is not a file");
-  OpenedFile file;
-  file.bytes = std::filesystem::file_size(name, code);
-  file.stream.open(name, std::ios::binary);
-  if (code || !file.stream) badFile("'" + path + "' cannot be opened for reading");
-  if (file.bytes == 0) badFile("'" + path + "' is empty (0 bytes)");
-  return file;
-}
-
 // OpenMesh writes single precision only; a PLY file holds the very mesh that was checked instead.
 void writeExactPly(const TriMesh& mesh, std::ostream& stream) {
   static_assert(std::endian::native == std::endian::little && sizeof(Eigen::Vector3d) == 24);
@@ -184,55 +166,47 @@ void scaleAndCheck(TriMesh& mesh, double factor) {
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= factor;
 }
 
-PolygonList readPly(OpenedFile& file, const std::string& path) {
-  const PlyHeader header = readPlyHeader(file.stream, file.bytes, path);
-  return readPlyMesh(file.stream, header, file.bytes, path);
+PolygonList readPly(InputFile& file, const std::string& path) {
+  const PlyHeader header = readPlyHeader(*file.stream, file.bytes, path);
+  return readPlyMesh(*file.stream, header, file.bytes, path);
 }
 
-PolygonList readThroughOpenMesh(OpenedFile& file, const std::string& suffix,
-                                const std::string& path) {
+PolygonList readStl(InputFile& file, const std::string& path) {
   OpenMesh::IO::Options options;
-  ExactNumbers exact;
-  if (suffix == "stl") {
-    if (isBinaryStl(file.stream, file.bytes, path)) {
-      options += OpenMesh::IO::Options::Binary;
-      checkBinaryStl(file.stream, path);
-    } else {
-      checkTextStl(file.stream, path);
-    }
+  if (isBinaryStl(*file.stream, file.bytes, path)) {
+    options += OpenMesh::IO::Options::Binary;
+    checkBinaryStl(*file.stream, path);
   } else {
-    exact = suffix == "obj" ? readExactObj(file.stream, path) : readExactOff(file.stream, path);
+    checkTextStl(*file.stream, path);
   }
-  file.stream.clear();
-  file.stream.seekg(0);
-
+  file.stream->clear();
+  file.stream->seekg(0);
   const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // each takes a byte at least
   ListImporter found(limit, 4 * limit);
   OpenMeshCall call;
-  std::istringstream cleaned(std::move(exact.cleaned));
-  const bool fromText = suffix != "stl";
-  std::istream& source = fromText ? static_cast<std::istream&>(cleaned) : file.stream;
-  if (!OpenMesh::IO::IOManager().read(source, suffix, found, options)) {
+  if (!OpenMesh::IO::IOManager().read(*file.stream, "stl", found, options)) {
     badFile("'" + path + "' cannot be read: " + call.said());
-  }
-  // Streams swallow exceptions; a stream over memory has no other reason to go bad.
-  if (fromText && source.bad()) throw std::bad_alloc();
-  if (exact.vertices.size() == found.n_vertices() && exact.present) {
-    found.list.vertices = std::move(exact.vertices);
   }
   return std::move(found.list);
 }
 
+PolygonList readPolygons(InputFile& file, const std::string& suffix, const std::string& path) {
+  if (suffix == "ply") return readPly(file, path);
+  if (suffix == "obj") return readObj(*file.stream, path);
+  if (suffix == "off") return readOff(*file.stream, path);
+  return readStl(file, path);
+}
+
 }  // namespace
 
-TriMesh readMesh(const std::string& path, double millimetresPerUnit) {
-  const std::string suffix = suffixOf(path);
+TriMesh readMesh(const std::string& path, double millimetresPerUnit, const std::string& format) {
+  const std::string suffix = format.empty() ? suffixOf(path) : format;
   if (!isMeshSuffix(suffix)) {
     badFile("'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
   }
-  OpenedFile file = openFile(path);
-  TriMesh mesh = toTriangles(
-      suffix == "ply" ? readPly(file, path) : readThroughOpenMesh(file, suffix, path), path);
+  InputFile file = openInput(path);
+  if (file.bytes == 0) badFile("'" + path + "' is empty (0 bytes)");
+  TriMesh mesh = toTriangles(readPolygons(file, suffix, path), path);
   scaleAndCheck(mesh, millimetresPerUnit);
   return mesh;
 }
@@ -261,7 +235,8 @@ void writeMesh(const TriMesh& mesh, const std::string& path) {
   if (suffix == "ply") {
     writeExactPly(mesh, file.stream());
   } else if (suffix == "3mf") {
-    writeThreeMf(mesh, file.stream());
+    file.close();
+    writeThreeMf(mesh, file.temporary());
   } else {
     writeThroughOpenMesh(mesh, suffix, path, file.stream());
   }

@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "base/limits.h"
-#include "io/exact_numbers.h"
+#include "io/text_mesh.h"
 
 namespace swept {
 namespace {

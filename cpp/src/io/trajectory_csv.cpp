@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string_view>
 
 #include "base/number_text.h"
-#include "io/exact_numbers.h"
 #include "io/line_source.h"
+#include "io/text_mesh.h"
+#include "io/trajectory_header.h"
 #include "swept/io.h"
 
 namespace swept {
@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxRows = 10'000'000;  // about 1 GB of poses
 constexpr double kRigidLimit = 1e-4;
-constexpr std::array<const char*, 8> kColumnNames{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
 std::string_view trim(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -33,11 +32,17 @@ class CsvReader {
     std::string line;
     while (lines_.next(line)) {
       const std::string_view text = trim(line);
-      if (text.empty() || text.front() == '#') continue;
-      if (separator_ == 0) chooseSeparator(line);
+      if (text.empty()) continue;
+      if (text.front() == '#') {
+        if (poses_.empty()) takeComment(text);
+        continue;
+      }
+      if (!rowsBegun_) chooseSeparator(line);
+      rowsBegun_ = true;
       split(line);
-      if (width_ == 0 && isHeader()) {
-        takeHeader();
+      if (isBlank()) continue;
+      if (isHeader()) {
+        takeHeader(line);
       } else {
         takeRow();
       }
@@ -45,8 +50,8 @@ class CsvReader {
     if (poses_.empty()) {
       throw Error(Status::InvalidInput, "EmptyTrajectory",
                   "'" + path_ +
-                      "' has no row of numbers; expected t,tx,ty,tz,qx,qy,qz,qw or 16 "
-                      "matrix numbers a row");
+                      "' has no row of numbers; expected t,tx,ty,tz,qx,qy,qz,qw or 12 "
+                      "or 16 matrix numbers a row");
     }
     return std::move(poses_);
   }
@@ -101,37 +106,52 @@ class CsvReader {
                         [](std::string_view field) { return startsLikeNumber(field); });
   }
 
-  void takeHeader() {
-    if (fields_.size() == 16 || fields_.size() == 17) {
-      setWidth(fields_.size());  // matrix: the names of its entries vary, their order does not
+  // A row of separators only, as spreadsheets write empty lines.
+  bool isBlank() const {
+    return std::all_of(fields_.begin(), fields_.end(),
+                       [](std::string_view field) { return field.empty(); });
+  }
+
+  static bool isMatrix(std::size_t width) { return width == 12 || width == 16 || width == 17; }
+
+  // The columns of recordings are often named in a comment; one that names all eight counts.
+  void takeComment(std::string_view text) {
+    const char rows = separator_;
+    chooseSeparator(text);
+    split(text.substr(text.find_first_not_of("# \t") == std::string_view::npos
+                          ? text.size()
+                          : text.find_first_not_of("# \t")));
+    separator_ = rows;
+    TrajectoryHeader header = readTrajectoryHeader(fields_);
+    if (header.missing || header.repeated || width_ != 0) return;
+    setWidth(fields_.size());
+    fromComment_ = true;
+    columns_ = std::move(header);
+  }
+
+  void takeHeader(const std::string& line) {
+    if (line == headerLine_) return;  // recordings joined one after another repeat it
+    if (width_ != 0 && !fromComment_) notANumber(0);
+    headerLine_ = line;
+    fromComment_ = false;
+    TrajectoryHeader header = readTrajectoryHeader(fields_);
+    if (header.missing && isMatrix(fields_.size())) {
+      setWidth(fields_.size());  // the names of a matrix's entries vary, their order does not
       return;
     }
-    static const std::map<std::string_view, int> known{
-        {"t", 0}, {"t_s", 0}, {"time", 0}, {"time_s", 0}, {"tx", 1}, {"x", 1},  {"ty", 2},
-        {"y", 2}, {"tz", 3},  {"z", 3},    {"qx", 4},     {"qy", 5}, {"qz", 6}, {"qw", 7}};
-    std::array<bool, 8> seen{};
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      std::string name(fields_[i]);
-      if (name.size() > 1 && name.front() == '"' && name.back() == '"') {
-        name = name.substr(1, name.size() - 2);
-      }
-      std::transform(name.begin(), name.end(), name.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      });
-      const auto found = known.find(name);
-      if (found == known.end() || i >= kColumnNames.size()) {
-        bad(i + 1, "unknown column '" + name.substr(0, 40) +
-                       "'; expected t,tx,ty,tz,qx,qy,qz,qw in any order, or 16 matrix numbers");
-      }
-      const auto target = static_cast<std::size_t>(found->second);
-      if (seen[target]) bad(i + 1, "the column '" + name + "' stands twice");
-      seen[target] = true;
-      order_[i] = target;
+    if (header.unknown && (header.missing || fields_.size() <= kPoseColumns.size())) {
+      bad(*header.unknown + 1,
+          "unknown column '" + plainColumnName(fields_[*header.unknown]).substr(0, 40) +
+              "'; expected t,tx,ty,tz,qx,qy,qz,qw in any order, or 12 or 16 matrix numbers");
     }
-    for (std::size_t c = 0; c < seen.size(); ++c) {
-      if (!seen[c]) bad(0, std::string("the column '") + kColumnNames[c] + "' is missing");
+    if (header.repeated) {
+      bad(*header.repeated + 1,
+          "the column '" + plainColumnName(fields_[*header.repeated]) + "' stands twice");
     }
-    setWidth(8);
+    if (header.missing)
+      bad(0, std::string("the column '") + kPoseColumns[*header.missing] + "' is missing");
+    setWidth(fields_.size());
+    columns_ = std::move(header);
   }
 
   void setWidth(std::size_t width) {
@@ -141,8 +161,8 @@ class CsvReader {
 
   void takeRow() {
     if (width_ == 0) {
-      if (fields_.size() != 8 && fields_.size() != 16 && fields_.size() != 17) {
-        bad(0, "expected 8 numbers (t,tx,ty,tz,qx,qy,qz,qw), 16 or 17 (matrix), found " +
+      if (fields_.size() != kPoseColumns.size() && !isMatrix(fields_.size())) {
+        bad(0, "expected 8 numbers (t,tx,ty,tz,qx,qy,qz,qw), 12, 16 or 17 (matrix), found " +
                    std::to_string(fields_.size()) + hint());
       }
       setWidth(fields_.size());
@@ -158,7 +178,8 @@ class CsvReader {
                       " rows; thin the poses out");
     }
     for (std::size_t i = 0; i < width_; ++i) {
-      if (!parseNumber(fields_[i], values_[i])) notANumber(i);
+      if (!columns_.target.empty() && columns_.target[i] == kNoPoseColumn) continue;
+      if (!parseField(fields_[i], values_[i])) notANumber(i);
       if (!std::isfinite(values_[i])) {
         throw Error(Status::InvalidInput, "BadPose",
                     "'" + path_ + "', line " + std::to_string(lines_.number()) + ", column " +
@@ -166,8 +187,21 @@ class CsvReader {
                         std::string(fields_[i]) + "' is not a finite number");
       }
     }
-    poses_.push_back(width_ == 8 ? poseFromColumns() : poseFromRow());
+    const bool columns = width_ == kPoseColumns.size() || !columns_.target.empty();
+    poses_.push_back(columns ? poseFromColumns() : poseFromRow());
     poses_.back().translation *= scale_;
+  }
+
+  // A comma is a decimal sign where something else separates.
+  bool parseField(std::string_view field, double& value) const {
+    if (parseNumber(field, value)) return true;
+    const std::size_t comma = field.find(',');
+    if (separator_ == ',' || comma == std::string_view::npos ||
+        field.find('.') != std::string_view::npos)
+      return false;
+    std::string pointed(field);
+    pointed[comma] = '.';
+    return parseNumber(pointed, value);
   }
 
   // 0,5 split at its comma: more columns than expected, all of them whole numbers.
@@ -179,19 +213,17 @@ class CsvReader {
   [[noreturn]] void notANumber(std::size_t column) const {
     const std::string field(fields_[column].substr(0, 40));
     if (field.empty()) bad(column + 1, "expected a number, found nothing");
-    std::string pointed = field;
-    std::replace(pointed.begin(), pointed.end(), ',', '.');
-    double ignored = 0;
-    const bool comma = pointed != field && parseNumber(pointed, ignored);
-    bad(column + 1, "expected a number, found '" + field + "'" +
-                        (comma ? "; write decimals with a point, not a comma" : ""));
+    bad(column + 1, "expected a number, found '" + field + "'");
   }
 
   Pose poseFromColumns() const {
-    std::array<double, 8> v{};
-    for (std::size_t i = 0; i < 8; ++i) v[order_[i]] = values_[i];
+    std::array<double, kPoseColumns.size()> v{};
+    for (std::size_t i = 0; i < width_; ++i) {
+      const std::size_t target = columns_.target.empty() ? i : columns_.target[i];
+      if (target < v.size()) v[target] = values_[i];
+    }
     Pose pose;
-    pose.timeSeconds = v[0];
+    pose.timeSeconds = v[0] * columns_.secondsPerUnit;
     pose.translation = Eigen::Vector3d(v[1], v[2], v[3]);
     pose.rotation = Eigen::Quaterniond(v[7], v[4], v[5], v[6]);
     const double length = pose.rotation.norm();
@@ -209,8 +241,11 @@ class CsvReader {
   Pose poseFromRow() const {
     const auto index = static_cast<std::int64_t>(poses_.size());
     const double time = width_ == 17 ? values_[0] : static_cast<double>(index);
+    std::array<double, 16> matrix{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    const auto first = values_.begin() + (width_ == 17 ? 1 : 0);
+    std::copy(first, values_.end(), matrix.begin());
     try {
-      return poseFromMatrix(values_.data() + (width_ == 17 ? 1 : 0), time, index);
+      return poseFromMatrix(matrix.data(), time, index);
     } catch (const Error& error) {
       throw Error(error.status(), error.code(),
                   "'" + path_ + "', line " + std::to_string(lines_.number()) + ", " + error.what());
@@ -222,7 +257,10 @@ class CsvReader {
   double scale_;
   char separator_ = 0;
   std::size_t width_ = 0;
-  std::array<std::size_t, 8> order_{0, 1, 2, 3, 4, 5, 6, 7};
+  bool rowsBegun_ = false;
+  bool fromComment_ = false;
+  std::string headerLine_;
+  TrajectoryHeader columns_;  // no targets: as kPoseColumns, or a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;

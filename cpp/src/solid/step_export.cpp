@@ -126,8 +126,11 @@ bool isWithinLimits(std::int64_t faces, const StepOptions& options, const Writin
           fixedText(megabytesOf(faces, writing), 1) + " MB and " +
           std::to_string(
               static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)))) +
-          " s. Allow a larger tolerance, raise the limit, or export a mesh file: PLY, STL, "
-          "OBJ, OFF or 3MF hold it easily");
+          " s. " +
+          (options.exact ? "It may not leave the mesh (exact), so take larger cells or raise the "
+                           "limit of faces"
+                         : "Allow a larger tolerance, raise the limit") +
+          ", or export a mesh file: PLY, STL, OBJ, OFF or 3MF hold it easily");
 }
 
 // Of the tolerance, for thinning a dense mesh before surfaces are looked for.

@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "base/safe_file.h"
+#include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_scan.h"
 
@@ -68,17 +69,37 @@ TriMesh meshOf(const TopoDS_Shape& shape) {
   return mesh;
 }
 
+TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, RunContext& run) {
+  if (isBrep(pathFromUtf8(path))) return step::readBrepFile(path, run);
+  checkStructure(pathFromUtf8(path), path);
+  return step::readStepFile(path, kernel, run);
+}
+
+// Calls `read` with the shape of a file; what the kernel says of it is an error of the input.
+template <class Read>
+auto withShape(const std::string& path, RunContext& run, Read read) {
+  std::error_code code;
+  if (!std::filesystem::exists(pathFromUtf8(path), code))
+    throw Error(Status::InvalidInput, "BadFile", "'" + path + "' does not exist");
+  step::KernelSession kernel;
+  try {
+    return read(readShape(path, kernel, run));
+  } catch (const Error& error) {
+    if (error.status() != Status::ExportFailed) throw;
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' cannot be read: " + error.what() +
+                    "; check that it is a STEP or BREP file");
+  } catch (const Standard_Failure& failure) {
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' cannot be read: " + failure.GetMessageString());
+  }
+}
+
 }  // namespace
 
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run) {
-  step::KernelSession kernel;
-  const std::filesystem::path file(path);
-  try {
-    const bool brep = isBrep(file);
-    if (!brep) checkStructure(file, path);
-    const TopoDS_Shape shape =
-        brep ? step::readBrepFile(path, run) : step::readStepFile(path, kernel, run);
+  return withShape(path, run, [&](const TopoDS_Shape& shape) {
     run.checkpoint(Phase::Input);
     BRepMesh_IncrementalMesh mesher(shape, linearDeflection, false, angularDeflection, true);
     run.checkpoint(Phase::Input);
@@ -91,19 +112,24 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
     if (solids[0].mesh.triangles.empty())
       throw Error(Status::InvalidInput, "NoSurface",
                   "'" + path + "' holds no face that can be triangulated; export a solid");
-    const std::string stem = file.stem().string();
+    const std::string stem = utf8FromPath(pathFromUtf8(path).stem());
     for (std::size_t i = 0; i < solids.size(); ++i)
       solids[i].name = solids.size() == 1 ? stem : stem + " " + std::to_string(i + 1);
     return solids;
-  } catch (const Error& error) {
-    if (error.status() != Status::ExportFailed) throw;
-    throw Error(Status::InvalidInput, "BadFile",
-                "'" + path + "' cannot be read: " + error.what() +
-                    "; check that it is a STEP or BREP file");
-  } catch (const Standard_Failure& failure) {
-    throw Error(Status::InvalidInput, "BadFile",
-                "'" + path + "' cannot be read: " + failure.GetMessageString());
-  }
+  });
+}
+
+SolidCheck checkSolidFile(const std::string& path, RunContext& run) {
+  return withShape(path, run, [&](const TopoDS_Shape& shape) {
+    const step::ShapeCheck found = step::checkShape(shape, run, 0.5, 1.0);
+    SolidCheck check{found.solids, found.shells,    found.faces, found.edges,
+                     found.valid,  found.complaint, found.volume};
+    if (check.solids == 0) {
+      check.valid = false;
+      check.complaint = "no solid, only " + std::to_string(check.faces) + " faces";
+    }
+    return check;
+  });
 }
 
 }  // namespace swept

@@ -1,26 +1,20 @@
-// swept check MESH: what the mesh checker finds in a file.
+// swept check FILE...: what the checkers of meshes and of solids find in files.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <cstdio>
+#include <memory>
+#include <optional>
 
-#include "arguments.h"
-#include "base/limits.h"
 #include "commands.h"
-#include "report_file.h"
+#include "files.h"
+#include "options.h"
 #include "runner.h"
 #include "swept/compute.h"
-#include "swept/io.h"
+#ifdef HAVE_SWEPT_SOLID
+#include "swept/step_import.h"
+#endif
 
 namespace swept::cli {
-
-const char* const kCheckHelp =
-    R"(swept check MESH [options]
-  Checks a mesh: closed, manifold, oriented, self-intersections, volume, area.
-  Exit status 0 only if it is closed, manifold, oriented and without degenerate triangles.
-  --unit mm|cm|m|in       unit of the numbers in the file (default mm)
-  --report FILE.json      write what was found as JSON; - for standard output
-  --threads N             threads to use (default: all cores)
-  --quiet                 no progress bar, no summary
-)";
 
 namespace {
 
@@ -39,54 +33,151 @@ std::string faultsOf(const MeshCheck& check) {
   return text.empty() ? "not a closed surface" : text;
 }
 
+struct CheckJob {
+  std::vector<std::string> paths;
+  std::string format;
+  double unit = 1.0;
+  CommonOptions common;
+};
+
+// What was found in one file.
+struct Checked {
+  Report report;
+#ifdef HAVE_SWEPT_SOLID
+  std::optional<SolidCheck> solid;
+#endif
+};
+
+void fail(Report& report, const std::string& path, const std::string& faults) {
+  takeError(report, Status::InvalidInput, "CheckFailed", "'" + path + "': " + faults);
+}
+
+void checkOne(const std::string& path, const CheckJob& job, RunContext& run, Checked& found) {
+  const std::string format = job.format.empty() ? suffixOf(path) : job.format;
+  if (isSolidSuffix(format)) {
+#ifdef HAVE_SWEPT_SOLID
+    found.solid = checkSolidFile(path, run);
+    if (!found.solid->valid) fail(found.report, path, found.solid->complaint);
+    return;
+#else
+    throw Error(
+        Status::InvalidInput, "BadFormat",
+        "'" + path + "': this program was built without OpenCASCADE and cannot read solids");
+#endif
+  }
+  MeshCheck& check = found.report.check;
+  check = checkMesh(readInputMesh(path, job.format, job.unit), run);
+  if (!check.passes()) fail(found.report, path, faultsOf(check));
+}
+
+void print(const std::string& path, const Checked& found) {
+#ifdef HAVE_SWEPT_SOLID
+  if (found.solid) {
+    const SolidCheck& solid = *found.solid;
+    std::printf("%s: %lld solids, %lld shells, %lld faces, %s, volume %.6g mm^3\n", path.c_str(),
+                static_cast<long long>(solid.solids), static_cast<long long>(solid.shells),
+                static_cast<long long>(solid.faces), solid.valid ? "closed, valid" : "not valid",
+                solid.volume);
+    return;
+  }
+#endif
+  const MeshCheck& check = found.report.check;
+  if (check.triangles == 0) return;
+  std::printf(
+      "%s: %lld triangles, %lld shells, %s, %s, %s, %lld self-intersections, "
+      "volume %.6g mm^3, area %.6g mm^2\n",
+      path.c_str(), static_cast<long long>(check.triangles), static_cast<long long>(check.shells),
+      check.closed ? "closed" : "open", check.manifold ? "manifold" : "not manifold",
+      check.oriented ? "oriented" : "not oriented", static_cast<long long>(check.selfIntersections),
+      check.volume, check.area);
+}
+
+Json jsonOf(const std::string& path, const Checked& found) {
+  const Report& report = found.report;
+  Json json = reportHead("check", report.status, report.code, report.message);
+  json["input"] = path;
+  json.update(checkJson(report.check));
+#ifdef HAVE_SWEPT_SOLID
+  if (found.solid) {
+    const SolidCheck& solid = *found.solid;
+    json["solid"] = {{"solids", solid.solids}, {"shells", solid.shells}, {"faces", solid.faces},
+                     {"edges", solid.edges},   {"valid", solid.valid},   {"closed", solid.valid},
+                     {"volume", solid.volume}};
+  }
+#endif
+  return json;
+}
+
+int runCheck(const CheckJob& job) {
+  const CommonOptions& common = job.common;
+  std::vector<RoledFile> inputs;
+  for (const std::string& path : job.paths) inputs.push_back({"the file to check", path});
+  checkIdentity(inputs, {{"--report", common.report}}, common.noClobber);
+  checkAccess({}, {{"--report", common.report}});
+  int status = kExitOk;
+  Json files = Json::array();
+  for (const std::string& path : job.paths) {
+    Checked found;
+    RunContext run;
+    run.threads = static_cast<int>(common.threads);
+    try {
+      checkAccess({{"", path}}, {});
+      if (isStream(path)) {
+        checkOne(path, job, run, found);
+      } else {
+        runWatched(run, common.quiet, [&] { checkOne(path, job, run, found); });
+      }
+    } catch (const Error& error) {
+      takeError(found.report, error.status(), error.code(), error.what());
+    }
+    if (!common.quiet && common.report != "-") print(path, found);
+    const Report& report = found.report;
+    if (report.status != Status::Ok) printError(report.status, report.code, report.message);
+    files.push_back(jsonOf(path, found));
+    status = std::max(status, exitStatus(report.status));
+    if (report.status == Status::Cancelled) break;
+  }
+  if (files.size() == 1 && job.paths.size() == 1) {
+    writeReport(files[0], common.report);
+    return status;
+  }
+  const auto bad = std::find_if(files.begin(), files.end(),
+                                [](const Json& file) { return file["status"] != "Ok"; });
+  Json json = bad == files.end() ? reportHead("check", Status::Ok, "", "") : Json();
+  if (bad != files.end()) {
+    for (const char* key : {"report_version", "command", "status", "code", "message"})
+      json[key] = (*bad)[key];
+  }
+  json["files"] = std::move(files);
+  writeReport(json, common.report);
+  return status;
+}
+
 }  // namespace
 
-int checkCommand(const std::vector<std::string>& words) {
-  std::string reportPath;
-  double unit = 1.0;
-  std::int64_t threads = 0;
-  bool quiet = false;
-  Arguments arguments;
-  arguments.with("--unit", [&](const std::string& text) { unit = parseLengthUnit(text); });
-  arguments.text("--report", reportPath);
-  arguments.integer("--threads", threads, 0, kMaxThreads);
-  arguments.flag("--quiet", quiet);
-  const std::vector<std::string> positional = arguments.parse(words);
-  if (positional.size() != 1) {
-    throw Error(Status::InvalidInput, "BadOption",
-                "expected one mesh file, found " + std::to_string(positional.size()) +
-                    "; see swept check --help");
-  }
-
-  Report report;
-  RunContext run;
-  run.threads = static_cast<int>(threads);
-  checkReportTarget(reportPath);
-  try {
-    runWatched(run, quiet, [&] { report.check = checkMesh(readMesh(positional[0], unit), run); });
-    if (!report.check.passes()) {
-      report.status = Status::InvalidInput;
-      report.code = "CheckFailed";
-      report.message = "'" + positional[0] + "': " + faultsOf(report.check);
-    }
-  } catch (const Error& error) {
-    report.status = error.status();
-    report.code = error.code();
-    report.message = error.what();
-  }
-  writeReport(report, reportPath, [&](JsonWriter& json) { json.field("file", positional[0]); });
-  const MeshCheck& check = report.check;
-  if (!quiet && reportPath != "-" && check.triangles > 0) {
-    std::printf(
-        "%s: %lld triangles, %lld shells, %s, %s, %s, %lld self-intersections, "
-        "volume %.6g mm^3, area %.6g mm^2\n",
-        positional[0].c_str(), static_cast<long long>(check.triangles),
-        static_cast<long long>(check.shells), check.closed ? "closed" : "open",
-        check.manifold ? "manifold" : "not manifold", check.oriented ? "oriented" : "not oriented",
-        static_cast<long long>(check.selfIntersections), check.volume, check.area);
-  }
-  if (report.status != Status::Ok) printError(report.status, report.code, report.message);
-  return exitStatus(report.status);
+Run addCheckCommand(CLI::App& program) {
+  const auto job = std::make_shared<CheckJob>();
+  CLI::App& app = *program.add_subcommand("check",
+                                          "Checks meshes (closed, manifold, oriented, "
+                                          "self-intersections, volume, area) and STEP or BREP "
+                                          "files (solids, closed, valid).");
+  app.add_option("FILE", job->paths,
+                 "ply, stl, obj, off, step, stp, brep or brp; - for standard input")
+      ->type_name("FILE")
+      ->required();
+  addText(app, "--format", "ply|stl|obj|off", job->format,
+          "format of the files, instead of suffixes");
+  addUnit(app, "--unit", job->unit, "unit of the numbers in meshes (default mm)");
+  addCommonOptions(app, job->common);
+  app.footer(
+      "Exit status 0 only if every mesh is closed, manifold, oriented and without degenerate "
+      "triangles,\nand every solid valid.\n\nExamples:\n  swept check envelope.ply\n"
+      "  swept check parts/*.stl --report -\n  cat a.stl | swept check - --format stl");
+  return [job] {
+    const bool standard = std::find(job->paths.begin(), job->paths.end(), "-") != job->paths.end();
+    if (standard && job->format.empty()) job->format = "ply";
+    return runCheck(*job);
+  };
 }
 
 }  // namespace swept::cli

@@ -1,15 +1,15 @@
 // swept clearance GENERATOR --motion CSV NEIGHBOUR...: smallest distances over a whole motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
+#include <locale>
+#include <memory>
+#include <optional>
+#include <sstream>
 
-#include "arguments.h"
-#include "base/limits.h"
-#include "base/safe_file.h"
 #include "commands.h"
-#include "report_file.h"
+#include "files.h"
+#include "options.h"
 #include "runner.h"
 #include "swept/body.h"
 #include "swept/clearance.h"
@@ -20,39 +20,11 @@
 
 namespace swept::cli {
 
-const char* const kClearanceHelp =
-    R"(swept clearance GENERATOR --motion CSV NEIGHBOUR... [options]
-  Smallest distance of GENERATOR, moved along the poses of CSV, to every NEIGHBOUR. Both: ply, stl,
-  obj, off; with OpenCASCADE also step, stp, brep, brp (one neighbour a solid). Nothing between two poses
-  is missed. Exit status 0 if all are clear, 3 if one is too near, touches or clashes.
-  --required MM           distance asked for (default 0: contact and clash only)
-  --tolerance MM          how far the smallest distance may be off (default 0.01)
-  --interpolation I       none, linear or screw: motion between two poses (default linear)
-  --generator-unit U, --neighbour-unit U, --motion-unit U    mm, cm, m or in (default mm)
-  --generator-chord MM    how far the generator's triangles leave its exact surface (default 0)
-  --neighbour-chord MM    the same for neighbours given as meshes (default 0)
-  --deflection MM         chord error to which solids, the generator too, are tessellated
-                          (default 0.05)
-  --interval-tolerance MM travel to which ends of time intervals are found (default 10 tolerances)
-  --curve N               points of the graph of distance over time (default 200)
-  --no-penetration        do not measure how deep a clash goes
-  --stamp N               compare with distances at every pose and N more in each step (slow)
-  --csv FILE              write the table
-  --report FILE.json      write the report, also of a failure; - for standard output
-  --threads N             threads to use (default: all cores)
-  --quiet                 no progress bar, no table
-)";
-
 namespace {
 
-constexpr int kExitNotClear = 3;
-
 struct ClearanceJob {
-  std::string generatorPath;
-  std::string motionPath;
+  std::string generatorPath, generatorFormat, motionPath, csvPath;
   std::vector<std::string> neighbourPaths;
-  std::string reportPath;
-  std::string csvPath;
   double generatorUnit = 1.0;
   double neighbourUnit = 1.0;
   double motionUnit = 1.0;
@@ -60,48 +32,60 @@ struct ClearanceJob {
   double deflection = 0.05;
   Interpolation interpolation = Interpolation::Linear;
   ClearanceOptions options;
-  std::int64_t threads = 0;
+  std::int64_t curve = 200;
   std::int64_t stamp = -1;
-  bool quiet = false;
+  CommonOptions common;
 };
 
-ClearanceJob parseJob(const std::vector<std::string>& words) {
-  ClearanceJob job;
-  std::int64_t curve = job.options.curveSamples;
-  Arguments a;
-  a.text("--motion", job.motionPath);
-  a.text("--report", job.reportPath);
-  a.text("--csv", job.csvPath);
-  a.number("--required", job.options.required);
-  a.number("--tolerance", job.options.tolerance);
-  a.number("--generator-chord", job.options.bodyChordError);
-  a.number("--neighbour-chord", job.neighbourChord);
-  a.number("--deflection", job.deflection);
-  a.number("--interval-tolerance", job.options.intervalTolerance);
-  a.with("--interpolation",
-         [&](const std::string& t) { job.interpolation = parseInterpolation(t); });
-  a.with("--generator-unit", [&](const std::string& t) { job.generatorUnit = parseLengthUnit(t); });
-  a.with("--neighbour-unit", [&](const std::string& t) { job.neighbourUnit = parseLengthUnit(t); });
-  a.with("--motion-unit", [&](const std::string& t) { job.motionUnit = parseLengthUnit(t); });
-  a.integer("--curve", curve, 0, 1000000);
-  a.integer("--stamp", job.stamp, 0, 1000000);
-  a.integer("--threads", job.threads, 0, kMaxThreads);
-  a.flag("--no-penetration", job.options.penetration, false);
-  a.flag("--quiet", job.quiet);
-  const std::vector<std::string> positional = a.parse(words);
-  const auto bad = [](const std::string& text) {
-    throw Error(Status::InvalidInput, "BadOption", text + "; see swept clearance --help");
-  };
-  if (positional.size() < 2) {
-    bad("expected a generator and at least one neighbour, found " +
-        std::to_string(positional.size()) + " files");
-  }
-  if (job.motionPath.empty()) bad("--motion CSV is missing");
-  if (!(job.deflection > 0)) bad("--deflection must be greater than 0 mm");
-  job.generatorPath = positional[0];
-  job.neighbourPaths.assign(positional.begin() + 1, positional.end());
-  job.options.curveSamples = static_cast<int>(curve);
-  return job;
+void addFileOptions(CLI::App& app, ClearanceJob& job) {
+  addText(app, "GENERATOR", "FILE", job.generatorPath,
+          "the moving body: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
+      ->required();
+  app.add_option("NEIGHBOUR", job.neighbourPaths,
+                 "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one neighbour "
+                 "a solid")
+      ->type_name("FILE")
+      ->required();
+  addText(app, "--motion", "FILE", job.motionPath, "poses, as for swept envelope")->required();
+  addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
+          "format of the generator, instead of its suffix");
+  addUnit(app, "--generator-unit", job.generatorUnit,
+          "unit of the generator's numbers (default mm)");
+  addUnit(app, "--neighbour-unit", job.neighbourUnit, "unit of neighbours that are meshes");
+  addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
+  addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+}
+
+void addOptions(CLI::App& app, ClearanceJob& job) {
+  addFileOptions(app, job);
+  addNumber(app, "--required", "MM", job.options.required,
+            "distance asked for (default 0: contact and clash only)");
+  addNumber(app, "--tolerance", "MM", job.options.tolerance,
+            "how far the smallest distance may be off (default 0.01)");
+  addConverted(
+      app, "--interpolation", "none|linear|screw",
+      [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
+      "motion between two poses (default linear)");
+  addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
+            "how far the generator's triangles leave its exact surface (default 0)");
+  addNumber(app, "--neighbour-chord", "MM", job.neighbourChord,
+            "the same for neighbours given as meshes (default 0)");
+  addNumber(app, "--deflection", "MM", job.deflection,
+            "chord error to which solids, the generator too, are tessellated (default 0.05)");
+  addNumber(app, "--interval-tolerance", "MM", job.options.intervalTolerance,
+            "travel to which ends of time intervals are found (default 10 tolerances)");
+  addInteger(app, "--curve", job.curve, 0, 1000000,
+             "points of the graph of distance over time (default 200)");
+  app.add_flag_callback(
+      "--no-penetration", [&job] { job.options.penetration = false; },
+      "do not measure how deep a clash goes");
+  addInteger(app, "--stamp", job.stamp, 0, 1000000,
+             "compare with distances at every pose and N more in each step (slow)");
+  addCommonOptions(app, job.common);
+  app.footer(
+      "Exit status 0 if all are clear, 3 if one is too near, touches or clashes.\n\nExamples:\n"
+      "  swept clearance gripper.stl housing.step bracket.stl --motion path.csv --required 2\n"
+      "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet");
 }
 
 void readNeighbours(const std::string& path, const ClearanceJob& job,
@@ -141,33 +125,22 @@ std::string quoted(const std::string& text) {
 }
 
 void writeCsv(const ClearanceReport& report, const std::string& path) {
-  SafeFile file(path);
-  file.stream() << "neighbour,verdict,distance_mm,guaranteed_mm,time_s,depth_mm,depth_bound_mm,"
-                   "body_x,body_y,body_z,neighbour_x,neighbour_y,neighbour_z,seconds_below\n";
-  file.stream().precision(12);
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "neighbour,verdict,distance_mm,guaranteed_mm,time_s,depth_mm,depth_bound_mm,"
+          "body_x,body_y,body_z,neighbour_x,neighbour_y,neighbour_z,seconds_below\n";
+  text.precision(12);
   for (const NeighbourClearance& row : report.neighbours) {
     double below = 0;
     for (const TimeInterval& span : row.below) below += span.to - span.from;
-    file.stream() << quoted(row.name) << ',' << clearanceVerdictName(row.verdict) << ','
-                  << row.distance << ',' << row.guaranteed << ',' << row.timeSeconds << ','
-                  << row.penetration.depth << ',' << row.penetration.depthBound;
+    text << quoted(row.name) << ',' << clearanceVerdictName(row.verdict) << ',' << row.distance
+         << ',' << row.guaranteed << ',' << row.timeSeconds << ',' << row.penetration.depth << ','
+         << row.penetration.depthBound;
     for (const Eigen::Vector3d& x : {row.pointOnBody, row.pointOnNeighbour})
-      file.stream() << ',' << x[0] << ',' << x[1] << ',' << x[2];
-    file.stream() << ',' << below << '\n';
+      text << ',' << x[0] << ',' << x[1] << ',' << x[2];
+    text << ',' << below << '\n';
   }
-  file.commit();
-}
-
-void writeJson(const ClearanceReport& report, const std::string& path) {
-  if (path.empty()) return;
-  const std::string text = toJson(report) + "\n";
-  if (path == "-") {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    return;
-  }
-  SafeFile file(path);
-  file.stream() << text;
-  file.commit();
+  writeText(text.str(), path);
 }
 
 void printTable(const ClearanceReport& report) {
@@ -183,32 +156,49 @@ void printTable(const ClearanceReport& report) {
   }
   std::printf("%s; %.2f s\n", report.summary.c_str(),
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
-  for (const Finding& finding : report.warnings)
-    std::fprintf(stderr, "swept: note %s: %s\n", finding.code.c_str(), finding.text.c_str());
 }
 
-}  // namespace
+Body readGenerator(const ClearanceJob& job, RunContext& run) {
+  BodyFileOptions options;
+  options.millimetresPerUnit = job.generatorUnit;
+  options.tolerance = job.deflection;
+  return readInputBody(job.generatorPath, job.generatorFormat, options, run);
+}
 
-int clearanceCommand(const std::vector<std::string>& words) {
-  const ClearanceJob job = parseJob(words);
-  checkReportTarget(job.reportPath);
-  if (!job.csvPath.empty()) checkTarget(job.csvPath);
+void compute(const ClearanceJob& job, RunContext& run, std::optional<Body>& body,
+             std::optional<Trajectory>& motion, ClearanceReport& report) {
+  if (!body) body = readGenerator(job, run);
+  if (!motion) motion = readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
+  std::vector<ClearanceNeighbour> parts;
+  for (const std::string& path : job.neighbourPaths) readNeighbours(path, job, run, parts);
+  ClearanceOptions options = job.options;
+  options.bodyChordError += body->chordError;
+  report = checkClearance(body->mesh, *motion, parts, options, run);
+  report.warnings.insert(report.warnings.begin(), body->findings.begin(), body->findings.end());
+  if (job.stamp >= 0 && report.status == Status::Ok)
+    compareWithStamps(job, body->mesh, *motion, parts, report, run);
+}
+
+int runClearance(const ClearanceJob& job) {
+  const CommonOptions& common = job.common;
+  std::vector<RoledFile> inputs{{"the generator", job.generatorPath},
+                                {"the motion", job.motionPath}};
+  for (const std::string& path : job.neighbourPaths) inputs.push_back({"a neighbour", path});
+  const std::vector<RoledFile> outputs{{"--csv", job.csvPath}, {"--report", common.report}};
+  checkIdentity(inputs, outputs, common.noClobber);
+  checkAccess({}, outputs);
   ClearanceReport report;
   RunContext run;
-  run.threads = static_cast<int>(job.threads);
+  run.threads = static_cast<int>(common.threads);
   try {
-    runWatched(run, job.quiet, [&] {
-      const Body body = readBody(job.generatorPath, {job.generatorUnit, job.deflection, {}}, run);
-      const Trajectory motion =
-          readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
-      std::vector<ClearanceNeighbour> parts;
-      for (const std::string& path : job.neighbourPaths) readNeighbours(path, job, run, parts);
-      ClearanceOptions options = job.options;
-      options.bodyChordError += body.chordError;
-      report = checkClearance(body.mesh, motion, parts, options, run);
-      report.warnings.insert(report.warnings.begin(), body.findings.begin(), body.findings.end());
-      if (job.stamp >= 0 && report.status == Status::Ok)
-        compareWithStamps(job, body.mesh, motion, parts, report, run);
+    std::optional<Body> body;
+    std::optional<Trajectory> motion;
+    if (isStream(job.generatorPath)) body = readGenerator(job, run);
+    if (isStream(job.motionPath))
+      motion = readTrajectoryCsv(inputPath(job.motionPath), job.motionUnit, job.interpolation);
+    runWatched(run, common.quiet, [&] {
+      checkAccess(inputs, {});
+      compute(job, run, body, motion, report);
     });
   } catch (const Error& error) {
     report = {};
@@ -216,16 +206,35 @@ int clearanceCommand(const std::vector<std::string>& words) {
     report.code = error.code();
     report.message = error.what();
   }
-  writeJson(report, job.reportPath);
+  if (!common.report.empty()) writeText(toJson(report), common.report);
   if (report.status != Status::Ok) {
     printError(report.status, report.code, report.message);
     return exitStatus(report.status);
   }
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
-  if (!job.quiet && job.reportPath != "-") printTable(report);
+  if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
+  printFindings(report.warnings, common.quiet);
+  if (common.verbose) printSeconds(report.seconds);
   for (const NeighbourClearance& row : report.neighbours)
     if (row.verdict != ClearanceVerdict::Clear) return kExitNotClear;
   return kExitOk;
+}
+
+}  // namespace
+
+Run addClearanceCommand(CLI::App& program) {
+  const auto job = std::make_shared<ClearanceJob>();
+  CLI::App& app = *program.add_subcommand("clearance",
+                                          "Smallest distance of a moving body to parts that stand "
+                                          "still, over the whole motion; nothing "
+                                          "between two poses is missed.");
+  addOptions(app, *job);
+  return [job] {
+    if (!(job->deflection > 0)) badOption("--deflection must be greater than 0 mm");
+    job->options.curveSamples = static_cast<int>(job->curve);
+    if (job->generatorPath == "-" && job->generatorFormat.empty()) job->generatorFormat = "ply";
+    return runClearance(*job);
+  };
 }
 
 }  // namespace swept::cli

@@ -1,20 +1,18 @@
-// The commands of the program. Each takes the words behind its name and gives the exit status.
+// The commands of the program. Each declares its options on a subcommand of `program` and gives
+// what runs it: a function that returns the exit status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
-#include <vector>
+#include <CLI/CLI.hpp>
+#include <functional>
 
 namespace swept::cli {
 
-int envelopeCommand(const std::vector<std::string>& words);
-int checkCommand(const std::vector<std::string>& words);
-int clearanceCommand(const std::vector<std::string>& words);
-int solidCommand(const std::vector<std::string>& words);
+using Run = std::function<int()>;
 
-extern const char* const kEnvelopeHelp;
-extern const char* const kCheckHelp;
-extern const char* const kClearanceHelp;
-extern const char* const kSolidHelp;
+Run addEnvelopeCommand(CLI::App& program);
+Run addCheckCommand(CLI::App& program);
+Run addClearanceCommand(CLI::App& program);
+Run addSolidCommand(CLI::App& program);
 
 }  // namespace swept::cli

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 
-#include "arguments.h"
 #include "base/limits.h"
-#include "base/safe_file.h"
 #include "commands.h"
-#include "report_file.h"
+#include "files.h"
+#include "options.h"
 #include "runner.h"
 #include "swept/body.h"
 #include "swept/compute.h"
@@ -21,124 +20,118 @@
 
 namespace swept::cli {
 
-const char* const kEnvelopeHelp =
-    R"(swept envelope GENERATOR --motion CSV --output FILE [options]
-  Computes the envelope of GENERATOR (ply, stl, obj, off; with OpenCASCADE also step, stp, brep,
-  brp: all solids of the file are one body) moved along the poses of CSV
-  (t,tx,ty,tz,qx,qy,qz,qw or 16 matrix numbers a row; may be packed with gzip or xz).
-  --output FILE           ply, stl, obj, off, 3mf, step, stp, brep or brp
-  --generator-unit U      mm, cm, m or in: unit of the generator's numbers (default mm)
-  --generator-tolerance MM    how far triangles may leave the surface of a solid (default: 0.02 of
-                          the cell, or of the smallest cell that the resolution can give)
-  --motion-unit U         unit of the translations (default mm)
-  --interpolation I       none, linear or screw: motion between two poses (default linear)
-  --resolution N          cells along the longest side of the sweep (default 128)
-  --cell MM               size of a cell; instead of --resolution
-  --tolerance MM          simplify, leaving the surface by at most this (default 0: off)
-  --offset MM             grow by a safety distance
-  --conservative          envelope that provably contains the sweep
-  --keep-cavities         keep sealed-off hollow spaces
-  --components M          dc, dmc, equivalence, greedy or consistent (default consistent); the
-                          others are for research: only consistent keeps the promise of a closed
-                          manifold
-  --chord F               bound on the refined motion's chord, in cells (default 0.02)
-  --position-filter MM    drop poses while the body stays within this
-  --no-cull               sample enclosed faces as well
-  --backend B             auto, cpu or gpu (default auto)
-  --threads N             threads to use (default: all cores)
-  --memory-limit MB       refuse what would take more (default: 3/4 of what is free)
-  --report FILE.json      write the report, also of a failure; - for standard output
-  --solid-tolerance MM, --max-faces N, --max-megabytes N, --schema S ...
-                          for step and brep, see swept --help
-  --quiet                 no progress bar, no summary
-)";
-
 namespace {
 
 struct EnvelopeJob {
-  std::string generatorPath;
-  std::string motionPath;
-  std::string outputPath;
-  std::string reportPath;
+  std::string generatorPath, generatorFormat, motionPath, outputPath, outputFormat = "ply";
   double generatorUnit = 1.0;
   std::optional<double> generatorTolerance;
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   Options options;
-  std::int64_t threads = 0;
+  std::int64_t resolution = 128;
   std::int64_t memoryLimitMegabytes = 0;
-  bool quiet = false;
+  CommonOptions common;
 #ifdef HAVE_SWEPT_SOLID
   StepOptions solid;
 #endif
 };
 
-bool isSolidSuffix(const std::string& suffix) {
-  return suffix == "step" || suffix == "stp" || suffix == "brep" || suffix == "brp";
+void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
+  Options& options = job.options;
+  addInteger(app, "--resolution", job.resolution, 1, 1 << 20,
+             "cells along the longest side of the sweep (default 128)");
+  CLI::Option* cell =
+      addNumber(app, "--cell", "MM", options.cellSize, "size of a cell; instead of --resolution");
+  cell->excludes("--resolution");
+  addNumber(app, "--tolerance", "MM", options.tolerance,
+            "simplify, leaving the surface by at most this (default 0: off)");
+  addNumber(app, "--offset", "MM", options.offset, "grow by a safety distance");
+  app.add_flag("--conservative", options.conservative, "envelope that provably contains the sweep");
+  app.add_flag("--keep-cavities", options.keepCavities, "keep sealed-off hollow spaces");
+  addConverted(
+      app, "--components", "dc|dmc|equivalence|greedy|consistent",
+      [&options](const std::string& t) { options.components = parseComponentMethod(t); },
+      "for research: only consistent (default) keeps the promise of a closed manifold");
+  addNumber(app, "--chord", "F", options.chordTolerance,
+            "bound on the refined motion's chord, in cells (default 0.02)");
+  addNumber(app, "--position-filter", "MM", options.positionFilter,
+            "drop poses while the body stays within this");
+  app.add_flag_callback(
+      "--no-cull", [&options] { options.cull = false; }, "sample enclosed faces as well");
+  addConverted(
+      app, "--backend", "auto|cpu|gpu",
+      [&options](const std::string& t) { options.backend = parseBackend(t); },
+      "who samples; all give the same result (default auto)");
+  addInteger(app, "--memory-limit", job.memoryLimitMegabytes, 1, std::int64_t{1} << 40,
+             "MB; refuse what would take more (default: 3/4 of what is free)");
 }
 
-EnvelopeJob parseJob(const std::vector<std::string>& words) {
-  EnvelopeJob job;
-  std::int64_t resolution = job.options.resolution;
-  constexpr std::int64_t kMaxMegabytes = std::int64_t{1} << 40;
-  Arguments a;
-  a.text("--motion", job.motionPath);
-  a.text("--output", job.outputPath);
-  a.text("--report", job.reportPath);
-  a.with("--generator-unit", [&](const std::string& t) { job.generatorUnit = parseLengthUnit(t); });
-  a.with("--motion-unit", [&](const std::string& t) { job.motionUnit = parseLengthUnit(t); });
-  a.with("--interpolation",
-         [&](const std::string& t) { job.interpolation = parseInterpolation(t); });
-  a.with("--components",
-         [&](const std::string& t) { job.options.components = parseComponentMethod(t); });
-  a.with("--backend", [&](const std::string& t) { job.options.backend = parseBackend(t); });
-  a.integer("--resolution", resolution, 1, 1 << 20);
-  a.number("--generator-tolerance", job.generatorTolerance);
-  a.number("--cell", job.options.cellSize);
-  a.number("--tolerance", job.options.tolerance);
-  a.number("--offset", job.options.offset);
-  a.number("--chord", job.options.chordTolerance);
-  a.number("--position-filter", job.options.positionFilter);
-  a.flag("--conservative", job.options.conservative);
-  a.flag("--keep-cavities", job.options.keepCavities);
-  a.flag("--no-cull", job.options.cull, false);
-  a.integer("--threads", job.threads, 0, kMaxThreads);
-  a.integer("--memory-limit", job.memoryLimitMegabytes, 1, kMaxMegabytes);
-  a.flag("--quiet", job.quiet);
+void addOptions(CLI::App& app, EnvelopeJob& job) {
+  addText(
+      app, "GENERATOR", "FILE", job.generatorPath,
+      "the moving body: ply, stl, obj, off, step, stp, brep or brp (all solids of a file are one "
+      "body); - for standard input")
+      ->required();
+  addText(app, "--motion", "FILE", job.motionPath,
+          "poses, t,tx,ty,tz,qx,qy,qz,qw or a matrix a row; may be packed with gzip or xz; - for "
+          "standard input")
+      ->required();
+  addText(app, "-o,--output", "FILE", job.outputPath,
+          "ply, stl, obj, off, 3mf, step, stp, brep or brp; - for standard output")
+      ->required();
+  addText(app, "--format", "ply|stl|obj|off|3mf|step|brep", job.outputFormat,
+          "format of standard output (default ply)");
+  addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
+          "format of the generator, instead of its suffix");
+  addUnit(app, "--generator-unit", job.generatorUnit,
+          "unit of the generator's numbers (default mm)");
+  addConverted(
+      app, "--generator-tolerance", "MM",
+      [&job](const std::string& t) {
+        job.generatorTolerance = numberOf("--generator-tolerance", t);
+      },
+      "how far triangles may leave the surface of a solid (default: 0.02 of the cell, or of the "
+      "smallest cell that the resolution can give)");
+  addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
+  addConverted(
+      app, "--interpolation", "none|linear|screw",
+      [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
+      "motion between two poses (default linear)");
+  addSamplingOptions(app, job);
+  addCommonOptions(app, job.common);
 #ifdef HAVE_SWEPT_SOLID
-  addSolidOptions(a, job.solid);
+  addSolidOptions(app, job.solid);
 #endif
-  const std::vector<std::string> positional = a.parse(words);
-  const auto bad = [](const std::string& text) {
-    throw Error(Status::InvalidInput, "BadOption", text + "; see swept envelope --help");
-  };
-  if (positional.size() != 1) {
-    bad("expected one generator, found " + std::to_string(positional.size()));
-  }
-  if (job.motionPath.empty()) bad("--motion CSV is missing");
-  if (job.outputPath.empty()) bad("--output FILE is missing");
-  if (a.wasGiven("--cell") && a.wasGiven("--resolution")) {
-    bad("--cell and --resolution exclude one another");
-  }
+  app.footer(
+      "Examples:\n"
+      "  swept envelope gripper.stl --motion path.csv -o envelope.ply\n"
+      "  swept envelope gripper.stl --motion path.csv --motion-unit m --cell 0.5 -o envelope.step\n"
+      "  xzcat path.csv.xz | swept envelope gripper.stl --motion - -o - --format stl > out.stl");
+}
+
+void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   // Zero means "not given" inside; on the command line it is a mistake.
-  if (a.wasGiven("--cell") && !(job.options.cellSize > 0)) {
-    bad("--cell must be greater than 0 mm");
-  }
+  if (app.count("--cell") > 0 && !(job.options.cellSize > 0))
+    badOption("--cell must be greater than 0 mm");
 #ifdef HAVE_SWEPT_SOLID
   if (job.options.conservative && job.solid.tolerance > 0) {
-    bad("--solid-tolerance would let the solid cut into a conservative envelope; leave it out");
+    badOption(
+        "--solid-tolerance would let the solid cut into a conservative envelope; leave it out");
   }
-  job.solid.exact = job.options.conservative;
+  job.solid.exact = job.solid.exact || job.options.conservative ||
+                    (job.common.strict && job.solid.tolerance <= 0);
 #endif
-  job.generatorPath = positional[0];
-  job.options.resolution = static_cast<int>(resolution);
-  return job;
+  job.options.resolution = static_cast<int>(job.resolution);
+  if (job.generatorPath == "-" && job.generatorFormat.empty()) job.generatorFormat = "ply";
 }
 
-// Everything that can be refused before minutes are spent.
-void checkTargets(const EnvelopeJob& job) {
-  checkReportTarget(job.reportPath);
-  const std::string suffix = suffixOf(job.outputPath);
+std::string suffixOfOutput(const EnvelopeJob& job) {
+  return job.outputPath == "-" ? job.outputFormat : suffixOf(job.outputPath);
+}
+
+void checkFormat(const EnvelopeJob& job) {
+  const std::string suffix = suffixOfOutput(job);
   const bool mesh =
       suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off" || suffix == "3mf";
   if (!mesh && !isSolidSuffix(suffix)) {
@@ -153,7 +146,6 @@ void checkTargets(const EnvelopeJob& job) {
                 "stl, obj, off or 3mf");
   }
 #endif
-  checkTarget(job.outputPath);
 }
 
 void addStage(Report& report, const std::string& stage, double seconds) {
@@ -173,12 +165,18 @@ using SolidResult = std::optional<int>;
 
 SolidResult writeOutput(const TriMesh& mesh, const EnvelopeJob& job, RunContext& run) {
   run.checkpoint(Phase::Export);
+  const Output output(job.outputPath, job.outputFormat);
+  SolidResult solid;
 #ifdef HAVE_SWEPT_SOLID
-  if (isSolidSuffix(suffixOf(job.outputPath)))
-    return writeSolid(mesh, job.outputPath, job.solid, run);
+  if (isSolidSuffix(suffixOfOutput(job)))
+    solid = writeSolid(mesh, output.path(), job.solid, run);
+  else
+    writeMesh(mesh, output.path());
+#else
+  writeMesh(mesh, output.path());
 #endif
-  writeMesh(mesh, job.outputPath);
-  return std::nullopt;
+  output.deliver();
+  return solid;
 }
 
 void printSummary(const Report& report, const std::string& path) {
@@ -186,26 +184,37 @@ void printSummary(const Report& report, const std::string& path) {
               path.c_str(), static_cast<long long>(report.check.triangles), report.check.volume,
               report.check.area, report.cellSize,
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
-  for (const Finding& finding : report.warnings) {
-    std::fprintf(stderr, "swept: note %s: %s\n", finding.code.c_str(), finding.text.c_str());
-  }
 }
 
-SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
+// The inputs of a run, read before it where they can be read only once.
+struct Inputs {
+  std::optional<Body> body;
+  std::optional<Trajectory> motion;
+};
+
+void readInputs(const EnvelopeJob& job, bool streamsOnly, RunContext& run, Inputs& inputs) {
+  BodyFileOptions files{job.generatorUnit, job.generatorTolerance, {}, job.options.resolution};
+  if (job.options.cellSize > 0) files.cellSize = job.options.cellSize;
+  if (!inputs.body && (!streamsOnly || isStream(job.generatorPath)))
+    inputs.body = readInputBody(job.generatorPath, job.generatorFormat, files, run);
+  if (!inputs.motion && (!streamsOnly || isStream(job.motionPath)))
+    inputs.motion = readTrajectoryCsv(inputPath(job.motionPath), job.motionUnit, job.interpolation);
+}
+
+SolidResult runJob(const EnvelopeJob& job, RunContext& run, Inputs& inputs, Report& report) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  BodyFileOptions files{job.generatorUnit, job.generatorTolerance, {}, job.options.resolution};
-  if (job.options.cellSize > 0) files.cellSize = job.options.cellSize;
-  const Body body = readBody(job.generatorPath, files, run);
-  const Trajectory motion = readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
+  readInputs(job, false, run, inputs);
   const double reading = since(start);
-  Result result = compute(body.mesh, motion, job.options, run);
+  Result result = compute(inputs.body->mesh, *inputs.motion, job.options, run);
   report = std::move(result.report);
-  report.warnings.insert(report.warnings.begin(), body.findings.begin(), body.findings.end());
+  const std::vector<Finding>& found = inputs.body->findings;
+  report.warnings.insert(report.warnings.begin(), found.begin(), found.end());
   addStage(report, "read", reading);
+  takeStrict(report, job.common.strict);
   if (report.status != Status::Ok) return {};
   const auto writing = Clock::now();
   SolidResult solid = writeOutput(result.mesh, job, run);
@@ -213,24 +222,26 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
   return solid;
 }
 
-void takeError(Report& report, Status status, const std::string& code, const std::string& text) {
-  report.status = status;
-  report.code = code;
-  report.message = text;
-}
-
-}  // namespace
-
-int envelopeCommand(const std::vector<std::string>& words) {
-  const EnvelopeJob job = parseJob(words);
+int runEnvelope(const EnvelopeJob& job) {
+  const CommonOptions& common = job.common;
+  const std::vector<RoledFile> files{{"the generator", job.generatorPath},
+                                     {"the motion", job.motionPath}};
+  const std::vector<RoledFile> output{{"--output", job.outputPath}};
+  checkIdentity(files, {output[0], {"--report", common.report}}, common.noClobber);
+  checkAccess({}, {{"--report", common.report}});
   Report report;
   SolidResult solid;
   RunContext run;
-  run.threads = static_cast<int>(job.threads);
+  run.threads = static_cast<int>(common.threads);
   run.memoryLimitBytes = static_cast<std::uint64_t>(job.memoryLimitMegabytes) << 20;
   try {
-    checkTargets(job);
-    runWatched(run, job.quiet, [&] { solid = runJob(job, run, report); });
+    checkFormat(job);
+    Inputs inputs;
+    readInputs(job, true, run, inputs);
+    runWatched(run, common.quiet, [&] {
+      checkAccess(files, output);
+      solid = runJob(job, run, inputs, report);
+    });
   } catch (const Error& error) {
     takeError(report, error.status(), error.code(), error.what());
   } catch (const std::bad_alloc&) {
@@ -239,20 +250,43 @@ int envelopeCommand(const std::vector<std::string>& words) {
               "cell");
   }
   const bool ok = report.status == Status::Ok;
-  if (!ok) printError(report.status, report.code, report.message);
-  writeReport(report, job.reportPath, [&](JsonWriter& json) {
-    json.field("output", ok ? job.outputPath : std::string());
 #ifdef HAVE_SWEPT_SOLID
-    if (solid) writeSolidFields(*solid, json);
+  if (solid) {
+    for (const Finding& finding : solidFindings(*solid, job.solid))
+      report.warnings.push_back(finding);
+  }
 #endif
-  });
-  if (ok && !job.quiet && job.reportPath != "-") {
+  Json json = reportJson(report);
+  json["input"] = job.generatorPath;
+  json["motion"] = job.motionPath;
+  if (ok) json["output"] = job.outputPath;
+#ifdef HAVE_SWEPT_SOLID
+  if (solid) json["solid"] = solidJson(*solid);
+#endif
+  if (!ok) printError(report.status, report.code, report.message);
+  writeReport(json, common.report);
+  if (ok && !common.quiet && common.report != "-" && job.outputPath != "-") {
     printSummary(report, job.outputPath);
 #ifdef HAVE_SWEPT_SOLID
     if (solid) printSolid(*solid, job.outputPath);
 #endif
   }
+  if (ok) printFindings(report.warnings, common.quiet);
+  if (common.verbose) printSeconds(report.seconds);
   return exitStatus(report.status);
+}
+
+}  // namespace
+
+Run addEnvelopeCommand(CLI::App& program) {
+  const auto job = std::make_shared<EnvelopeJob>();
+  CLI::App* app = program.add_subcommand(
+      "envelope", "Computes the envelope of a body moved along the poses of a file.");
+  addOptions(*app, *job);
+  return [job, app] {
+    checkOptions(*app, *job);
+    return runEnvelope(*job);
+  };
 }
 
 }  // namespace swept::cli

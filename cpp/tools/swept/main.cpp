@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
+#include "files.h"
+#include "manual.h"
+#include "options.h"
 #include "runner.h"
-#ifdef HAVE_SWEPT_SOLID
-#include "solid_options.h"
-#endif
 #include "swept/types.h"
 
 #ifndef SWEPT_VERSION
@@ -19,59 +22,87 @@
 namespace swept::cli {
 namespace {
 
-struct Command {
-  const char* name;
-  int (*run)(const std::vector<std::string>&);
-  const char* const* help;
-};
+using Commands = std::vector<std::pair<std::string, Run>>;
 
-constexpr Command kCommands[] = {
-    {"envelope", envelopeCommand, &kEnvelopeHelp},
-    {"check", checkCommand, &kCheckHelp},
+constexpr const char* kExitStatuses =
+    "Exit status: 0 done, 1 failed, 2 wrong usage, 3 not clear (clearance),\n"
+    "130 and 143 cancelled (128 and the number of the signal). Lengths are in mm.";
+
+Commands addCommands(CLI::App& program) {
+  Commands commands;
+  commands.emplace_back("envelope", addEnvelopeCommand(program));
+  commands.emplace_back("check", addCheckCommand(program));
 #ifdef HAVE_SWEPT_SOLID
-    {"solid", solidCommand, &kSolidHelp},
+  commands.emplace_back("solid", addSolidCommand(program));
 #endif
 #ifdef HAVE_SWEPT_CLEARANCE
-    {"clearance", clearanceCommand, &kClearanceHelp},
+  commands.emplace_back("clearance", addClearanceCommand(program));
 #endif
-};
-
-void printHelp() {
-  std::puts("swept: envelopes of moving bodies\n\nusage: swept COMMAND ...\n");
-  for (const Command& command : kCommands) std::puts(*command.help);
-#ifdef HAVE_SWEPT_SOLID
-  std::printf("options of solids (swept envelope to a step or brep file, swept solid)\n%s\n",
-              kSolidOptionsHelp);
-#endif
-  std::puts(
-      "swept --help, swept --version\n\nExit status: 0 done, 1 failed, 2 wrong usage, "
-      "130 cancelled. Lengths are in mm.");
+  CLI::App& manual = *program.add_subcommand("manual", "Prints the manual page.");
+  manual.footer("Examples:\n  swept manual | man -l -");
+  commands.emplace_back("manual", [&program] {
+    writeText(manualPage(program), "-");
+    return kExitOk;
+  });
+  CLI::App& completion = *program.add_subcommand("completion", "Prints completions for a shell.");
+  const auto shell = std::make_shared<std::string>();
+  addText(completion, "SHELL", "bash|zsh|fish", *shell, "bash, zsh or fish")->required();
+  completion.footer("Examples:\n  source <(swept completion bash)");
+  commands.emplace_back("completion", [&program, shell] {
+    writeText(completions(program, *shell), "-");
+    return kExitOk;
+  });
+  return commands;
 }
 
-int dispatch(const std::vector<std::string>& words) {
-  if (words.empty()) {
-    printHelp();
-    return kExitUsage;
+std::string commandOf(const CLI::App& program) {
+  const auto given = program.get_subcommands();
+  return given.empty() ? std::string() : " " + given[0]->get_name();
+}
+
+// What CLI11 refuses, in our words.
+std::string refusal(const CLI::ParseError& error, const CLI::App& program,
+                    const std::vector<std::string>& words) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const bool missing = text.find("missing") != std::string::npos;
+    return text.substr(0, text.find(':')) + (missing ? " needs a value" : " is given twice");
   }
-  if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
-    printHelp();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return text;
+  const std::string word = text.substr(text.rfind(": ") + 2);
+  if (commandOf(program).empty()) return "unknown command '" + words[0] + "'";
+  if (word.size() > 1 && word[0] == '-') return "unknown option '" + word + "'";
+  return "one file too many: '" + word + "'";
+}
+
+int dispatch(std::vector<std::string> words) {
+  CLI::App program("envelopes of moving bodies", "swept");
+  program.set_version_flag("-V,--version", "swept " SWEPT_VERSION);
+  program.footer(kExitStatuses);
+  program.get_formatter()->column_width(32);
+  const Commands commands = addCommands(program);
+  if (!words.empty() && words[0] == "help") {  // as in version 0.1
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  try {
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    const auto given = program.get_subcommands();
+    writeText(given.empty() ? program.help() : given[0]->help("swept"), "-");
     return kExitOk;
-  }
-  if (words[0] == "--version") {
-    std::puts("swept " SWEPT_VERSION);
+  } catch (const CLI::CallForVersion&) {
+    writeText("swept " SWEPT_VERSION "\n", "-");
     return kExitOk;
+  } catch (const CLI::ParseError& error) {
+    badOption(refusal(error, program, words) + "; see swept" + commandOf(program) + " --help");
+  } catch (const Error& error) {
+    badOption(error.what() + ("; see swept" + commandOf(program)) + " --help");
   }
-  for (const Command& command : kCommands) {
-    if (words[0] != command.name) continue;
-    const std::vector<std::string> rest(words.begin() + 1, words.end());
-    if (rest.size() == 1 && (rest[0] == "--help" || rest[0] == "-h")) {
-      std::fputs(*command.help, stdout);
-      return kExitOk;
-    }
-    return command.run(rest);
-  }
-  throw Error(Status::InvalidInput, "BadOption",
-              "unknown command '" + words[0] + "'; see swept --help");
+  for (const auto& [name, run] : commands)
+    if (program.got_subcommand(name)) return run();
+  writeText(program.help(), "-");
+  return kExitUsage;
 }
 
 }  // namespace
@@ -79,11 +110,15 @@ int dispatch(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   using namespace swept;
+  cli::ignoreWriteSignals();
   try {
-    return cli::dispatch(std::vector<std::string>(argv + 1, argv + argc));
+    const int status = cli::dispatch(std::vector<std::string>(argv + 1, argv + argc));
+    cli::flushStandardOutput();
+    return status;
   } catch (const Error& error) {
     cli::printError(error.status(), error.code(), error.what());
-    return error.code() == "BadOption" ? cli::kExitUsage : cli::exitStatus(error.status());
+    const bool usage = error.code() == "BadOption" || error.code() == "SameFile";
+    return usage ? cli::kExitUsage : cli::exitStatus(error.status());
   } catch (const std::bad_alloc&) {
     cli::printError(Status::OutOfMemory, "OutOfMemory",
                     "memory ran out; use a larger cell or smaller files");

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <future>
+#include <set>
 
 namespace swept::cli {
 namespace {
@@ -16,35 +17,37 @@ namespace {
 std::atomic<RunContext*> interrupted{nullptr};
 static_assert(std::atomic<RunContext*>::is_always_lock_free, "used in a signal handler");
 
-extern "C" void onInterrupt(int) {
+std::atomic<int> signalNumber{SIGINT};
+
+extern "C" void onInterrupt(int number) {
+  signalNumber.store(number);
   if (RunContext* run = interrupted.load()) run->cancel();
 }
 
-// While it lives, an interrupt cancels the run. Another one has no effect, then and afterwards: the
-// program is about to end and clears up after itself.
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+// While it lives, a signal cancels the run. Afterwards none has an effect: the program is about to
+// end, and clears up after itself.
 class InterruptGuard {
  public:
-  explicit InterruptGuard(RunContext& run) : run_(run) {
+  explicit InterruptGuard(RunContext& run) {
     interrupted.store(&run);
     struct sigaction action {};
     action.sa_handler = onInterrupt;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &oldInterrupt_);
-    sigaction(SIGTERM, &action, &oldTerminate_);
+    for (const int number : kSignals) {
+      struct sigaction old {};
+      sigaction(number, &action, &old);
+      // What the caller has ignored (nohup) stays so.
+      if (number == SIGHUP && old.sa_handler == SIG_IGN) std::signal(number, SIG_IGN);
+    }
   }
   ~InterruptGuard() {
-    if (run_.isCancelled()) oldInterrupt_.sa_handler = oldTerminate_.sa_handler = SIG_IGN;
-    sigaction(SIGINT, &oldInterrupt_, nullptr);
-    sigaction(SIGTERM, &oldTerminate_, nullptr);
+    for (const int number : kSignals) std::signal(number, SIG_IGN);
     interrupted.store(nullptr);
   }
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  RunContext& run_;
-  struct sigaction oldInterrupt_ {};
-  struct sigaction oldTerminate_ {};
 };
 
 class ProgressBar {
@@ -76,7 +79,12 @@ class ProgressBar {
 
 int exitStatus(Status status) {
   if (status == Status::Ok) return kExitOk;
-  return status == Status::Cancelled ? kExitCancelled : kExitFailed;
+  return status == Status::Cancelled ? 128 + signalNumber.load() : kExitFailed;
+}
+
+void ignoreWriteSignals() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job) {
@@ -92,6 +100,38 @@ void printError(Status status, const std::string& code, const std::string& messa
   std::replace(line.begin(), line.end(), '\n', ' ');
   const std::string slash = code.empty() || code == statusName(status) ? "" : "/" + code;
   std::fprintf(stderr, "swept: %s%s: %s\n", statusName(status), slash.c_str(), line.c_str());
+}
+
+const Finding* inaccuracyOf(const std::vector<Finding>& findings) {
+  static const std::set<std::string> codes{"ChordCapped", "SolidSimplified", "SolidInaccurate",
+                                           "SelfIntersections"};
+  for (const Finding& finding : findings)
+    if (codes.count(finding.code) != 0) return &finding;
+  return nullptr;
+}
+
+void takeError(Report& report, Status status, const std::string& code, const std::string& text) {
+  report.status = status;
+  report.code = code;
+  report.message = text;
+}
+
+void takeStrict(Report& report, bool strict) {
+  const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;
+  if (finding == nullptr || report.status != Status::Ok) return;
+  takeError(report, Status::InvalidInput, finding->code, "--strict: " + finding->text);
+}
+
+void printFindings(const std::vector<Finding>& findings, bool quiet) {
+  for (const Finding& finding : findings) {
+    if (quiet && inaccuracyOf({finding}) == nullptr) continue;
+    std::fprintf(stderr, "swept: note %s: %s\n", finding.code.c_str(), finding.text.c_str());
+  }
+}
+
+void printSeconds(const std::vector<StageSeconds>& seconds) {
+  for (const StageSeconds& stage : seconds)
+    std::fprintf(stderr, "swept: %-12s %8.3f s\n", stage.stage.c_str(), stage.seconds);
 }
 
 }  // namespace swept::cli

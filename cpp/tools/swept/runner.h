@@ -1,10 +1,12 @@
-// Runs one job on a thread of its own while this one watches: progress bar, Ctrl-C, exit status.
+// Runs one job on a thread of its own while this one watches: progress bar, signals, exit status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <functional>
 #include <string>
+#include <vector>
 
+#include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -13,15 +15,34 @@ namespace swept::cli {
 constexpr int kExitOk = 0;
 constexpr int kExitFailed = 1;
 constexpr int kExitUsage = 2;
-constexpr int kExitCancelled = 130;
+constexpr int kExitNotClear = 3;
 
+/// Of a cancelled run: 128 and the number of the signal (130 Ctrl-C, 143 terminated), as shells
+/// have it.
 int exitStatus(Status status);
 
+/// A full file system, a limit of file sizes or a closed pipe is a failing write, which says its
+/// cause, and not the end of the program.
+void ignoreWriteSignals();
+
 /// Calls `job` on another thread and waits. Draws a progress bar where standard error is a terminal
-/// and `quiet` is false; an interrupt cancels `run`. What the job throws is thrown here.
+/// and `quiet` is false; SIGINT, SIGTERM and SIGHUP cancel `run`. What the job throws is thrown
+/// here.
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job);
 
 /// One line on standard error: "swept: Status/Code: message".
 void printError(Status status, const std::string& code, const std::string& message);
+/// A line each on standard error. `quiet` leaves those out that cost no accuracy.
+void printFindings(const std::vector<Finding>& findings, bool quiet);
+/// A line a stage on standard error.
+void printSeconds(const std::vector<StageSeconds>& seconds);
+
+/// How a run ended, into its report.
+void takeError(Report& report, Status status, const std::string& code, const std::string& text);
+/// With --strict, a finding that costs accuracy is how an otherwise good run ended.
+void takeStrict(Report& report, bool strict);
+
+/// The first finding that says the result is less accurate than asked, if any.
+const Finding* inaccuracyOf(const std::vector<Finding>& findings);
 
 }  // namespace swept::cli

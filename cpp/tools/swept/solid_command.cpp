@@ -1,68 +1,93 @@
 // swept solid MESH --output FILE: a closed mesh becomes a STEP or BREP file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_SOLID
-#include "base/limits.h"
+#include <memory>
+#include <optional>
+
 #include "commands.h"
-#include "report_file.h"
+#include "files.h"
 #include "runner.h"
 #include "solid_options.h"
-#include "swept/io.h"
 
 namespace swept::cli {
+namespace {
 
-// The options of solids follow; see main.cpp.
-const char* const kSolidHelp =
-    R"(swept solid MESH --output FILE [options]
-  Makes a solid of a closed mesh (ply, stl, obj, off); FILE ends in step, stp, brep or brp. The file
-  is read back and checked before it replaces an old one.
-  --unit mm|cm|m|in       unit of the numbers in the mesh (default mm)
-  --report FILE.json      write what was made as JSON; - for standard output
-  --threads N             threads to use (default: all cores)
-  --quiet                 no progress bar, no summary
-  and the options of solids, see swept --help
-)";
-
-int solidCommand(const std::vector<std::string>& words) {
-  std::string outputPath, reportPath;
+struct SolidJob {
+  std::string meshPath, meshFormat, outputPath, outputFormat = "step";
   double unit = 1.0;
-  std::int64_t threads = 0;
-  bool quiet = false;
+  CommonOptions common;
   StepOptions options;
-  Arguments arguments;
-  arguments.text("--output", outputPath);
-  arguments.with("--unit", [&](const std::string& text) { unit = parseLengthUnit(text); });
-  arguments.text("--report", reportPath);
-  arguments.integer("--threads", threads, 0, kMaxThreads);
-  arguments.flag("--quiet", quiet);
-  addSolidOptions(arguments, options);
-  const std::vector<std::string> positional = arguments.parse(words);
-  if (positional.size() != 1 || outputPath.empty()) {
-    throw Error(Status::InvalidInput, "BadOption",
-                "expected one mesh file and --output FILE; see swept solid --help");
-  }
+};
+
+int runSolid(const SolidJob& job) {
+  const CommonOptions& common = job.common;
+  const std::vector<RoledFile> inputs{{"the mesh", job.meshPath}};
+  const std::vector<RoledFile> outputs{{"--output", job.outputPath}};
+  checkIdentity(inputs, {outputs[0], {"--report", common.report}}, common.noClobber);
+  checkAccess({}, {{"--report", common.report}});
   Report report;
   StepReport solid;
   RunContext run;
-  run.threads = static_cast<int>(threads);
-  checkReportTarget(reportPath);
+  run.threads = static_cast<int>(common.threads);
   try {
-    runWatched(run, quiet, [&] {
-      const TriMesh mesh = readMesh(positional[0], unit);
-      solid = writeSolid(mesh, outputPath, options, run);
+    std::optional<TriMesh> mesh;
+    if (isStream(job.meshPath)) mesh = readInputMesh(job.meshPath, job.meshFormat, job.unit);
+    runWatched(run, common.quiet, [&] {
+      checkAccess(inputs, outputs);
+      if (!mesh) mesh = readInputMesh(job.meshPath, job.meshFormat, job.unit);
+      const Output output(job.outputPath, job.outputFormat);
+      solid = writeSolid(*mesh, output.path(), job.options, run);
+      output.deliver();
     });
+    report.warnings = solidFindings(solid, job.options);
+    takeStrict(report, common.strict);
   } catch (const Error& error) {
-    report.status = error.status();
-    report.code = error.code();
-    report.message = error.what();
+    takeError(report, error.status(), error.code(), error.what());
   }
-  const bool ok = report.status == Status::Ok;
-  writeReport(report, reportPath, [&](JsonWriter& json) {
-    json.field("output", ok ? outputPath : std::string());
-    if (ok) writeSolidFields(solid, json);
-  });
-  if (!ok) printError(report.status, report.code, report.message);
-  if (ok && !quiet && reportPath != "-") printSolid(solid, outputPath);
+  const bool made = solid.fileBytes > 0;
+  Json json = reportHead("solid", report.status, report.code, report.message);
+  json["input"] = job.meshPath;
+  if (made) {
+    json["output"] = job.outputPath;
+    json["solid"] = solidJson(solid);
+  }
+  json["warnings"] = findingsJson(report.warnings);
+  writeReport(json, common.report);
+  if (made && !common.quiet && common.report != "-" && job.outputPath != "-")
+    printSolid(solid, job.outputPath);
+  printFindings(report.warnings, common.quiet);
+  if (report.status != Status::Ok) printError(report.status, report.code, report.message);
   return exitStatus(report.status);
+}
+
+}  // namespace
+
+Run addSolidCommand(CLI::App& program) {
+  const auto job = std::make_shared<SolidJob>();
+  CLI::App& app = *program.add_subcommand(
+      "solid",
+      "Makes a solid of a closed mesh. The file is read back and checked before it replaces an old "
+      "one.");
+  addText(app, "MESH", "FILE", job->meshPath, "ply, stl, obj or off; - for standard input")
+      ->required();
+  addText(app, "-o,--output", "FILE", job->outputPath,
+          "ends in step, stp, brep or brp; - for standard output")
+      ->required();
+  addText(app, "--format", "ply|stl|obj|off", job->meshFormat,
+          "format of the mesh, instead of its suffix");
+  addText(app, "--output-format", "step|brep", job->outputFormat,
+          "format of standard output (default step)");
+  addUnit(app, "--unit", job->unit, "unit of the numbers in the mesh (default mm)");
+  addCommonOptions(app, job->common);
+  addSolidOptions(app, job->options);
+  app.footer(
+      "Examples:\n  swept solid envelope.ply -o envelope.step\n"
+      "  swept solid envelope.ply -o envelope.step --solid-tolerance 0.1 --author \"A. Maker\"");
+  return [job] {
+    if (job->common.strict && job->options.tolerance <= 0) job->options.exact = true;
+    if (job->meshFormat.empty() && job->meshPath == "-") job->meshFormat = "ply";
+    return runSolid(*job);
+  };
 }
 
 }  // namespace swept::cli

@@ -4,53 +4,80 @@
 
 #include <cstdio>
 
+#include "base/number_text.h"
+
 namespace swept::cli {
 
-const char* const kSolidOptionsHelp =
-    R"(  --solid-tolerance MM    the solid may leave the mesh by this: surfaces are recognised, the rest is
-                          simplified (default 0: only flat regions are merged, unless a limit asks
-                          for more)
-  --max-faces N           at most this many faces (default 20000)
-  --max-megabytes N       at most this much in the file
-                          without --solid-tolerance the solid is simplified as far as the limits ask
-  --schema S              ap214, ap242 or ap242-tessellated: the mesh as it is, for STEP readers
-                          that know tessellated geometry (default ap214)
-  --exact                 never leave the mesh: above a limit refuse instead of simplifying
-  --facets                plane faces only, no other surfaces
-  --author, --organization, --product TEXT
-)";
-
-void addSolidOptions(Arguments& arguments, StepOptions& options) {
-  arguments.with("--schema", [&](const std::string& t) { options.schema = parseStepSchema(t); });
-  arguments.number("--solid-tolerance", options.tolerance);
-  arguments.integer("--max-faces", options.maxFaces, 4, std::int64_t{1} << 31U);
-  arguments.number("--max-megabytes", options.maxMegabytes);
-  arguments.flag("--exact", options.exact);
-  arguments.flag("--facets", options.recognise, false);
-  arguments.text("--author", options.author);
-  arguments.text("--organization", options.organization);
-  arguments.text("--product", options.productName);
+void addSolidOptions(CLI::App& app, StepOptions& options) {
+  constexpr const char* kGroup = "Options of solids (step, stp, brep, brp)";
+  const auto in = [kGroup](CLI::Option* option) { option->group(kGroup); };
+  in(addNumber(app, "--solid-tolerance", "MM", options.tolerance,
+               "the solid may leave the mesh by this; surfaces are recognised, the rest is "
+               "simplified (default 0: flat regions are merged; more only as the limits ask)"));
+  in(addInteger(app, "--max-faces", options.maxFaces, 4, std::int64_t{1} << 31U,
+                "at most this many faces (default 20000)"));
+  in(addNumber(app, "--max-megabytes", "N", options.maxMegabytes,
+               "at most this much in the file (default: no limit)"));
+  in(addConverted(
+      app, "--schema", "ap214|ap242|ap242-tessellated",
+      [&options](const std::string& text) { options.schema = parseStepSchema(text); },
+      "of the STEP file; tessellated: the mesh as it is (default ap214)"));
+  in(app.add_flag("--exact", options.exact,
+                  "never leave the mesh: above a limit refuse instead of simplifying"));
+  in(app.add_flag_callback(
+      "--facets", [&options] { options.recognise = false; }, "plane faces only"));
+  in(addText(app, "--author", "TEXT", options.author, "for the header of the STEP file"));
+  in(addText(app, "--organization", "TEXT", options.organization, "for the header too"));
+  in(addText(app, "--product", "TEXT", options.productName, "name of the product"));
 }
 
-void writeSolidFields(const StepReport& solid, JsonWriter& json) {
-  json.key("solid").beginObject();
-  json.field("solids", solid.solids);
-  json.field("faces", solid.faces);
-  json.field("edges", solid.edges);
-  json.key("faces_by_kind").beginObject();
-  for (const auto& [kind, count] : solid.facesByKind) json.field(kind.c_str(), count);
-  json.endObject();
-  json.field("valid", solid.valid);
-  json.field("tolerance", solid.tolerance);
-  json.field("deviation", solid.deviation);
-  json.field("volume", solid.volume);
-  json.field("mesh_volume", solid.meshVolume);
-  json.field("file_bytes", solid.fileBytes);
-  json.field("seconds_build", solid.secondsBuild);
-  json.field("seconds_write", solid.secondsWrite);
-  json.field("seconds_reread", solid.secondsReread);
-  json.field("note", solid.note);
-  json.endObject();
+Json solidJson(const StepReport& solid) {
+  Json kinds = Json::object();
+  for (const auto& [kind, count] : solid.facesByKind) kinds[kind] = count;
+  return {{"solids", solid.solids},
+          {"faces", solid.faces},
+          {"edges", solid.edges},
+          {"faces_by_kind", kinds},
+          {"valid", solid.valid},
+          {"closed", solid.valid},
+          {"tolerance", solid.tolerance},
+          {"deviation", solid.deviation},
+          {"volume", solid.volume},
+          {"mesh_volume", solid.meshVolume},
+          {"file_bytes", solid.fileBytes},
+          {"seconds",
+           {{"build", solid.secondsBuild},
+            {"write", solid.secondsWrite},
+            {"reread", solid.secondsReread}}},
+          {"note", solid.note}};
+}
+
+std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options) {
+  std::vector<Finding> findings;
+  if (options.tolerance <= 0 && solid.tolerance > 0) {
+    const double percent =
+        solid.meshVolume != 0 ? 100 * (solid.volume / solid.meshVolume - 1) : 0.0;
+    findings.push_back(
+        {"SolidSimplified",
+         1,
+         {},
+         "to stay within the limit of " + std::to_string(options.maxFaces) +
+             " faces the solid was simplified: it leaves the mesh by up to " +
+             numberText(solid.deviation, 3) + " mm, its volume differs by " +
+             numberText(percent, 2) +
+             " %; give --solid-tolerance to choose this, --max-faces to raise the limit, or "
+             "--exact to refuse it"});
+  }
+  if (!solid.note.empty()) findings.push_back({"SolidNote", 1, {}, solid.note});
+  if (options.tolerance > 0 && solid.deviation > options.tolerance) {
+    findings.push_back({"SolidInaccurate",
+                        1,
+                        {},
+                        "the solid leaves the mesh by " + numberText(solid.deviation, 3) +
+                            " mm, more than the tolerance of " + numberText(options.tolerance, 3) +
+                            " mm"});
+  }
+  return findings;
 }
 
 void printSolid(const StepReport& solid, const std::string& path) {
@@ -63,7 +90,6 @@ void printSolid(const StepReport& solid, const std::string& path) {
               static_cast<long long>(solid.faces), kinds.c_str(),
               static_cast<double>(solid.fileBytes) / 1e6, solid.deviation,
               solid.secondsBuild + solid.secondsWrite + solid.secondsReread);
-  if (!solid.note.empty()) std::fprintf(stderr, "swept: note: %s\n", solid.note.c_str());
 }
 
 }  // namespace swept::cli

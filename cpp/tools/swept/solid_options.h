@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "arguments.h"
-#include "base/json_writer.h"
+#include "base/report_json.h"
+#include "options.h"
 #include "swept/step_export.h"
 
 namespace swept::cli {
 
-/// Lines of the help, one an option.
-extern const char* const kSolidOptionsHelp;
-
-void addSolidOptions(Arguments& arguments, StepOptions& options);
+void addSolidOptions(CLI::App& app, StepOptions& options);
 
 /// The key "solid" of a report.
-void writeSolidFields(const StepReport& solid, JsonWriter& json);
+Json solidJson(const StepReport& solid);
+
+/// What the solid is short of the mesh: simplified although no tolerance was given, or what had to
+/// be given up to get a valid one.
+std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options);
 
 /// One line: faces by kind, size, seconds, deviation.
 void printSolid(const StepReport& solid, const std::string& path);

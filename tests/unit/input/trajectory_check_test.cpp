@@ -107,6 +107,17 @@ TEST(TrajectoryCheck, bad_input_21_not_rigid) {
   expectRefused(trajectory, "NotRigid", "quaternion is zero");
 }
 
+TEST(TrajectoryCheck, EqualTimesKeepTheirOrder) {
+  Trajectory trajectory = threePoses();
+  trajectory.poses[2].timeSeconds = trajectory.poses[1].timeSeconds;
+  const CheckedTrajectory checked = checkTrajectory(trajectory);
+  ASSERT_EQ(checked.trajectory.poses.size(), 3u);
+  EXPECT_EQ(checked.trajectory.poses[2].translation, trajectory.poses[2].translation);
+  ASSERT_EQ(checked.findings.size(), 1u);
+  EXPECT_EQ(checked.findings[0].code, "EqualTimes");
+  EXPECT_EQ(checked.findings[0].first, std::vector<std::int64_t>{2});
+}
+
 TEST(TrajectoryCheck, bad_input_22_bad_pose) {
   Trajectory trajectory = threePoses();
   trajectory.poses[2].translation.y() = kNan;
@@ -118,8 +129,8 @@ TEST(TrajectoryCheck, bad_input_22_bad_pose) {
   trajectory.poses[0].timeSeconds = kNan;
   expectRefused(trajectory, "BadPose", "pose 0: the time");
   trajectory = threePoses();
-  trajectory.poses[2].timeSeconds = trajectory.poses[1].timeSeconds;
-  expectRefused(trajectory, "BadPose", "pose 2: time 1 s does not come after 1 s");
+  trajectory.poses[2].timeSeconds = trajectory.poses[1].timeSeconds - 0.5;
+  expectRefused(trajectory, "BadPose", "pose 2: time 0.5 s comes before 1 s");
   trajectory = threePoses();
   trajectory.poses[1].translation.x() = -3e9;
   expectRefused(trajectory, "BadPose", "1e9 mm");

@@ -67,6 +67,49 @@ TEST(TrajectoryCsv, AcceptsTheHabitsOfSpreadsheets) {
   expectOnePose(readText(folder, kHeader + "0,0.1,0.2,0.3,0,0,0,1\n", 10.0));
 }
 
+TEST(TrajectoryCsv, RecordingsAsTheyAre) {
+  const TemporaryFolder folder;
+  const auto expectTwo = [](const Trajectory& read) {
+    ASSERT_EQ(read.poses.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(read.poses[i].translation, Eigen::Vector3d(1.5, 2, 3));
+      EXPECT_EQ(read.poses[i].rotation.coeffs(), Eigen::Vector4d(0.6, 0, 0, 0.8));
+      EXPECT_DOUBLE_EQ(read.poses[i].timeSeconds, 1403636579.5 + double(i));
+    }
+  };
+  // TUM: blanks, the columns named in comments or not at all.
+  const std::string tum = "1403636579.5 1.5 2 3 .6 0 0 .8\n1403636580.5 1.5 2 3 .6 0 0 .8\n";
+  expectTwo(readText(folder, tum));
+  expectTwo(readText(folder, "# ground truth\n# timestamp tx ty tz qx qy qz qw\n" + tum));
+  // The scalar first, because a comment says so.
+  expectTwo(readText(folder,
+                     "# time x y z qw qx qy qz\n1403636579.5 1.5 2 3 .8 .6 0 0\n"
+                     "1403636580.5 1.5 2 3 .8 .6 0 0\n"));
+  // EuRoC: nanoseconds, the scalar first, nine columns more than a pose has.
+  const std::string more = ",1,2,3,4,5,6,7,8,9\n";
+  expectTwo(readText(
+      folder,
+      "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+      "q_RS_z [], v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1], b_w_RS_S_x [rad s^-1], "
+      "b_w_RS_S_y [rad s^-1], b_w_RS_S_z [rad s^-1], b_a_RS_S_x [m s^-2], b_a_RS_S_y [m s^-2], "
+      "b_a_RS_S_z [m s^-2]\n1403636579500000000,1.5,2,3,.8,.6,0,0" +
+          more + "1403636580500000000,1.5,2,3,.8,.6,0,0" + more));
+  // Spreadsheets: decimal commas, rows of separators only, the header once more on each page.
+  const std::string page = "t;tx;ty;tz;qx;qy;qz;qw\n1403636579,5;1,5;2,0;3;0,6;0;0;0,8\n;;;;;;;\n";
+  expectTwo(readText(folder, "\xef\xbb\xbf\n" + page +
+                                 "t;tx;ty;tz;qx;qy;qz;qw\n1403636580,5;1,5;2,0;3;0,6;0;0;0,8\n"));
+}
+
+TEST(TrajectoryCsv, KittiRowsAreTheUpperThreeRowsOfAMatrix) {
+  const TemporaryFolder folder;
+  const Trajectory read = readText(folder, "1 0 0 7 0 1 0 8 0 0 1 9\n0 -1 0 1 1 0 0 2 0 0 1 3\n");
+  ASSERT_EQ(read.poses.size(), 2U);
+  EXPECT_EQ(read.poses[0].translation, Eigen::Vector3d(7, 8, 9));
+  EXPECT_EQ(read.poses[1].timeSeconds, 1.0);
+  const Eigen::Vector3d turned = read.poses[1].rotation * Eigen::Vector3d::UnitX();
+  EXPECT_LT((turned - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+}
+
 TEST(TrajectoryCsv, MatrixRows) {
   const TemporaryFolder folder;
   const std::string matrix = "0,-1,0,1, 1,0,0,2, 0,0,1,3, 0,0,0,1";
@@ -122,8 +165,8 @@ const std::vector<BrokenTable>& brokenTables() {
       {kRow + "1,1,1e999,3,0,0,0,1\n", "BadFile", "line 2, column 3"},
       {kRow + "1,1,--2,3,0,0,0,1\n", "BadFile", "line 2, column 3"},
       {kRow + "1,1,2 2,3,0,0,0,1\n", "BadFile", "line 2, column 3"},
-      {"0;1,5;2;3;0;0;0;1\n", "BadFile", "line 1, column 2"},
-      {"0;1,5;2;3;0;0;0;1\n", "BadFile", "not a comma"},
+      {"0;1,5,5;2;3;0;0;0;1\n", "BadFile", "line 1, column 2"},
+      {"0;1,5.5;2;3;0;0;0;1\n", "BadFile", "line 1, column 2"},
       {kHeader + "0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "BadFile", "decimal comma"},
       {"0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "NotRigid", "line 1, pose 0"},
       {kHeader + "0,1,2,3,0,0,\0,1\n"s, "BadFile", "line 2, byte 13: a NUL byte"},
@@ -137,7 +180,8 @@ const std::vector<BrokenTable>& brokenTables() {
       {"t,tx,ty,tz,qx,qy,qz,speed\n" + kRow, "BadFile", "line 1, column 8: unknown column 'speed'"},
       {"t,tx,tx,tz,qx,qy,qz,qw\n" + kRow, "BadFile", "stands twice"},
       {"part,state,tx,ty,tz,qx,qy,qz,qw\n", "BadFile", "unknown column 'part'"},
-      {kHeader + kHeader + kRow, "BadFile", "line 2, column 1: expected a number, found 't'"},
+      {kHeader + "t,x,y,z,qx,qy,qz,qw\n" + kRow, "BadFile",
+       "line 2, column 1: expected a number, found 't'"},
       {kHeader + "0,nan,2,3,0,0,0,1\n", "BadPose", "line 2, column 2, pose 0"},
       {kHeader + kRow + "0,1,2,-inf,0,0,0,1\n", "BadPose", "line 3, column 4, pose 1"},
       {kHeader + "0,1,2,3,0,0,0,0\n", "NotRigid", "line 2, pose 0: the quaternion has length 0"},

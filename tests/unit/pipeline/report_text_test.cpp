@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "base/json_writer.h"
+#include "base/report_json.h"
 #include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -16,27 +16,34 @@ namespace {
 
 constexpr int kStatuses = static_cast<int>(Status::InternalError) + 1;
 
-std::string quoted(const std::string& text) { return JsonWriter().value(text).text(); }
-
-TEST(ReportText, StringsAreValidJsonWhateverTheBytes) {
-  EXPECT_EQ(quoted("a \"b\" \\ c"), R"("a \"b\" \\ c")");
-  EXPECT_EQ(quoted(std::string("\n\t\0\x1f", 4)), R"("\n\u0009\u0000\u001f")");
-  EXPECT_EQ(quoted("H\xc3\xbclle \xe2\x82\xac \xf0\x9f\x98\x80"),
-            "\"H\xc3\xbclle \xe2\x82\xac \xf0\x9f\x98\x80\"");
-  const std::string replaced = "\xef\xbf\xbd";
-  EXPECT_EQ(quoted("\xff"), '"' + replaced + '"');
-  EXPECT_EQ(quoted("\xc3"), '"' + replaced + '"') << "cut off";
-  EXPECT_EQ(quoted("\xc0\x80"), '"' + replaced + replaced + '"') << "longer than it need be";
-  EXPECT_EQ(quoted("\xed\xa0\x80"), '"' + replaced + replaced + replaced + '"') << "a surrogate";
-  EXPECT_EQ(quoted("\xf4\x90\x80\x80"), '"' + replaced + replaced + replaced + replaced + '"');
+TEST(ReportText, BytesThatAreNoTextAreReplaced) {
+  const std::string text = jsonText(Json("a \xff \xed\xa0\x80 H\xc3\xbclle"));
+  EXPECT_TRUE(Json::accept(text)) << text;
+  EXPECT_NE(text.find("H\xc3\xbclle"), std::string::npos);
+  EXPECT_NE(text.find("a \xef\xbf\xbd "), std::string::npos);
 }
 
 TEST(ReportText, NumbersAreExactAndNeverInfinite) {
-  JsonWriter json;
-  json.beginArray().value(0.1).value(-3).value(std::uint64_t{18446744073709551615U});
-  json.value(std::numeric_limits<double>::infinity()).value(true).value(false).endArray();
-  EXPECT_EQ(json.text(), "[\n  0.1,\n  -3,\n  18446744073709551615,\n  null,\n  true,\n  false\n]");
-  EXPECT_EQ(JsonWriter().beginObject().endObject().text(), "{}");
+  Json json{0.1, -3, std::uint64_t{18446744073709551615U}};
+  json.push_back(std::numeric_limits<double>::infinity());
+  EXPECT_EQ(jsonText(json), "[\n  0.1,\n  -3,\n  18446744073709551615,\n  null\n]\n");
+}
+
+TEST(ReportText, KeysThatDoNotApplyAreAbsent) {
+  Report report;
+  report.status = Status::InvalidInput;
+  report.code = "BadFile";
+  report.message = "no file";
+  for (const char* key : {"closed", "volume", "cell", "grid", "placements", "chord_error",
+                          "conservative_bound", "threads"}) {
+    EXPECT_FALSE(reportJson(report).contains(key)) << key;
+  }
+  report.check.triangles = report.check.vertices = 4;
+  report.check.selfIntersections = -1;
+  report.cellSize = 2;
+  EXPECT_TRUE(reportJson(report).contains("volume"));
+  EXPECT_TRUE(reportJson(report).contains("grid_origin"));
+  EXPECT_FALSE(reportJson(report).contains("self_intersections")) << "not counted";
 }
 
 TEST(ReportText, TheReportNamesItsFindings) {

@@ -553,7 +553,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Area = report["area"]
     obj.Triangles = int(report["triangles"])
     obj.Shells = int(report["shells"])
-    obj.SelfIntersections = int(report["self_intersections"])
+    obj.SelfIntersections = int(report.get("self_intersections", -1))
     obj.UsedCellSize = report["cell"]
     obj.Seconds = report["seconds"]["total"]
     obj.Report = json.dumps(report)

@@ -82,7 +82,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
   reader.TransferRoots(progress->Start());
   throwIfCancelled(run);
   const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull()) fail("RereadFailed", "the file just written holds no shape", &kernel);
+  if (shape.IsNull()) fail("RereadFailed", "the file holds no shape", &kernel);
   return shape;
 }
 
@@ -120,7 +120,7 @@ TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunCon
   kernel.set("xstep.cascade.unit", "MM");
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
-    fail("RereadFailed", "the file just written cannot be read back", &kernel);
+    fail("RereadFailed", "the kernel cannot read the file", &kernel);
   }
   return shapeOf(reader, kernel, run);
 }
@@ -182,7 +182,7 @@ TopoDS_Shape readBrepFile(const std::string& path, RunContext& run) {
     BRepTools::Read(shape, stream, builder);
   }
   throwIfCancelled(run);
-  if (shape.IsNull()) fail("RereadFailed", "the file just written cannot be read back", nullptr);
+  if (shape.IsNull()) fail("RereadFailed", "the kernel cannot read the file", nullptr);
   return shape;
 }
 

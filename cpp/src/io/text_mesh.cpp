@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "io/exact_numbers.h"
+#include "io/text_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,13 @@
 #include <cstring>
 #include <iterator>
 
+#include "base/limits.h"
 #include "io/text_scanner.h"
 
 namespace swept {
 namespace {
+
+constexpr std::int64_t kMaxIndex = kMaxElements;  // of the index type
 
 Eigen::Vector3d threeNumbers(TextScanner& scan) {
   Eigen::Vector3d p;
@@ -20,17 +23,17 @@ Eigen::Vector3d threeNumbers(TextScanner& scan) {
   return p;
 }
 
-// Six digits suffice: the positions themselves are kept beside.
-void appendVertex(const Eigen::Vector3d& p, const char* key, std::string& text) {
-  text += key;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::array<char, 40> buffer{};
-    const double value = std::isfinite(p[axis]) ? p[axis] : 0.0;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::scientific, 6);
-    text.append(buffer.data(), end.ptr);
-    text += axis == 2 ? '\n' : ' ';
-  }
+void checkCount(std::size_t count, const char* what, const TextScanner& scan) {
+  if (count < kMaxElements) return;
+  scan.bad("more " + std::string(what) + " than mesh files count (" + std::to_string(kMaxElements) +
+           ")");
+}
+
+// The corners behind the last face become one.
+void endFace(PolygonList& list, const TextScanner& scan) {
+  const std::size_t corners = list.corners.size() - list.faceStart.back();
+  if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
+  list.faceStart.push_back(list.corners.size());
 }
 
 [[noreturn]] void notFinite(const std::string& path, const std::string& where) {
@@ -88,48 +91,42 @@ bool parseInteger(std::string_view text, std::int64_t& value) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-ExactNumbers readExactObj(std::istream& stream, const std::string& path) {
+PolygonList readObj(std::istream& stream, const std::string& path) {
   const std::string text = readAll(stream);
   TextScanner scan(text, path);
-  ExactNumbers exact;
-  exact.present = true;
-  exact.cleaned.reserve(text.size());
+  PolygonList list;
   std::int64_t highest = 0;
   std::int64_t highestLine = 0;
   do {
     const std::string_view key = scan.word();
     if (key == "v") {
-      exact.vertices.push_back(threeNumbers(scan));
-      appendVertex(exact.vertices.back(), "v ", exact.cleaned);
+      checkCount(list.vertices.size(), "vertices", scan);
+      list.vertices.push_back(threeNumbers(scan));
     } else if (key == "f") {
-      int corners = 0;
-      exact.cleaned += 'f';
       for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
-        const auto count = static_cast<std::int64_t>(exact.vertices.size());
+        const auto count = static_cast<std::int64_t>(list.vertices.size());
         std::int64_t index = toInteger(scan, word.substr(0, word.find('/')));
         if (index < 0) index += count + 1;
-        if (index <= 0) scan.expected("a vertex number that exists", word);
+        if (index <= 0 || index > kMaxIndex) scan.expected("a vertex number that exists", word);
         if (index > highest) {
           highest = index;
           highestLine = scan.line();
         }
-        exact.cleaned += ' ' + std::to_string(index);
-        ++corners;
+        list.corners.push_back(static_cast<std::int32_t>(index - 1));
       }
-      exact.cleaned += '\n';
-      if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
+      endFace(list, scan);
     }
   } while (scan.nextLine());
-  if (highest > static_cast<std::int64_t>(exact.vertices.size())) {
+  if (highest > static_cast<std::int64_t>(list.vertices.size())) {
     throw Error(Status::InvalidInput, "BadFile",
                 "'" + path + "', line " + std::to_string(highestLine) + ": refers to vertex " +
                     std::to_string(highest) + ", but the file has " +
-                    std::to_string(exact.vertices.size()));
+                    std::to_string(list.vertices.size()));
   }
-  return exact;
+  return list;
 }
 
-ExactNumbers readExactOff(std::istream& stream, const std::string& path) {
+PolygonList readOff(std::istream& stream, const std::string& path) {
   const std::string text = readAll(stream);
   TextScanner scan(text, path);
   const auto nextFilledLine = [&scan] {
@@ -159,33 +156,28 @@ ExactNumbers readExactOff(std::istream& stream, const std::string& path) {
     scan.bad("the counts " + std::to_string(counts[0]) + " and " + std::to_string(counts[1]) +
              " do not fit a file of " + std::to_string(bytes) + " bytes; it is truncated");
   }
-  ExactNumbers exact;
-  exact.present = true;
-  exact.vertices.reserve(static_cast<std::size_t>(counts[0]));
-  exact.cleaned.reserve(text.size());
-  exact.cleaned = "OFF\n" + std::to_string(counts[0]) + " " + std::to_string(counts[1]) + " 0\n";
+  checkCount(static_cast<std::size_t>(counts[0]), "vertices", scan);
+  PolygonList list;
+  list.vertices.reserve(static_cast<std::size_t>(counts[0]));
   for (std::int64_t i = 0; i < counts[0]; ++i) {
     scan.nextLine();
     Eigen::Vector3d p;
     p[0] = toNumber(scan, nextFilledLine());
     for (int axis = 1; axis < 3; ++axis) p[axis] = toNumber(scan, scan.word());
-    exact.vertices.push_back(p);
-    appendVertex(p, "", exact.cleaned);
+    list.vertices.push_back(p);
   }
   for (std::int64_t i = 0; i < counts[1]; ++i) {
     scan.nextLine();
     const std::int64_t corners = toInteger(scan, nextFilledLine());
-    if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
-    exact.cleaned += std::to_string(corners);
     for (std::int64_t k = 0; k < corners; ++k) {
       word = scan.word();
       const std::int64_t index = toInteger(scan, word);
       if (index < 0 || index >= counts[0]) scan.expected("a vertex number that exists", word);
-      exact.cleaned += ' ' + std::to_string(index);
+      list.corners.push_back(static_cast<std::int32_t>(index));
     }
-    exact.cleaned += '\n';
+    endFace(list, scan);
   }
-  return exact;
+  return list;
 }
 
 void checkTextStl(std::istream& stream, const std::string& path) {

@@ -1,0 +1,67 @@
+// The files of one command: what is read, what is written, and that nothing is lost.
+// "-" is standard input or standard output.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/report_json.h"
+#include "base/safe_file.h"
+#include "swept/body.h"
+#include "swept/types.h"
+
+namespace swept::cli {
+
+/// A file and what it is to the command ("the motion", "--report"). Empty path: not asked for.
+struct RoledFile {
+  std::string role;
+  std::string path;
+};
+
+/// Refuses an output that is an input or another output, by identity of the file (links, other
+/// spellings), two inputs from standard input, and, with noClobber, outputs that exist.
+/// Throws Error(InvalidInput, "SameFile"), Error(ExportFailed, "Exists").
+void checkIdentity(const std::vector<RoledFile>& inputs, const std::vector<RoledFile>& outputs,
+                   bool noClobber);
+/// Refuses outputs that cannot be written and inputs that cannot be read, before anything long
+/// starts. Throws Error(ExportFailed), Error(InvalidInput, "BadFile").
+void checkAccess(const std::vector<RoledFile>& inputs, const std::vector<RoledFile>& outputs);
+
+/// Name under which standard input can be opened as a file.
+std::string inputPath(const std::string& path);
+/// True of what can be read only once: standard input, pipes, devices. Such inputs are read before
+/// the run, where an interrupt ends the program at once.
+bool isStream(const std::string& path);
+/// `format` in place of the suffix where it is not empty.
+TriMesh readInputMesh(const std::string& path, const std::string& format, double unit);
+
+/// The same where a solid (STEP, BREP) may stand for the mesh.
+Body readInputBody(const std::string& path, const std::string& format,
+                   const BodyFileOptions& options, RunContext& run);
+
+bool isSolidSuffix(const std::string& suffix);  ///< step, stp, brep, brp
+
+/// Where an output is made: its own path, or for "-" a file beside nobody's that deliver() copies
+/// to standard output.
+class Output {
+ public:
+  /// `format` stands for the suffix of "-".
+  Output(const std::string& path, const std::string& format);
+  const std::string& path() const { return path_; }
+  void deliver() const;
+
+ private:
+  std::string path_;
+  TemporaryName temporary_;
+};
+
+/// To a file, or to standard output for "-". Throws Error(ExportFailed).
+void writeText(const std::string& text, const std::string& path);
+/// Nothing where the path is empty.
+void writeReport(const Json& report, const std::string& path);
+/// What printing left in memory reaches its reader. Throws Error(ExportFailed, "WriteFailed").
+void flushStandardOutput();
+
+}  // namespace swept::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "options.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/limits.h"
+#include "swept/types.h"
+
+namespace swept::cli {
+namespace {
+
+template <class T>
+bool parseWhole(const std::string& text, T& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+double numberOf(const std::string& name, const std::string& text) {
+  double number = 0;
+  if (!parseWhole(text, number) || !std::isfinite(number))
+    badOption(name + " is '" + text + "'; expected a number such as 0.25");
+  return number;
+}
+
+void badOption(const std::string& text) { throw Error(Status::InvalidInput, "BadOption", text); }
+
+CLI::Option* addConverted(CLI::App& app, const std::string& names, const std::string& kind,
+                          std::function<void(const std::string&)> take, const std::string& about) {
+  return app.add_option_function<std::string>(names, take, about)->type_name(kind);
+}
+
+CLI::Option* addText(CLI::App& app, const std::string& names, const std::string& kind,
+                     std::string& target, const std::string& about) {
+  const std::string name = names.substr(names.rfind(',') + 1);
+  return addConverted(
+      app, names, kind,
+      [name, &target](const std::string& value) {
+        if (value.empty()) badOption(name + " needs a value that is not empty");
+        target = value;
+      },
+      about);
+}
+
+CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::string& kind,
+                       double& target, const std::string& about) {
+  const std::string name = names.substr(names.rfind(',') + 1);
+  return addConverted(
+      app, names, kind,
+      [name, &target](const std::string& value) { target = numberOf(name, value); }, about);
+}
+
+CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
+                        std::int64_t least, std::int64_t most, const std::string& about) {
+  const std::string name = names.substr(names.rfind(',') + 1);
+  return addConverted(
+      app, names, "N",
+      [name, &target, least, most](const std::string& value) {
+        if (parseWhole(value, target) && target >= least && target <= most) return;
+        badOption(name + " is '" + value + "'; expected a whole number from " +
+                  std::to_string(least) + " to " + std::to_string(most));
+      },
+      about);
+}
+
+CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
+                     const std::string& about) {
+  return addConverted(
+      app, names, "mm|cm|m|in",
+      [&target](const std::string& text) { target = parseLengthUnit(text); }, about);
+}
+
+void addCommonOptions(CLI::App& app, CommonOptions& options) {
+  addText(app, "--report", "FILE", options.report,
+          "write what was found as JSON, also of a failure; - for standard output");
+  addInteger(app, "--threads", options.threads, 0, kMaxThreads,
+             "threads to use (default: all cores)");
+  app.add_flag("--strict", options.strict, "a finding that costs accuracy is a failure");
+  app.add_flag("--no-clobber", options.noClobber, "refuse to replace files that exist");
+  app.add_flag("-q,--quiet", options.quiet, "no progress bar, no summary");
+  app.add_flag("-v,--verbose", options.verbose, "tell how long each stage took");
+}
+
+}  // namespace swept::cli

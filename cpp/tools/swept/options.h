@@ -1,0 +1,46 @@
+// Options of the commands on CLI11: values are converted here, so that every message names the
+// option, the value and what is allowed. Help, manual page and completions come from the same
+// declarations (manual.h).
+// Throws Error(InvalidInput, "BadOption").
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "swept/run_context.h"
+
+namespace swept::cli {
+
+/// `names` as CLI11 has them ("-o,--output"), `kind` stands behind them in the help ("FILE", "MM",
+/// or the allowed words with | between them).
+CLI::Option* addConverted(CLI::App& app, const std::string& names, const std::string& kind,
+                          std::function<void(const std::string&)> take, const std::string& about);
+CLI::Option* addText(CLI::App& app, const std::string& names, const std::string& kind,
+                     std::string& target, const std::string& about);
+CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::string& kind,
+                       double& target, const std::string& about);
+CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
+                        std::int64_t least, std::int64_t most, const std::string& about);
+double numberOf(const std::string& name, const std::string& text);
+/// mm, cm, m or in.
+CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
+                     const std::string& about);
+
+/// What every command has.
+struct CommonOptions {
+  std::string report;
+  std::int64_t threads = 0;
+  bool quiet = false;
+  bool verbose = false;
+  bool noClobber = false;
+  bool strict = false;
+};
+void addCommonOptions(CLI::App& app, CommonOptions& options);
+
+/// Throws what a wrong usage is.
+[[noreturn]] void badOption(const std::string& text);
+
+}  // namespace swept::cli

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program and its files: nothing is lost, pipes work, several files, help in every form."""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+
+import _swept
+from test_program import call, envelope, inputs, long_run, wait_until_caught  # noqa: F401
+
+SOLIDS = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+
+
+@pytest.mark.parametrize(
+    "output, report, says",
+    [
+        ("box.ply", None, "is the generator"),
+        ("./box.ply", None, "is the generator"),
+        ("link.ply", None, "is the generator"),
+        ("hard.ply", None, "is the generator"),
+        ("o.ply", "slide.csv", "is the motion"),
+        ("o.ply", "../{here}/slide.csv", "is the motion"),
+        ("o.ply", "o.ply", "is the file of --output too"),
+        ("o.ply", "./o.ply", "is the file of --output too"),
+        ("dangling.ply", "nowhere.ply", "is the file of --output too"),
+    ],
+)
+def test_outputs_that_are_inputs_or_other_outputs(call, inputs, output, report, says):  # noqa: F811
+    (inputs / "link.ply").symlink_to("box.ply")
+    os.link(inputs / "box.ply", inputs / "hard.ply")
+    (inputs / "dangling.ply").symlink_to("nowhere.ply")
+    before = sorted(os.listdir(inputs))
+    bytes_before = (inputs / "box.ply").read_bytes(), (inputs / "slide.csv").read_bytes()
+    more = ["--report", report.format(here=inputs.name)] if report else []
+    done = call(
+        "envelope", "box.ply", "--motion", "slide.csv", "--output", output, *more, cwd=inputs
+    )
+    assert done.returncode == 2 and says in done.stderr, done.stderr
+    assert done.stderr.count("\n") == 1 and "SameFile" in done.stderr
+    assert sorted(os.listdir(inputs)) == before
+    assert bytes_before == ((inputs / "box.ply").read_bytes(), (inputs / "slide.csv").read_bytes())
+
+
+def test_check_and_clearance_do_not_overwrite_their_inputs(call, inputs):  # noqa: F811
+    whole = (inputs / "box.ply").read_bytes()
+    box = inputs / "box.ply"
+    words = ["clearance", box, inputs / "slide.csv", "--motion", inputs / "slide.csv"]
+    for arguments in (
+        ["check", box, "--report", box],
+        ["clearance", box, box, "--motion", inputs / "slide.csv", "--csv", box],
+        [*words[:2], box, *words[3:], "--csv", inputs / "x", "--report", inputs / "x"],
+    ):
+        done = call(*arguments)
+        assert done.returncode == 2 and "SameFile" in done.stderr, done.stderr
+    assert box.read_bytes() == whole and not (inputs / "x").exists()
+
+
+def test_results_are_replaced_unless_no_clobber(call, inputs):  # noqa: F811
+    (inputs / "o.ply").write_text("old")
+    done = call(*envelope(inputs, "o.ply", "--no-clobber"))
+    assert done.returncode == 1 and "ExportFailed/Exists" in done.stderr, done.stderr
+    assert (inputs / "o.ply").read_text() == "old"
+    assert call(*envelope(inputs, "o.ply", "--resolution", 16)).returncode == 0
+    assert call("check", inputs / "o.ply").returncode == 0
+    assert call(*envelope(inputs, "new.ply", "--no-clobber", "--resolution", 16)).returncode == 0
+
+
+def test_limit_of_file_sizes_is_a_named_failure(program, inputs):  # noqa: F811
+    words = " ".join(map(str, envelope(inputs, "o.ply")))
+    done = subprocess.run(
+        ["bash", "-c", f"ulimit -f 20; exec {program} {words}"], capture_output=True, text=True
+    )
+    assert done.returncode == 1 and "ExportFailed/WriteFailed" in done.stderr, done.stderr
+    assert sorted(os.listdir(inputs)) == ["box.ply", "slide.csv"], "left-overs"
+
+
+def test_closed_pipe_and_full_device_are_named_failures(program, inputs):  # noqa: F811
+    for target in ("/dev/full", "| true"):
+        redirect = f"> {target}" if target[0] == "/" else target
+        done = subprocess.run(
+            ["bash", "-o", "pipefail", "-c",
+             f"(sleep 0.3; exec {program} check {inputs}/box.ply --report -) {redirect}"],
+            capture_output=True, text=True,
+        )  # fmt: skip
+        assert done.returncode == 1 and "ExportFailed/WriteFailed" in done.stderr, done.stderr
+
+
+def test_terminated_runs_end_with_143(program, shared, inputs):  # noqa: F811
+    child = subprocess.Popen(long_run(program, shared, inputs), stderr=subprocess.PIPE, text=True)
+    wait_until_caught(child, signal.SIGTERM)
+    time.sleep(0.3)
+    child.send_signal(signal.SIGTERM)
+    _, said = child.communicate(timeout=60)
+    assert child.returncode == 143, said
+    assert json.loads((inputs / "r.json").read_text())["status"] == "Cancelled"
+    assert sorted(os.listdir(inputs)) == ["box.ply", "r.json", "slide.csv"]
+
+
+def test_pipes_in_and_out_give_the_same_bytes(program, inputs):  # noqa: F811
+    subprocess.run([program, *map(str, envelope(inputs, "o.ply", "--resolution", 24))], check=True)
+    expected = (inputs / "o.ply").read_bytes()
+    rest = "--resolution 24 --quiet"
+    for line in (
+        f"cat slide.csv | {program} envelope box.ply --motion - -o piped.ply {rest}",
+        f"cat box.ply | {program} envelope - --motion slide.csv -o piped.ply {rest}",
+        f"{program} envelope - --motion slide.csv -o piped.ply {rest} < box.ply",
+        f"{program} envelope box.ply --motion <(cat slide.csv) -o piped.ply {rest}",
+        f"{program} envelope box.ply --motion /dev/stdin -o piped.ply {rest} < slide.csv",
+        f"gzip -c slide.csv | {program} envelope box.ply --motion - -o piped.ply {rest}",
+        f"{program} envelope box.ply --motion slide.csv -o - {rest} > piped.ply",
+        f"mkfifo f; cat slide.csv > f & {program} envelope box.ply --motion f -o piped.ply {rest}",
+    ):
+        done = subprocess.run(
+            ["bash", "-c", line], cwd=inputs, capture_output=True, text=True, timeout=60
+        )
+        assert done.returncode == 0 and done.stderr == "", line + done.stderr
+        assert (inputs / "piped.ply").read_bytes() == expected, line
+        (inputs / "piped.ply").unlink()
+
+
+def test_formats_of_standard_input_and_output(program, inputs):  # noqa: F811
+    line = (
+        f"{program} envelope box.ply --motion slide.csv --resolution 16 -o - --format stl | "
+        f"{program} check - --format stl --report -"
+    )
+    done = subprocess.run(["bash", "-c", line], cwd=inputs, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["closed"] and json.loads(done.stdout)["input"] == "-"
+    done = subprocess.run([program, "envelope", "-", "--motion", "-", "-o", str(inputs / "o.ply")],
+                          capture_output=True, text=True, input="")  # fmt: skip
+    assert done.returncode == 2 and "standard input" in done.stderr
+
+
+def test_csv_of_clearance_on_standard_output(call, inputs, box):  # noqa: F811
+    _swept.write_mesh(inputs / "wall.ply", box[0] + [100, 0, 0], box[1])
+    words = ("clearance", inputs / "box.ply", inputs / "wall.ply", "--motion", inputs / "slide.csv")
+    done = call(*words, "--csv", "-", cwd=inputs)
+    assert done.returncode == 0 and done.stdout.startswith("neighbour,verdict,"), done.stderr
+    assert done.stdout.count("\n") == 2 and not (inputs / "-").exists()
+
+
+def test_all_inputs_are_looked_at_first(call, inputs):  # noqa: F811
+    words = ["clearance", inputs / "box.ply", inputs / "box.ply", "--motion", inputs / "slide.csv"]
+    for name in ("absent.step", "absent.ply"):
+        done = call(*words, inputs / name)
+        assert done.returncode == 1 and f"{name}' does not exist" in done.stderr, done.stderr
+
+
+@SOLIDS
+def test_a_file_that_is_no_step_file_is_not_one_just_written(call, inputs):  # noqa: F811
+    (inputs / "bad.step").write_text("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\n")
+    (inputs / "bad.brep").write_text("nothing")
+    for name in ("bad.step", "bad.brep"):
+        done = call("check", inputs / name)
+        assert done.returncode == 1 and name in done.stderr and "InvalidInput" in done.stderr
+        assert "written" not in done.stderr
+
+
+@SOLIDS
+def test_conservative_solids_name_what_works(call, inputs):  # noqa: F811
+    words = envelope(inputs, "o.step", "--conservative", "--resolution", 24)
+    done = call(*words, "--max-faces", 4)
+    assert done.returncode == 1 and "TooManyFaces" in done.stderr, done.stderr
+    assert "tolerance, raise" not in done.stderr and "larger cells" in done.stderr
+    assert "mesh file" in done.stderr
+
+
+@SOLIDS
+def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
+    """Turned bodies have many faces; the limit of faces asks for a simpler solid."""
+    turn = "0,0,0,0,0,0,0,1\n1,5,0,0,0.5,0.5,0.5,0.5\n"
+    (inputs / "slide.csv").write_text(turn)
+    words = envelope(inputs, "o.step", "--resolution", 24, "--max-faces", 100, "--quiet")
+    done = call(*words, "--report", "-")
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    found = [w for w in report["warnings"] if w["code"] == "SolidSimplified"]
+    assert len(found) == 1 and report["solid"]["deviation"] > 0
+    assert "SolidSimplified" in done.stderr and "%" in done.stderr
+    (inputs / "o.step").unlink()
+    done = call(*words, "--strict")
+    assert done.returncode == 1 and not (inputs / "o.step").exists(), done.stderr
+
+
+def test_capped_chord_is_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
+    """A cone of many long triangles, turned fast: following its edges is given up."""
+    count = 5000
+    angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    rim = np.stack([100 * np.cos(angles), 100 * np.sin(angles), 0 * angles], axis=1)
+    first = np.arange(count)
+    after = (first + 1) % count
+    sides = np.stack([first, after, np.full(count, count)], axis=1)
+    base = np.stack([after, first, np.full(count, count + 1)], axis=1)
+    points = np.concatenate([rim, [[0, 0, 100], [0, 0, 0]]])
+    _swept.write_mesh(inputs / "box.ply", points, np.concatenate([sides, base]))
+    rows = [f"{i},0,0,0,{np.sin(i / 2)},0,0,{np.cos(i / 2)}" for i in range(3)]
+    (inputs / "slide.csv").write_text("\n".join(rows) + "\n")
+    words = envelope(inputs, "o.ply", "--resolution", 16, "--chord", "0.005")
+    done = call(*words, "--strict", "--report", inputs / "r.json")
+    assert done.returncode == 1 and "ChordCapped" in done.stderr, done.stderr
+    report = json.loads((inputs / "r.json").read_text())
+    assert report["code"] == "ChordCapped" and report["chord_error"] > 0.01 * report["cell"]
+    assert not (inputs / "o.ply").exists()
+
+
+@SOLIDS
+def test_check_takes_several_files_and_solids(call, inputs, box):  # noqa: F811
+    _swept.write_mesh(inputs / "open.stl", box[0], box[1][1:])
+    done = call("solid", inputs / "box.ply", "-o", inputs / "box.step", "-q")
+    assert done.returncode == 0 and done.stdout == ""
+    files = [inputs / name for name in ("box.ply", "open.stl", "box.step")]
+    done = call("check", *files, "--report", inputs / "r.json")
+    assert done.returncode == 1 and "open edges" in done.stderr
+    assert done.stdout.count("\n") == 3 and "1 solids" in done.stdout
+    report = json.loads((inputs / "r.json").read_text())
+    assert report["code"] == "CheckFailed"
+    assert [file["status"] for file in report["files"]] == ["Ok", "InvalidInput", "Ok"]
+    assert [file["input"] for file in report["files"]] == [str(f) for f in files]
+    solid = report["files"][2]["solid"]
+    assert solid["valid"] and solid["closed"] and solid["volume"] == pytest.approx(6000)
+    assert call("check", files[0], files[2]).returncode == 0
+
+
+def test_short_options(call, inputs):  # noqa: F811
+    words = ("envelope", inputs / "box.ply", "--motion", inputs / "slide.csv", "--resolution", 16)
+    done = call(*words, "-o", inputs / "o.ply", "-qv")
+    assert done.returncode == 0 and done.stdout == "" and "total" in done.stderr
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completions_name_every_option_of_the_help(call, shell, tmp_path):  # noqa: F811
+    text = call("completion", shell).stdout
+    (tmp_path / "completion").write_text(text)
+    for command in ("envelope", "check"):
+        for word in call(command, "--help").stdout.split():
+            name = word.split(",")[-1]
+            if name.startswith("--") and name[2:].replace("-", "").isalpha():
+                option = f"-l {name[2:]} " if shell == "fish" else name
+                assert option in text, (command, name)
+    if shutil.which(shell):
+        subprocess.run([shell, "-n", str(tmp_path / "completion")], check=True)
+    if shell == "bash":
+        complete = (
+            f"source {tmp_path}/completion; COMP_WORDS=(swept envelope --backend g); "
+            "COMP_CWORD=3; _swept; echo ${COMPREPLY[@]}; "
+            "COMP_WORDS=(swept envelope --no-c); COMP_CWORD=2; _swept; echo ${COMPREPLY[@]}"
+        )
+        done = subprocess.run(["bash", "-c", complete], capture_output=True, text=True)
+        assert done.stdout == "gpu\n--no-cull --no-clobber\n", done.stdout + done.stderr
+    assert call("completion", "csh").returncode == 2
+
+
+def test_manual_page_names_every_option(call):  # noqa: F811
+    page = call("manual").stdout
+    assert page.startswith(".TH SWEPT 1")
+    plain = page.replace("\\-", "-").replace("\\fB", "").replace("\\fR", "")
+    for command in ("envelope", "check"):
+        assert f"SWEPT {command}" in plain
+        for word in call(command, "--help").stdout.split():
+            if word.startswith("--") and word[2:].replace("-", "").isalpha():
+                assert word in plain, word

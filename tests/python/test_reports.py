@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every report of every command keeps docs/report.schema.json; what should repeat itself does."""
+import json
+
+import jsonschema
+import pytest
+
+import _swept
+from test_program import call, envelope, inputs  # noqa: F401
+
+#: What depends on the machine and the moment.
+MACHINE = {
+    "seconds", "backend", "device", "threads", "estimated_memory_bytes", "peak_memory_bytes",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def validator(root):
+    schema = json.loads((root / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+@pytest.fixture
+def report_of(call, validator):  # noqa: F811
+    """Calls the program with --report -; gives the report, which keeps the schema."""
+
+    def run(*words, status=0):
+        done = call(*words, "--report", "-")
+        assert done.returncode == status, done.stderr
+        report = json.loads(done.stdout)
+        validator.validate(report)
+        return report
+
+    return run
+
+
+def reproducible(report):
+    if isinstance(report, dict):
+        return {k: reproducible(v) for k, v in report.items() if k not in MACHINE}
+    return [reproducible(v) for v in report] if isinstance(report, list) else report
+
+
+def test_reports_of_envelopes(report_of, inputs):  # noqa: F811
+    words = envelope(inputs, "o.ply", "--resolution", 24)
+    report = report_of(*words)
+    assert report["command"] == "envelope" and report["motion"] == str(inputs / "slide.csv")
+    assert "conservative_bound" not in report and "position_filter_distance" not in report
+    again = report_of(*words, "--threads", 1)
+    assert reproducible(again) == reproducible(report)
+    assert report_of(*words, "--conservative")["conservative_bound"] > 0
+    assert report_of(*words, "--tolerance", 1)["simplification_deviation"] > 0
+
+
+def test_reports_of_failures(report_of, inputs):  # noqa: F811
+    words = envelope(inputs, "o.ply")
+    report = report_of(*words, "--memory-limit", 1, "--resolution", 3000, status=1)
+    assert report["status"] == "ResourceLimit" and "output" not in report
+    assert "closed" not in report and "volume" not in report
+    (inputs / "slide.csv").unlink()
+    assert report_of(*words, status=1)["code"] == "BadFile"
+
+
+def test_reports_of_checks(report_of, inputs, box):  # noqa: F811
+    _swept.write_mesh(inputs / "open.ply", box[0], box[1][1:])
+    report = report_of("check", inputs / "box.ply")
+    assert report["volume"] == pytest.approx(6000) and "cell" not in report and "grid" not in report
+    assert report["input"] == str(inputs / "box.ply")
+    assert report_of("check", inputs / "open.ply", status=1)["open_edges"] == 3
+    many = report_of("check", inputs / "box.ply", inputs / "open.ply", "absent.ply", status=1)
+    assert [file["status"] for file in many["files"]] == ["Ok", "InvalidInput", "InvalidInput"]
+    assert many["code"] == "CheckFailed"
+
+
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_reports_of_solids(report_of, inputs):  # noqa: F811
+    report = report_of("solid", inputs / "box.ply", "-o", inputs / "o.step")
+    assert report["solid"]["closed"] and report["solid"]["volume"] == pytest.approx(6000)
+    assert "closed" not in report and "volume" not in report, "of a mesh that was not checked"
+    assert report_of(*envelope(inputs, "o.brep", "--resolution", 16))["solid"]["valid"]
+    assert report_of("check", inputs / "o.step")["solid"]["faces"] == 6
+    report_of("solid", inputs / "slide.csv", "-o", inputs / "o.step", status=1)
+
+
+def test_reports_of_clearances(report_of, inputs, box):  # noqa: F811
+    _swept.write_mesh(inputs / "near.ply", box[0] + [15, 0, 0], box[1])
+    _swept.write_mesh(inputs / "far.ply", box[0] + [150, 0, 0], box[1])
+    words = ("clearance", inputs / "box.ply", "--motion", inputs / "slide.csv")
+    report = report_of(*words, inputs / "near.ply", inputs / "far.ply", "--required", 2, status=3)
+    assert [row["verdict"] for row in report["neighbours"]] == ["clash", "clear"]
+    assert report["smallest"] == 0 and "penetration" in report["neighbours"][0]
+    assert "smallest" not in report_of(*words, "absent.ply", status=1)
+
+
+def test_the_schema_refuses_what_is_no_report(call, inputs, validator):  # noqa: F811
+    done = call("check", inputs / "box.ply", "--report", "-")
+    report = json.loads(done.stdout)
+    for change in ({"file": "x"}, {"grid": [0, 0, 0]}, {"status": "Good"}, {"report_version": 2},
+                   {"code": "Why"}, {"volume": "6000"}):  # fmt: skip
+        with pytest.raises(jsonschema.ValidationError):
+            validator.validate({**report, **change})
+
+
+def test_reports_of_the_module_keep_the_schema(box, slide, validator):
+    validator.validate(_swept.compute(*box, slide, resolution=16).report)
+    with pytest.raises(_swept.Error) as caught:
+        _swept.compute(*box, slide, resolution=100000)
+    validator.validate(caught.value.report)
