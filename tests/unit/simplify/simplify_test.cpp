@@ -143,11 +143,13 @@ TEST(Thin, KeepsTheHandleAndASubsetOfTheVertices) {
     const auto v = static_cast<std::int64_t>(thin.mesh.vertices.size());
     const auto f = static_cast<std::int64_t>(thin.mesh.triangles.size());
     EXPECT_EQ(v - 3 * f / 2 + f, 0);  // Euler characteristic of a torus
-    EXPECT_LT(f, static_cast<std::int64_t>(torus.triangles.size()) / 4);
+    // Surfaces are recognised in triangles that stay small and well shaped.
+    EXPECT_LT(f * (purpose == ThinFor::Collapse ? 4 : 2),
+              static_cast<std::int64_t>(torus.triangles.size()));
     for (std::size_t n = 0; n < thin.source.size(); ++n)
       EXPECT_EQ(thin.mesh.vertices[n], torus.vertices[thin.source[n]]);
     // Estimated by vertex, so that the farthest may lie beyond it, but not by much.
-    for (const Eigen::Vector3d& p : torus.vertices) EXPECT_LE(distanceTo(thin.mesh, p), 0.1);
+    for (const Eigen::Vector3d& p : torus.vertices) EXPECT_LE(distanceTo(thin.mesh, p), 0.06);
   }
 }
 
