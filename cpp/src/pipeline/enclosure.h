@@ -7,10 +7,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "signs/cavities.h"
 #include "grid/hermite_grid.h"
 #include "pipeline/plan.h"
 #include "sampling/sampler.h"
+#include "signs/cavities.h"
 
 namespace swept {
 

@@ -378,8 +378,6 @@ SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, Run
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run) {
   checkOptions(options);
-  formatOf(path);  // an unknown suffix is refused before anything is computed
-  checkTarget(path);
   tbb::task_arena arena(threadsOf(run));
   return arena.execute([&] { return writeOrFacets(mesh, path, options, run); });
 }

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/self_intersections.h"
 #include "contour/surface.h"
+#include "geometry/self_intersections.h"
 
 namespace swept {
 

@@ -269,7 +269,7 @@ void drawElement(std::uint32_t code, std::uint32_t placement, std::uint32_t id) 
   } else {
     const std::int32_t* t = bufferAs<std::int32_t>(1) + 3 * code;
     rasteriseAllAxes(corner(placement, t[0]), corner(placement, t[1]), corner(placement, t[2]),
-                      emit);
+                     emit);
   }
 }
 void draw(GLenum, GLint, GLsizei vertices, GLsizei instances) {
