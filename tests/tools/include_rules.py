@@ -49,7 +49,9 @@ MAY_INCLUDE = {
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
     "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
-    "solid": BELOW | {"simplify"} | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
+    "solid": BELOW
+    | {"simplify"}
+    | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"io"},  # besides the public headers
     "tools": {"base", "io"},
