@@ -6,11 +6,11 @@
 
 #include <random>
 
-#include "geometry/triangle_pairs.h"
 #include "contour/mend/mend.h"
 #include "crossings/hermite.h"
 #include "geometry/body_topology.h"
 #include "geometry/certainly_apart.h"
+#include "geometry/triangle_pairs.h"
 #include "grid/plan_grid.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"

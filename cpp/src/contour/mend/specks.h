@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "check/mesh_topology.h"
-#include "geometry/self_intersections.h"
 #include "contour/surface.h"
+#include "geometry/self_intersections.h"
 #include "swept/run_context.h"
 
 namespace swept {

@@ -13,8 +13,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "geometry/self_intersections.h"
 #include "contour/surface.h"
+#include "geometry/self_intersections.h"
 
 namespace swept {
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/self_intersections.h"
 #include "contour/surface.h"
+#include "geometry/self_intersections.h"
 
 namespace swept {
 
