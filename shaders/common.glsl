@@ -1,9 +1,10 @@
-// Shared by all stages: the fine lattice, the brick in work, and what it is made of.
+// Shared by all stages: the fine lattice, the current brick, and 64-bit integers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A vertex is three odd integers in units of 2^-17 cell; lattice lines stand at multiples of 2^17.
-// Along axis W = 0, 1, 2 a lattice line is named by the other two coordinates in rising order,
-// U and V; ordered(p, W) is (p.U, p.V, p.W).
+// A vertex is three odd integers in units of 2^-17 cell; lattice lines lie at multiples of 2^17.
+// A lattice line along axis W = 0, 1, 2 is identified by its other two coordinates U and V, in
+// rising order; ordered(p, W) is (p.U, p.V, p.W).
+// Source: thesis of 2017, chapter 3 (docs/gpu.md); METHOD.md section 2.
 
 const int kSubBits = 17;
 const int kSubUnits = 1 << kSubBits;
@@ -18,7 +19,7 @@ ivec3 unordered(ivec3 p, int axis) {
   return axis == 0 ? p.zxy : axis == 1 ? p.xzy : p.xyz;
 }
 
-// 64-bit integers, two's complement, as (low, high).
+// 64-bit integers in two's complement, stored as (low, high).
 uvec2 product(int x, int y) {
   int high, low;
   imulExtended(x, y, high, low);

@@ -1,33 +1,33 @@
-// Corner of a swept element -> the fine lattice, exactly as grid/snap.h does it.
+// Snaps a corner of a swept element to the fine lattice, exactly as grid/snap.h does.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Four corners an element. A face: its three vertices at its placement. A side patch of edge (a, b):
-// a, b at the start of its step, then b, a at the end.
-// Listed elements are read from a buffer; otherwise instance = placement, and all faces, then (for a
-// continuous motion) all edges, are drawn in each.
+// Each element has four corners. A face: its three vertices at its placement (the fourth is not
+// used). The side patch of edge (a, b): a, b at the start of its step, then b, a at the end.
+// Listed elements are read from a buffer. Otherwise each instance is a placement, in which all
+// faces and then (for a continuous motion) all edges are drawn.
 
-layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };     // x y z
-layout(std430, binding = 1) readonly buffer Faces { int faces[]; };              // 3 a face
-layout(std430, binding = 2) readonly buffer Edges { int edges[]; };              // 2 an edge
+layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };     // x, y, z each
+layout(std430, binding = 1) readonly buffer Faces { int faces[]; };              // 3 per face
+layout(std430, binding = 2) readonly buffer Edges { int edges[]; };              // 2 per edge
 layout(std430, binding = 3) readonly buffer Placements { double placements[]; }; // 3 rows of 4
 layout(std430, binding = 4) readonly buffer Elements { uvec2 elements[]; };      // code, placement
 
 layout(location = 2) uniform uint listed;
-layout(location = 3) uniform uint firstElement;    // of this draw: in the buffer, or of all elements
+layout(location = 3) uniform uint firstElement;    // of this draw: in the buffer, or overall
 layout(location = 4) uniform uint firstPlacement;  // of this draw (instanced)
-layout(location = 5) uniform uint placementBase;   // placement that stands first in the buffer
+layout(location = 5) uniform uint placementBase;   // first placement in the buffer
 layout(location = 6) uniform uint placementCount;  // of the whole motion
 layout(location = 7) uniform uint faceCount;
 layout(location = 8) uniform uint elementCount;    // faces, or faces and edges (instanced)
-layout(location = 9) uniform uint idBase;          // listed: number of the first in the buffer;
-                                                   // else: placement that starts the epoch
+layout(location = 9) uniform uint idBase;          // listed: number of the first one in the buffer;
+                                                   // otherwise: first placement of the epoch
 
 const uint kPatchBit = 0x80000000u;
 
 out VertexData {
   flat ivec3 point;
   flat uint id;
-  flat uint patchOrFace;  // 0: nothing, 1: face, 2: side patch
+  flat uint elementKind;  // 0: nothing, 1: face, 2: side patch
 } corner;
 
 int snapped(uint placement, uint row, precise double x, precise double y, precise double z) {
@@ -52,14 +52,14 @@ void main() {
     code = local < faceCount ? local : (local - faceCount) | kPatchBit;
     corner.id = (placement - idBase) * elementCount + local;
   }
-  bool isPatch = (code & kPatchBit) != 0u;
-  corner.patchOrFace = isPatch ? (placement + 1u < placementCount ? 2u : 0u) : 1u;
+  bool isSidePatch = (code & kPatchBit) != 0u;
+  corner.elementKind = isSidePatch ? (placement + 1u < placementCount ? 2u : 0u) : 1u;
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
   corner.point = ivec3(0);
-  if (corner.patchOrFace == 0u) return;
+  if (corner.elementKind == 0u) return;
 
   uint vertex;
-  if (isPatch) {
+  if (isSidePatch) {
     uint edge = code & ~kPatchBit;
     vertex = uint(edges[2u * edge + ((side == 1u || side == 2u) ? 1u : 0u)]);
     placement += side >> 1;

@@ -1,6 +1,6 @@
-// Does this fragment's lattice line meet the triangle, and where: the exact decision of
-// sampling/cpu/rasterise.h in 32-bit integers (products in 64 and 96 bits), ties by the same
-// simulation of simplicity. The two give the same edge for every triangle and line.
+// Decides whether this fragment's lattice line intersects the triangle, and where: the exact
+// decision of grid/rasterise.h in 32-bit integers (products in 64 and 96 bits), with ties by the
+// same simulation of simplicity. Both give the same lattice edge for every triangle and line.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 flat in ivec3 a;
@@ -9,11 +9,11 @@ flat in ivec3 c;
 flat in uvec2 idAndAxis;
 
 struct Crossing {
-  ivec3 edge;     // first lattice point, from the brick's corner
+  ivec3 edge;     // first lattice point, relative to the brick's corner
   uint fraction;  // of 2^23 - 1
 };
 
-// Sign of an edge function at the shifted line where its value is zero.
+// Decides a line exactly on an edge: the sign of the edge function at the shifted line.
 bool tieIsInside(ivec2 d) {
   return d.y < 0 || (d.y == 0 && d.x > 0);
 }
@@ -22,7 +22,7 @@ bool isInside(uvec2 e, ivec2 d) {
   return s > 0 || (s == 0 && tieIsInside(d));
 }
 
-// 96-bit, not negative.
+// A 96-bit integer that is not negative.
 uvec3 times(uvec2 x, uint y) {
   uint h0, l0, h1, l1, carry;
   umulExtended(x.x, y, h0, l0);
@@ -50,7 +50,7 @@ bool isAbove(uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k, int axis) {
   for (int i = 2; i >= 0; --i) {
     if (numerator[i] != point[i]) return numerator[i] > point[i];
   }
-  // On the plane: the first axis along which moving the lattice point leaves it decides.
+  // The lattice point is on the plane: the first axis along which a move leaves the plane decides.
   ivec3 p = unordered(b - a, axis), q = unordered(c - a, axis);
   int along = normalSign(p, q, axis);
   for (int i = 0; i < 3; ++i) {

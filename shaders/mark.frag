@@ -1,4 +1,4 @@
-// Pass 1: marks crossed lattice edges, one bit an edge, 32 edges along z a texel.
+// Pass 1: marks crossed lattice edges, one bit per edge, 32 edges along z per texel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Image: x = k / 32, y = j, z = axis * (layers of the brick) + i.

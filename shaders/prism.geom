@@ -1,10 +1,11 @@
 // Faces and side patches of the prisms of swept triangles, seen along the three axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// One invocation an axis, each into the viewport of its axis; pixel centres are lattice lines. What is
-// handed to the rasteriser is a little larger than the triangle: its sum with a square of half side
-// kGrow. So every lattice line of the triangle becomes a fragment, however the rasteriser rounds
-// its corners (1/256 pixel), and the fragment stage decides exactly.
+// One invocation per axis, each into the viewport of its axis; pixel centres are lattice lines. The
+// rasteriser gets a polygon a little larger than the triangle: its Minkowski sum with a square of
+// half side kGrow. So every lattice line of the triangle becomes a fragment, however the rasteriser
+// rounds its corners (1/256 pixel), and the fragment stage decides exactly (conservative
+// rasterisation, Hasselgren, Akenine-Moeller and Ohlsson 2005).
 
 layout(lines_adjacency, invocations = 3) in;
 layout(triangle_strip, max_vertices = 18) out;
@@ -12,7 +13,7 @@ layout(triangle_strip, max_vertices = 18) out;
 in VertexData {
   flat ivec3 point;
   flat uint id;
-  flat uint patchOrFace;
+  flat uint elementKind;
 } corner[];
 
 flat out ivec3 a;  // counter-clockwise in (U, V), third coordinate along the axis
@@ -35,7 +36,7 @@ void put(vec2 pixel, ivec3 p, ivec3 q, ivec3 r) {
   EmitVertex();
 }
 
-// Quadrants are half open: turning from one outward normal to the next passes 0, 1 or 2 borders.
+// Quadrants are half open: between one outward normal and the next lie 0, 1 or 2 of their borders.
 int quadrantOf(ivec2 n) {
   return n.x > 0 && n.y >= 0 ? 0 : n.x <= 0 && n.y > 0 ? 1 : n.x < 0 ? 2 : 3;
 }
@@ -88,12 +89,12 @@ void triangle(ivec3 p, ivec3 q, ivec3 r) {
 }
 
 void main() {
-  if (corner[0].patchOrFace == 0u) return;
+  if (corner[0].elementKind == 0u) return;
   int axis = gl_InvocationID;
   low = ordered(brickLow, axis);
   size = ordered(brickSize, axis);
   ivec3 p0 = ordered(corner[0].point, axis), p1 = ordered(corner[1].point, axis),
         p2 = ordered(corner[2].point, axis), p3 = ordered(corner[3].point, axis);
   triangle(p0, p1, p2);
-  if (corner[0].patchOrFace == 2u) triangle(p0, p2, p3);
+  if (corner[0].elementKind == 2u) triangle(p0, p2, p3);
 }

@@ -1,8 +1,8 @@
-// Pass 2: of every contributing edge the crossing next to either end, and the element it lies on.
+// Pass 2: for every contributing edge the crossing next to either end, and the element it lies on.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Round 0 finds the extreme fractions, round 1 the first element that has them. Edges stand in a
-// sorted list of codes = number of the edge's bit in the image of pass 1.
+// Round 0 finds the extreme fractions, round 1 the first element that has them. The edges are given
+// as a sorted list of codes: the number of the edge's bit in the image of pass 1.
 
 layout(std430, binding = 5) readonly buffer Codes { uint codes[]; };
 layout(std430, binding = 6) coherent buffer Extremes { uint extremes[]; };  // low, high

@@ -1,4 +1,4 @@
-// Each stage alone, on shapes made here: a torus on a turning path, at two resolutions.
+// Times each stage alone, on shapes made here: a torus on a turning path, at two resolutions.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,7 @@ Trajectory turningPath() {
   return path;
 }
 
-/// A scene with the input of every stage, made once a resolution.
+/// A scene with the input of every stage, made once per resolution.
 struct Scene {
   explicit Scene(int resolution) {
     RunContext run;
@@ -77,7 +77,7 @@ Scene& scene(const benchmark::State& state) {
   return *found;
 }
 
-/// Registers one stage: work(scene, run) is what is measured.
+/// Registers one stage: work(scene, run) is what is timed.
 template <class Work>
 void stage(benchmark::State& state, const Work& work) {
   Scene& s = scene(state);

@@ -1,9 +1,9 @@
-// One leaf cell: its crossings, and the numbering of corners, edges and faces.
+// One leaf cell: its crossings, and the numbering of its corners, edges and faces.
 //
-// Edge a * 4 + ob + 2 * oc runs along axis a; ob, oc (0 or 1) place it along the next axes b = a +
-// 1 and c = a + 2 (mod 3). Slot edge * 2 + side holds the crossing seen from the low (0) or high
-// (1) end. Face a * 2 + s is perpendicular to axis a at side s.
-//
+// Edge number a * 4 + ob + 2 * oc runs along axis a; ob and oc (0 or 1) say on which side of the
+// cell it lies along the next two axes, b = a + 1 and c = a + 2 (mod 3). Slot number edge * 2 +
+// side holds the crossing seen from the edge's low (0) or high (1) end. Face number a * 2 + s is
+// perpendicular to axis a and lies at its side s.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,15 +17,18 @@ namespace swept {
 
 constexpr int kEdges = 12, kSlots = 24, kFaces = 6;
 
-/// Vertices keep this far from their cell's walls, so that those of neighbours never coincide.
+/// Vertices stay this far from the walls of their cell (fraction of the cell), so that the vertices
+/// of two neighbouring cells never coincide. It is a thousand times the rounding of the 32-bit
+/// local positions, and far below what anybody can see.
 constexpr double kCellMargin = 1e-4;
 
 constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; }
 
 struct Cell {
-  std::uint32_t mask = 0;  ///< bit per slot that holds a crossing
+  std::uint32_t mask = 0;  ///< one bit per slot, set if the slot holds a crossing
   std::uint16_t k = 0;
-  std::array<std::uint32_t, kEdges> first;  ///< crossing of the edge's lowest filled slot
+  /// Per edge: index of the crossing in its lowest filled slot.
+  std::array<std::uint32_t, kEdges> first;
 
   bool has(int slot) const { return (mask >> slot & 1u) != 0; }
   std::uint32_t crossing(int slot) const {
@@ -34,18 +37,20 @@ struct Cell {
   }
 };
 
-/// A step of the walk round a face: an edge, and whether it is passed from its high end to its low.
+/// One step of the walk round a face: an edge, and whether the walk follows it from its high end to
+/// its low end.
 struct FaceStep {
   std::int8_t edge;
   bool backward;
 };
 
-/// The four edges of each face in order, going round.
+/// The four edges of each face in the order of a walk round the face.
 constexpr std::array<std::array<FaceStep, 4>, kFaces> makeFaceWalks() {
   std::array<std::array<FaceStep, 4>, kFaces> walks{};
   for (int a = 0; a < 3; ++a) {
     for (int s = 0; s < 2; ++s) {
-      // Axes b, c of the face. Edge along b lies at (c, a), edge along c at (a, b).
+      // b and c are the axes of the face. An edge along b is numbered by its sides along (c, a), an
+      // edge along c by its sides along (a, b).
       const int b = (a + 1) % 3, c = (a + 2) % 3;
       auto& walk = walks[a * 2 + s];
       walk[0] = {static_cast<std::int8_t>(edgeOf(b, 0, s)), false};
@@ -58,7 +63,7 @@ constexpr std::array<std::array<FaceStep, 4>, kFaces> makeFaceWalks() {
 }
 inline constexpr auto kFaceWalks = makeFaceWalks();
 
-/// Crossing position in the cell's own coordinates, [0, 1]^3.
+/// Position of a crossing in the coordinates of its cell, [0, 1]^3.
 inline Eigen::Vector3d localPosition(int edge, float fraction) {
   const int a = edge >> 2;
   Eigen::Vector3d p;
@@ -68,14 +73,15 @@ inline Eigen::Vector3d localPosition(int edge, float fraction) {
   return p;
 }
 
-/// Which of the four cells round a lattice edge of axis a sees it as (ob, oc): counted
-/// counter-clockwise about +a from the cell at (-b, -c).
+/// Four cells surround a lattice edge of axis a. This is the number of the cell that sees the edge
+/// at (ob, oc); the cells are counted counter-clockwise about +a, starting with the cell at (-b,
+/// -c).
 constexpr int quadCorner(int edge) {
   const int ob = edge & 1, oc = edge >> 1 & 1;
   return oc == 1 ? (ob == 1 ? 0 : 1) : (ob == 1 ? 3 : 2);
 }
 
-/// Side of that quad (between corners n and n + 1) that passes through the given face of the cell.
+/// The side of that quad (side n joins corners n and n + 1) which passes through the given face.
 constexpr int quadSide(int edge, int face) {
   const int a = edge >> 2, b = (a + 1) % 3;
   const int ob = edge & 1, oc = edge >> 1 & 1;

@@ -18,11 +18,11 @@ constexpr std::array<std::uint32_t, kFaces> makeFaceMasks() {
 }
 constexpr auto kFaceMasks = makeFaceMasks();
 
-/// A crossing of the face in walking order.
+/// A crossing on the face, in the order of the walk.
 struct Stop {
   int slot;
-  bool enters;  ///< from outside to inside
-  float x, y;   // on the face
+  bool enters;  ///< the walk passes from outside to inside here
+  float x, y;   // position on the face
   const Crossing* crossing;
 };
 
@@ -34,7 +34,7 @@ int collectStops(const Cell& cell, int face, const Crossing* crossings,
     for (int side = 0; side < 2; ++side) {
       const int slot = 2 * step.edge + (step.backward ? 1 - side : side);
       if (!cell.has(slot)) continue;
-      // The crossing seen from the end where the walk along this edge begins is entered.
+      // The walk enters the inside at the crossing that is seen from the end where the walk starts.
       const bool fromLow = (slot & 1) == 0;
       Stop& stop = stops[n++];
       stop.slot = slot;
@@ -62,9 +62,9 @@ float pairCost(const Stop& p, const Stop& q, int a) {
          std::abs(n[b] * dx + n[c] * dy);
 }
 
-/// All non-crossing perfect matchings of n points on a circle; in each, the partner of every point.
-/// The first one joins each entering crossing to the leaving one that follows (set by the caller's
-/// numbering: point 0 enters).
+/// A perfect matching of n points on a circle without crossing chords: the partner of every point.
+/// The first matching in a list joins each entering crossing to the leaving one that follows it,
+/// because the caller numbers the points so that point 0 enters.
 using Matching = std::array<std::int8_t, 8>;
 void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& count) {
   int p = 0;
@@ -75,7 +75,7 @@ void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& coun
   }
   for (int q = p + 1; q < n; q += 2) {
     if (partial[q] >= 0) continue;
-    // Points between p and q must be free to pair among themselves.
+    // The points between p and q must still be free, so that they can be joined among themselves.
     bool crosses = false;
     for (int r = p + 1; r < q; ++r)
       crosses |= partial[r] >= 0 && (partial[r] < p || partial[r] > q);
@@ -115,7 +115,7 @@ bool hasChoice(std::uint32_t mask, int face) {
 
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings) {
   std::array<Stop, 8> stops;
-  // Where two crossings leave no choice nothing else about them counts.
+  // Two crossings can be paired in one way only, so their positions and normals are not needed.
   const bool choice = hasChoice(cell.mask, face);
   const int n = collectStops(cell, face, choice ? crossings : nullptr, stops);
   FacePairs pairs;
@@ -126,7 +126,7 @@ FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings) {
     return pairs;
   }
   if (n == 0) return pairs;
-  // Number the points so that point 0 enters the inside.
+  // Number the points so that the walk enters the inside at point 0.
   const int shift = stops[0].enters ? 0 : 1;
   const auto at = [&](int i) -> const Stop& { return stops[(i + shift) % n]; };
   float cost[8][8];

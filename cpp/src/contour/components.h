@@ -1,14 +1,21 @@
 // Surface components of a leaf cell: which of its crossings belong to one piece of surface.
 //
-// Consistent (default): on each face the crossings met going round alternate between entering and
-// leaving the inside. They are joined in pairs, without crossing each other, by a rule that looks
-// at the face alone (its crossings and normals), so that the two cells of a face agree. Every
-// crossing lies on two faces of the cell; the pairs close to loops, each loop is a component.
-//   Of several pairings the one with the least sum of disagreements is taken,
-//   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, d the unit vector from p to q;
-//   of equal ones the one that cuts off the inside corners.
-// Invariant: the dual surface is closed, and every component is one closed ring of polygons.
-// Proof over all configurations: tests/unit/contour.
+// In: one cell and the crossings of the grid. Out: a component number per slot. Units: cells. Cost:
+// O(crossings of the cell).
+// Promise: the dual surface is closed, and the polygons round every component form one closed ring;
+// tests/unit/contour enumerates all configurations. (Only for the consistent method;
+// docs/contouring.md lists what the others lose.)
+// Source: METHOD.md section 3, number 5. The other methods are in methods/methods.h with their
+// papers.
+//
+// The consistent method (the default) decides on faces. Going round a face, the crossings alternate
+// between entering and leaving the inside. They are joined in pairs whose connecting lines do not
+// cross, by a rule that uses nothing but this face (its crossings and their normals), so both cells
+// of the face decide alike. Every crossing lies on two faces of its cell, so the pairs form closed
+// loops; each loop is a component.
+// Of all pairings the one with the smallest sum of costs is taken:
+//   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
+// Among equal sums the pairing that separates the inside corners is taken.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,22 +29,23 @@ namespace swept {
 
 struct Components {
   int count = 0;
-  std::array<std::int8_t, kSlots> of;  ///< per slot; -1: no crossing or not used
+  /// Per slot; -1: no crossing, or a crossing that the method drops.
+  std::array<std::int8_t, kSlots> of;
 };
 
-/// Pairs of slots on one face; n / 2 pairs for n crossings.
+/// The pairs of slots on one face: n / 2 pairs for n crossings.
 struct FacePairs {
   int count = 0;
   std::array<std::array<std::int8_t, 2>, 4> slots;
 };
 
-/// The consistent rule on one face. `crossings` is the whole array that the cell's indices point
-/// to.
+/// Pairs the crossings of one face by the consistent rule. `crossings` is the grid's whole array,
+/// which the cell's indices refer to.
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings);
 
-/// Crossings on a face that the cell's mask shows.
+/// Number of crossings on a face, from the cell's mask alone.
 int faceCrossings(std::uint32_t mask, int face);
-/// Whether they are more than two, so that they can be paired in several ways.
+/// Whether the face has more than two crossings, so that they can be paired in several ways.
 bool hasChoice(std::uint32_t mask, int face);
 
 class ComponentFinder {
@@ -49,7 +57,8 @@ class ComponentFinder {
   void consistent(const Cell& cell, const Crossing* crossings, Components& out);
 
   ComponentMethod method_;
-  // Cells without an ambiguous face are decided by their mask alone: remember the last ones.
+  // Cells in which no face has a choice are decided by their mask alone; the latest results are
+  // kept.
   struct Known {
     std::uint32_t mask = 0;
     Components components;

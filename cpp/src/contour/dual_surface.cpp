@@ -11,18 +11,20 @@
 #include "contour/components.h"
 #include "contour/hidden_side.h"
 #include "contour/qef.h"
-#include "contour/tip_placer.h"
+#include "contour/tip_mover.h"
 #include "contour/wall_end.h"
 
 namespace swept {
 namespace {
 
-/// Cells: a vertex stays in its cell if its planes miss it by less (root mean square). Most creases
-/// that seem to lead out of the cell do no more than pass it by beside the mass point; a vertex
-/// that follows them for nothing meets others there.
-constexpr double kMissed = 0.03;
+/// A vertex stays in its cell if its planes miss the best point in the cell by less than this (root
+/// mean square, in cells). Most creases that seem to lead out of the cell only pass it beside the
+/// mass point; a vertex that follows such a crease meets other vertices outside. Following all of
+/// them gave 1,484 intersecting pairs on fandisk_keys16 at 256 cells instead of 62
+/// (docs/contouring.md).
+constexpr double kMinEscapeMiss = 0.03;
 
-/// Gathers the cells of one column (i, j) from the edge lists of the lattice lines round it.
+/// Collects the cells of one column (i, j) from the edge lists of the lattice lines round it.
 class CellColumn {
  public:
   explicit CellColumn(const HermiteGrid& grid) : grid_(grid), cellAt_(grid.plan.points[2], -1) {}
@@ -34,7 +36,7 @@ class CellColumn {
       for (int dj = 0; dj < 2; ++dj) addEdges(2, i + di, j + dj, edgeOf(2, di, dj), -1);
     }
     for (int d = 0; d < 2; ++d) {
-      // Edges along x: b = y, c = z. Edges along y: b = z, c = x.
+      // Edges along x have b = y and c = z; edges along y have b = z and c = x.
       addEdges(0, i, j + d, edgeOf(0, d, 0), edgeOf(0, d, 1));
       addEdges(1, i + d, j, edgeOf(1, 0, d), edgeOf(1, 1, d));
     }
@@ -42,7 +44,8 @@ class CellColumn {
   }
 
  private:
-  /// here: the edge's number in the cell at its own k; below: in the cell at k - 1 (-1: none).
+  /// here: number of the edge in the cell at the edge's own k. below: its number in the cell at k -
+  /// 1, or -1 if that cell does not contain it.
   void addEdges(int axis, std::int32_t i, std::int32_t j, int here, int below) {
     const HermiteLayer& layer = grid_.layers[i];
     const auto& start = layer.columnStart[axis];
@@ -69,46 +72,53 @@ class CellColumn {
 };
 
 /// Where the planes of a component put its vertex.
-struct Placing {
-  explicit Placing(const Qef& planes) : qef(planes), best(qef.solve(kCellMargin, free)) {
+struct VertexFit {
+  explicit VertexFit(const Qef& planes) : qef(planes), best(qef.solve(kCellMargin, free)) {
     out = std::max((-free).maxCoeff(), (free.array() - 1).maxCoeff());
-    missed2 = qef.error(best) / qef.count();
+    meanSquaredMiss = qef.error(best) / qef.count();
   }
-  /// The planes meet outside the cell, and miss it.
+  /// The planes meet outside the cell (but in a neighbouring one), and miss every point in the
+  /// cell.
   bool mayEscape() const {
-    return out > kCellMargin && out < 1 - kCellMargin && missed2 > kMissed * kMissed;
+    return out > kCellMargin && out < 1 - kCellMargin &&
+           meanSquaredMiss > kMinEscapeMiss * kMinEscapeMiss;
   }
-  /// The planes do not meet in the cell, by much.
-  bool isAmiss() const {
-    constexpr double kMuch = 0.1;  // cells
-    return missed2 > kMuch * kMuch;
+  /// The planes clearly have no common point in the cell: a side may be hidden (hidden_side.h).
+  bool missesCell() const {
+    constexpr double kMinMiss = 0.1;  // cells; docs/contouring.md, Known sides
+    return meanSquaredMiss > kMinMiss * kMinMiss;
   }
-  /// Sharp ones meet outside and miss it by a little.
-  bool isDoubtful() const {
-    constexpr double kOutside = 0.02, kLittle = 0.008;  // cells
-    return out > kOutside && missed2 > kLittle * kLittle && qef.sharpness() > kSharp;
+  /// Two clearly different planes meet outside the cell and miss it by a little.
+  bool mayHideSide() const {
+    // Cells; 679 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
+    constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
+    return out > kMinOutside && meanSquaredMiss > kMinMiss * kMinMiss &&
+           qef.sharpness() > kMinSharpness;
   }
 
-  /// Planes that are one but for a few degrees have nothing to meet in. If they do not lie on one
-  /// another, the places of the crossings are wrong by about as much, and where they seem to meet
-  /// says nothing: the vertex would fly along the surface, through the other side of a thin wall.
-  /// The farther from the mass point, the less it is believed.
+  /// Planes that differ by a few degrees only have no reliable point in common. If they still do
+  /// not coincide, the crossings are inexact by about the distance between the planes, and the
+  /// point where they seem to meet means nothing: a vertex placed there would slide along the
+  /// surface and through the other side of a thin wall. The minimiser is therefore damped towards
+  /// the mass point, by the square of what the planes miss (docs/contouring.md, Sides of thin
+  /// walls: 32,585 pairs without, 25,177 with it).
   void keepNear() {
-    constexpr double kFewDegrees = 0.002;  // sharpness of two planes that differ by 5 degrees
-    constexpr double kFar = 0.3;           // cells
-    const double damping = missed2 / (kFar * kFar);
-    if (damping < 2 * Qef::kDamping || qef.sharpness() > kFewDegrees) return;
+    constexpr double kMaxSharpness = 0.002;  // sharpness of two planes that differ by 5 degrees
+    // Cells: planes that miss by this much are damped as strongly as they are counted.
+    constexpr double kFullDamping = 0.3;
+    const double damping = meanSquaredMiss / (kFullDamping * kFullDamping);
+    if (damping < 2 * Qef::kDamping || qef.sharpness() > kMaxSharpness) return;
     Eigen::Vector3d other;
     best = qef.solve(kCellMargin, damping, other);
   }
 
   const Qef& qef;
-  Eigen::Vector3d free, best;  // minimisers without and with the cell's walls
-  double out;                  // cells: how far the free one lies outside
-  double missed2;              // mean squared distance of the planes from the best point
+  Eigen::Vector3d free, best;  // minimisers without and with the walls of the cell as limits
+  double out;              // cells: distance of the free minimiser from the cell, negative inside
+  double meanSquaredMiss;  // mean squared distance of the planes from the best point
 };
 
-/// What the cells of a layer leave for later.
+/// What the cells of a layer hand on to the steps that follow.
 struct LayerNotes {
   std::vector<FaceSegment> ambiguous;
   std::vector<Escape> escapes;
@@ -167,34 +177,34 @@ class LayerBuilder {
       vertex.j = static_cast<std::int16_t>(j);
       vertex.k = static_cast<std::int16_t>(cell.k);
       vertex.timeSeconds = times[c];
-      Placing placing(qefs[c]);
-      if (components_.count > 1) placing.keepNear();
+      VertexFit fit(qefs[c]);
+      if (components_.count > 1) fit.keepNear();
       VertexSplit split;
       const Eigen::Vector3i at(i, j, cell.k);
       if (probe_ != nullptr && (findWallEnd(cell, at, components_, c, crossings, *probe_, split) ||
-                                ((placing.isAmiss() || placing.isDoubtful()) &&
+                                ((fit.missesCell() || fit.mayHideSide()) &&
                                  findHiddenSide(cell, at, components_, c, crossings, *probe_,
-                                                !placing.isAmiss(), split)))) {
+                                                !fit.missesCell(), split)))) {
         addSplit(cell, c, split, vertex, firstTwin, vertices);
         continue;
       }
-      place(placing, vertex, vertices.size());
+      setPosition(fit, vertex, vertices.size());
       vertices.push_back(vertex);
     }
     vertices.insert(vertices.end(), twins_.begin(), twins_.end());
   }
 
-  /// `at`: the number that the vertex is going to have.
-  void place(const Placing& placing, DualVertex& vertex, std::size_t at) {
-    vertex.local = placing.best.cast<float>();
-    if (!placing.mayEscape()) return;
-    const Qef& qef = placing.qef;
-    notes_->escapes.push_back({static_cast<std::uint32_t>(at), qef.massPoint(), placing.free, qef,
-                               qef.error(placing.free) / qef.count()});
+  /// `at`: the index that the vertex is going to have in its layer.
+  void setPosition(const VertexFit& fit, DualVertex& vertex, std::size_t at) {
+    vertex.local = fit.best.cast<float>();
+    if (!fit.mayEscape()) return;
+    const Qef& qef = fit.qef;
+    notes_->escapes.push_back({static_cast<std::uint32_t>(at), qef.massPoint(), fit.free, qef,
+                               qef.error(fit.free) / qef.count()});
   }
 
-  /// One vertex for each part, each with the planes of its part and of the side between them; one
-  /// vertex where the component cannot be split.
+  /// Adds one vertex for each part of the component, each fitted to the planes of its part and of
+  /// the side between them; a single vertex where the component cannot be split.
   void addSplit(const Cell& cell, int component, const VertexSplit& split, DualVertex vertex,
                 std::size_t firstTwin, std::vector<DualVertex>& vertices) {
     const bool splits = !split.folds.empty();
@@ -215,15 +225,15 @@ class LayerBuilder {
         out_.quads[index][quadCorner(slot >> 1)] = static_cast<std::uint32_t>(twin);
       }
     }
-    const auto placeOn = [&](const Qef& planes, std::size_t at) {
-      Placing placing(planes);
-      placing.best = split.alongCrease(planes, placing.best);
-      place(placing, vertex, at);
+    const auto setOnCrease = [&](const Qef& planes, std::size_t at) {
+      VertexFit fit(planes);
+      fit.best = split.alongCrease(planes, fit.best);
+      setPosition(fit, vertex, at);
     };
-    placeOn(sides[0], vertices.size());
+    setOnCrease(sides[0], vertices.size());
     vertices.push_back(vertex);
     if (!splits) return;
-    placeOn(sides[1], twin);
+    setOnCrease(sides[1], twin);
     twins_.push_back(vertex);
     for (std::size_t f = 0; f < split.folds.size(); ++f) {
       RimSegment rim;
@@ -242,7 +252,7 @@ class LayerBuilder {
     }
   }
 
-  /// Each face is told once, by the cell that has it on its low side.
+  /// Each face is added once, by the cell that has it on its low side.
   void addSegments(const Cell& cell, std::vector<FaceSegment>& ambiguous) {
     for (int axis = 0; axis < 3; ++axis) {
       const int face = 2 * axis;
@@ -267,8 +277,8 @@ class LayerBuilder {
   CellColumn column_;
   Components components_;
   LayerNotes* notes_ = nullptr;
-  std::array<Qef, kSlots / 2> qefs_;  // of the cell at hand
-  std::vector<DualVertex> twins_;     // of the cell at hand, numbered after its components
+  std::array<Qef, kSlots / 2> qefs_;  // of the current cell
+  std::vector<DualVertex> twins_;     // of the current cell, numbered after its components
   bool segments_;
   const SurfaceProbe* probe_;
 };
@@ -293,7 +303,7 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
   });
   std::vector<std::vector<Escape>> escapes;
   for (LayerNotes& layer : notes) escapes.push_back(std::move(layer.escapes));
-  placeTips(grid, method, escapes, out);
+  moveTips(grid, method, escapes, out);
   out.firstVertex.resize(layers + 1, 0);
   for (std::size_t i = 0; i < layers; ++i) {
     out.firstVertex[i + 1] =
@@ -301,7 +311,7 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
     out.ambiguous.insert(out.ambiguous.end(), notes[i].ambiguous.begin(), notes[i].ambiguous.end());
     out.rims.insert(out.rims.end(), notes[i].rims.begin(), notes[i].rims.end());
   }
-  // Both cells of a face may have told it.
+  // Both cells of a face may have added the same rim segment: sort, and keep one of each.
   const auto key = [](const RimSegment& rim) { return std::tie(rim.crossing, rim.side); };
   std::sort(out.rims.begin(), out.rims.end(),
             [&](const RimSegment& x, const RimSegment& y) { return key(x) < key(y); });

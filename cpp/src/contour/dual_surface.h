@@ -1,4 +1,11 @@
-// Leaf cells, their components and vertices, and for every crossing the four components round it.
+// The dual surface: leaf cells with their components and vertices, and for every crossing the four
+// components round its lattice edge.
+//
+// In: Hermite grid. Out: vertices by cell layer, quads by crossing. Units: cells. Cost:
+// O(crossings).
+// Promise: the same bytes for any number of threads.
+// Source: dual contouring (Ju, Losasso, Schaefer, Warren 2002); several components per cell
+// (Schaefer and Warren 2004); thesis section 4.2.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,15 +21,16 @@
 
 namespace swept {
 
-/// A segment on an ambiguous face: its two crossings and the sides of their quads that it is.
+/// A segment on an ambiguous face: its two crossings and, for each, which side of the crossing's
+/// quad passes through the face.
 struct FaceSegment {
   std::array<std::uint32_t, 2> crossing;
   std::array<std::uint8_t, 2> side;
   bool firstOfFace = false;
 };
 
-/// Where the two vertices of a split wall end are to be joined to those of the next cell: the two
-/// crossings on the face between, and the sides of their quads there.
+/// A side of the strip that joins the two vertices of a split wall end to those of the next cell:
+/// the two crossings on the face between the cells, and the sides of their quads there.
 struct RimSegment {
   std::array<std::uint32_t, 2> crossing;
   std::array<std::uint8_t, 2> side;
@@ -30,23 +38,24 @@ struct RimSegment {
 };
 
 struct DualVertex {
-  Eigen::Vector3f local = Eigen::Vector3f::Zero();  ///< in the cell, [0, 1]^3
-  std::int16_t i = 0, j = 0, k = 0;                 ///< cell
+  Eigen::Vector3f local = Eigen::Vector3f::Zero();  ///< position in the cell, [0, 1]^3
+  std::int16_t i = 0, j = 0, k = 0;                 ///< the cell
   float timeSeconds = 0;
 };
 
 struct DualSurface {
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::vector<std::vector<DualVertex>> vertices;  ///< per cell layer
-  std::vector<std::uint32_t> firstVertex;         ///< per cell layer, one past the end at last
-  /// Per crossing: vertices (index within their cell layer) of the cells round its edge, counted as
-  /// quadCorner() does; kNone where a component method left one out.
+  std::vector<std::vector<DualVertex>> vertices;  ///< per layer of cells
+  std::vector<std::uint32_t> firstVertex;  ///< per layer of cells, and one entry behind the last
+  /// Per crossing: the vertices (indices within their layer of cells) of the cells round its edge,
+  /// in the order of quadCorner(); kNone where a component method dropped the crossing.
   std::vector<std::array<std::uint32_t, 4>> quads;
   std::vector<FaceSegment> ambiguous;  ///< faces with more than one segment, by layer
-  std::vector<RimSegment> rims;        ///< each once, ordered by its first crossing
+  std::vector<RimSegment> rims;        ///< each segment once, ordered by its first crossing
 };
 
-/// `probe`: looks for the ends of thin walls; nullptr leaves them at the last crossing.
+/// `probe` looks for the ends of thin walls and for hidden sides; with nullptr a wall ends at its
+/// last crossing.
 DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                              const SurfaceProbe* probe, RunContext& run);
 

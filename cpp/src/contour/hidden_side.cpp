@@ -12,18 +12,26 @@
 namespace swept {
 namespace {
 
-constexpr double kFlat = 2e-3;   ///< unevenness of what counts as two planes
-constexpr double kLift = 0.02;   ///< cells: lines start this far outside and end as far inside
-constexpr double kKnown = 0.94;  ///< cosine from which a hit is on a side that is known already
-constexpr double kProof = 0.1;   ///< cells: a vertex is proved by a line this long to either side
-constexpr double kReach = 1;     ///< cells: corners this far outside the cell are looked at
-constexpr double kNear = 0.06;   ///< cells: and stands if the surface is met this near to it
-constexpr double kMeet = 0.03;   ///< cells: planes that miss a point by less meet in it
+constexpr double kMaxFlatUnevenness =
+    2e-3;  ///< unevenness up to which two arcs count as two planes
+/// Cells: lines start this far outside the surface and end as far inside.
+constexpr double kLineOvershoot = 0.02;
+/// Cosine (20 degrees) from which a hit counts as a side that is known already.
+constexpr double kMinKnownCosine = 0.94;
+/// Cells: half the length of the line that checks whether a vertex lies on the surface.
+constexpr double kCheckReach = 0.1;
+/// Cells: corners of the surface this far outside the cell are still considered.
+constexpr double kCornerReach = 1;
+/// Cells: the check succeeds if the surface is hit this near to the vertex.
+constexpr double kMaxCheckMiss = 0.06;
+/// Cells: planes that miss a point by less than this are taken to meet in it.
+constexpr double kMaxPlaneMiss = 0.03;
 
 using Point = CrossingPoint;
 using Points = std::vector<Point>;
 
-/// The crossings of the component, each followed by the one it shares a polygon edge with.
+/// The crossings of the component in the order of its ring: two that follow each other share a
+/// polygon edge.
 Points ringOf(const Cell& cell, const Components& components, int component,
               const Crossing* crossings) {
   std::array<std::array<std::int8_t, 2>, kSlots> next;
@@ -56,17 +64,17 @@ Qef planesOf(const Points& points) {
   return planes;
 }
 
-/// Both sides of a thin wall: no ledge, see wall_end.h.
+/// Whether both sides of a thin wall are in the ring: then it is no ledge, see wall_end.h.
 bool hasOpposed(const Points& ring) {
   for (const Point& p : ring) {
     for (const Point& q : ring) {
-      if (p.normal.dot(q.normal) < kOpposed) return true;
+      if (p.normal.dot(q.normal) < kMaxOpposedCosine) return true;
     }
   }
   return false;
 }
 
-/// Of so many points of the ring from the given one on.
+/// Mean of `count` points of the ring, starting with number `begin`.
 Point mean(const Points& ring, std::size_t begin, std::size_t count) {
   Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t n = begin; n < begin + count; ++n) {
@@ -78,7 +86,7 @@ Point mean(const Points& ring, std::size_t begin, std::size_t count) {
 }
 Point mean(const Points& points) { return mean(points, 0, points.size()); }
 
-/// How far they are from being of one plane.
+/// How far these points are from lying on one plane: normals and offsets, squared and summed.
 double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   const Point m = mean(ring, begin, count);
   double sum = 0;
@@ -90,7 +98,7 @@ double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   return sum;
 }
 
-/// The ring in two arcs.
+/// Cuts the ring into two arcs.
 std::array<Points, 2> arcsOf(const Points& ring, std::size_t begin, std::size_t count) {
   std::array<Points, 2> arcs;
   for (std::size_t n = 0; n < ring.size(); ++n) {
@@ -99,7 +107,7 @@ std::array<Points, 2> arcsOf(const Points& ring, std::size_t begin, std::size_t 
   return arcs;
 }
 
-/// The two arcs of the ring that are flattest in themselves, and how uneven they are.
+/// The two arcs of the ring that are flattest, and their unevenness.
 std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   std::size_t bestBegin = 0, bestCount = 1;
   least = std::numeric_limits<double>::max();
@@ -118,18 +126,20 @@ std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
 
 /// Whether the crossing before the given one lies on another plane.
 bool beginsArc(const Points& ring, std::size_t at) {
-  constexpr double kAlike = 0.98, kLevel = 0.05;  // cosine; cells
+  constexpr double kMinAlikeCosine = 0.98, kMaxLevelOffset = 0.05;  // cosine; cells
   const Point &p = ring[(at + ring.size() - 1) % ring.size()], &q = ring[at % ring.size()];
-  const Eigen::Vector3d way = q.position - p.position;
-  return p.normal.dot(q.normal) < kAlike || std::abs(p.normal.dot(way)) > kLevel ||
-         std::abs(q.normal.dot(way)) > kLevel;
+  const Eigen::Vector3d direction = q.position - p.position;
+  return p.normal.dot(q.normal) < kMinAlikeCosine ||
+         std::abs(p.normal.dot(direction)) > kMaxLevelOffset ||
+         std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// The arcs whose planes, with those of the side at one of their ends, meet best in a feature of
-/// the cell each. Nothing: no two features take in all planes.
+/// Looks for a cut of the ring into two arcs, and a side at the end of one of them, such that the
+/// planes of each arc and of that side meet in a feature of the cell. The best one is returned;
+/// nothing if no two features explain all planes.
 std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
-  double least = kMeet * kMeet;
+  double least = kMaxPlaneMiss * kMaxPlaneMiss;
   for (std::size_t begin = 0; begin < ring.size(); ++begin) {
     if (!beginsArc(ring, begin)) continue;
     for (std::size_t count = 1; begin + count < ring.size(); ++count) {
@@ -140,7 +150,8 @@ std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& ar
            {parts[0].front(), parts[0].back(), parts[1].front(), parts[1].back()}) {
         std::array<Qef, 2> planes{bare[0], bare[1]};
         for (Qef& part : planes) part.add(side.position, side.normal);
-        if (planes[0].sharpness() < kSharp || planes[1].sharpness() < kSharp) continue;
+        if (planes[0].sharpness() < kMinSharpness || planes[1].sharpness() < kMinSharpness)
+          continue;
         double error = 0;
         Eigen::Vector3d free;
         for (int n = 0; n < 2 && error < least; ++n) {
@@ -156,20 +167,21 @@ std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& ar
   return found;
 }
 
-/// Hits that show a side unlike all crossings: the largest group that is alike.
+/// The largest group of similar hits that show a side unlike all crossings.
 std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
   std::vector<ProbeLine> fresh, best;
   for (const ProbeLine& line : lines) {
-    // The back of a known side is met by lines that start inside.
+    // Lines that start inside hit the back of a known side, so the sign of the normal does not
+    // count.
     const auto isKnown = [&](const Point& p) {
-      return std::abs(p.normal.dot(line.normal)) > kKnown;
+      return std::abs(p.normal.dot(line.normal)) > kMinKnownCosine;
     };
     if (line.hit && std::none_of(ring.begin(), ring.end(), isKnown)) fresh.push_back(line);
   }
   for (const ProbeLine& p : fresh) {
     std::vector<ProbeLine> alike;
     std::copy_if(fresh.begin(), fresh.end(), std::back_inserter(alike),
-                 [&](const ProbeLine& q) { return p.normal.dot(q.normal) > kKnown; });
+                 [&](const ProbeLine& q) { return p.normal.dot(q.normal) > kMinKnownCosine; });
     if (alike.size() > best.size()) best = alike;
   }
   return best;
@@ -185,18 +197,20 @@ class Search {
     }
   }
 
-  /// Where lines between the arcs, both ways, meet the surface first.
+  /// Casts lines between the arcs in both directions; each gets its first hit with the surface.
   std::vector<ProbeLine> between(const std::array<Points, 2>& arcs) const {
     std::vector<ProbeLine> lines;
     const auto add = [&](const Point& p, const Point& q) {
-      lines.push_back(line(p.position + kLift * p.normal, q.position - kLift * q.normal));
-      lines.push_back(line(q.position + kLift * q.normal, p.position - kLift * p.normal));
+      lines.push_back(
+          line(p.position + kLineOvershoot * p.normal, q.position - kLineOvershoot * q.normal));
+      lines.push_back(
+          line(q.position + kLineOvershoot * q.normal, p.position - kLineOvershoot * p.normal));
     };
-    // The middle of an arc that bends lies beside the surface, perhaps inside: what is met from
-    // there means nothing.
-    constexpr double kBent = 0.02;
-    if (unevenness(arcs[0], 0, arcs[0].size()) < kBent &&
-        unevenness(arcs[1], 0, arcs[1].size()) < kBent) {
+    // The mean of an arc that bends lies beside the surface, perhaps inside the solid; a line from
+    // there proves nothing, so that only flat arcs are joined by their means.
+    constexpr double kMaxBent = 0.02;
+    if (unevenness(arcs[0], 0, arcs[0].size()) < kMaxBent &&
+        unevenness(arcs[1], 0, arcs[1].size()) < kMaxBent) {
       add(mean(arcs[0]), mean(arcs[1]));
     }
     add(arcs[0].front(), arcs[1].back());
@@ -205,23 +219,24 @@ class Search {
     return lines;
   }
 
-  /// Whether the planes of the points and of the side between meet in the cell (or no farther from
-  /// it than that), and on the surface.
+  /// Whether the planes of the points and of the side between meet in one point of the cell (or at
+  /// most `outside` cells from it), and whether that point lies on the surface.
   bool meets(const Points& points, const std::vector<ProbeLine>& hits, double outside = 0) const {
     Qef planes = planesOf(points);
-    Eigen::Vector3d way = mean(points).normal, free;
+    Eigen::Vector3d direction = mean(points).normal, free;
     for (const ProbeLine& hit : hits) {
       planes.add(hit.point - corner_, hit.normal);
-      way += hit.normal / static_cast<double>(hits.size());
+      direction += hit.normal / static_cast<double>(hits.size());
     }
     const Eigen::Vector3d best = planes.solve(kCellMargin, free);
     const Eigen::Vector3d vertex = outside == 0 ? best : free;
     if (vertex.minCoeff() < -outside || vertex.maxCoeff() > 1 + outside) return false;
-    if (planes.error(vertex) > kMeet * kMeet * planes.count()) return false;
-    way.normalize();
-    std::vector<ProbeLine> proof{line(vertex + kProof * way, vertex - kProof * way)};
+    if (planes.error(vertex) > kMaxPlaneMiss * kMaxPlaneMiss * planes.count()) return false;
+    direction.normalize();
+    std::vector<ProbeLine> proof{
+        line(vertex + kCheckReach * direction, vertex - kCheckReach * direction)};
     cast(proof);
-    return proof[0].hit && (proof[0].point - corner_ - vertex).norm() < kNear;
+    return proof[0].hit && (proof[0].point - corner_ - vertex).norm() < kMaxCheckMiss;
   }
 
  private:
@@ -260,12 +275,12 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   if (ring.size() < 3 || hasOpposed(ring)) return false;
   double uneven;
   std::array<Points, 2> arcs = flattestArcs(ring, uneven);
-  if (betweenPlanes && uneven > kFlat) return false;
+  if (betweenPlanes && uneven > kMaxFlatUnevenness) return false;
   const Search search(cell, at, ring, probe);
   std::array<Points, 2> knownArcs;
   const auto known = betweenPlanes ? std::nullopt : findKnownSide(ring, knownArcs);
-  // A corner goes before two edges: all planes meet in it, if only in the next cell.
-  if (known && !search.meets(ring, {}, kReach)) {
+  // A corner is preferred to two edges: all planes meet in it, even if it lies in the next cell.
+  if (known && !search.meets(ring, {}, kCornerReach)) {
     ProbeLine side;
     side.from = side.to = side.point = at.cast<double>() + known->position;
     side.normal = known->normal;
@@ -280,7 +295,7 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   }
   out.between = hitsOfNewSide(ring, search.between(arcs));
   if (out.between.empty()) return false;
-  const bool corner = search.meets(ring, out.between, kReach);
+  const bool corner = search.meets(ring, out.between, kCornerReach);
   const std::array<bool, 2> meets{corner || search.meets(arcs[0], out.between),
                                   corner || search.meets(arcs[1], out.between)};
   if (!meets[0] && !meets[1]) return false;

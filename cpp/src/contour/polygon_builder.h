@@ -1,6 +1,8 @@
-// The polygon of a crossing: the four vertices round its lattice edge, and how it is cut.
-// In: Hermite grid, dual surface. Units: cells. Cost: O(1) a crossing.
-// Paper: Ju and Udeshi 2006: a diagonal only where both triangles stay between the neighbours.
+// The polygon of a crossing: the four vertices round its lattice edge, and how it is cut into
+// triangles.
+// In: Hermite grid, dual surface. Out: the cut of each quad. Units: cells. Cost: O(1) per crossing.
+// Source: Ju and Udeshi 2006: a diagonal is used only if both triangles stay between the
+// neighbouring cells.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,14 +13,14 @@ namespace swept {
 
 enum class Split : std::uint8_t { Diagonal02, Diagonal13, Fan };
 
-/// What is known of the polygons about crossings before they become triangles.
+/// Geometry of the polygons round crossings before they become triangles.
 class PolygonBuilder {
  public:
   PolygonBuilder(const HermiteGrid& grid, const DualSurface& dual) : grid_(grid), dual_(dual) {}
 
-  /// Global vertex of a quad's corner, from the layer of its edge.
+  /// Global index of the vertex at a quad's corner; i is the layer of the quad's lattice edge.
   std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
-    // Corners at -b: 0 and 3; at -c: 0 and 1. x is b of axis 2, c of axis 1.
+    // Corners 0 and 3 lie at -b, corners 0 and 1 at -c. The x axis is b of axis 2 and c of axis 1.
     const bool lower =
         (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
     return dual_.firstVertex[lower ? i - 1 : i] + dual_.quads[crossing][corner];
@@ -43,7 +45,7 @@ class PolygonBuilder {
     return p;
   }
 
-  /// How the quad of a crossing is cut into triangles. point: crossingPoint() of the crossing.
+  /// How the quad of a crossing is cut into triangles; `point` is crossingPoint() of the crossing.
   Split choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
                std::uint32_t crossing) const;
 

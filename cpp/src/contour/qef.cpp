@@ -22,7 +22,8 @@ Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free)
   Eigen::Matrix3d a = matrix();
   const Eigen::Vector3d g = b_ - a * m;
   a.diagonal().array() += damping * count_;
-  // Inverse of a symmetric 3x3 by cofactors: well conditioned enough (1e5) in double.
+  // Inverse of a symmetric 3x3 matrix by cofactors; its condition (1e5 by the damping) leaves
+  // enough digits of a double.
   const double c00 = a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
   const double c01 = a(0, 2) * a(1, 2) - a(0, 1) * a(2, 2);
   const double c02 = a(0, 1) * a(1, 2) - a(0, 2) * a(1, 1);
@@ -40,9 +41,10 @@ Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free)
 
 Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
                                 double high, const Eigen::Vector3d& unbounded) const {
-  // y = x - m minimises y^T a y / 2 - g y; each coordinate free (0), at low (1) or at high (2).
+  // y = x - m minimises y^T a y / 2 - g y; each coordinate is free (0), fixed at low (1) or at high
+  // (2).
   const Eigen::Vector3d m = massPoint();
-  // False if the free coordinates leave the box.
+  // Returns false if the free coordinates leave the box.
   const auto solveFor = [&](const std::array<int, 3>& state, Eigen::Vector3d& y) {
     y.setZero();
     int free[3], n = 0;
@@ -53,7 +55,7 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
         y[axis] = (state[axis] == 1 ? low : high) - m[axis];
       }
     }
-    // Fixed coordinates are in the box; only what the free ones need is computed.
+    // Fixed coordinates are in the box, so only the free ones are computed and tested.
     constexpr double kSlack = 1e-12;
     const auto isOut = [&](int axis) {
       const double x = m[axis] + y[axis];
@@ -73,8 +75,8 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
     }
     return true;
   };
-  // Mostly the coordinates that are out without the box are those that stop at it: no other place
-  // is better if from each of them the error grows into the box.
+  // Usually the coordinates that lie outside without the box are those that end on its wall. No
+  // other point is better if the error grows from each of these walls into the box.
   Eigen::Vector3d y;
   std::array<int, 3> out;
   for (int axis = 0; axis < 3; ++axis)

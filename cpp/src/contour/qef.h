@@ -1,12 +1,16 @@
 // Quadratic error function of a component: E(x) = sum (n_i . (x - p_i))^2, minimised inside the
 // cell.
 //
-// Solved about the mass point with a damping far below what any real crease contributes:
-// (A + mu I)(x - m) = b - A m, which leaves directions the planes say nothing about at the mass
-// point (Kobbelt et al. 2001 and Ju et al. 2002 truncate eigenvalues instead; damping has no
-// threshold at which the vertex jumps, and a Cholesky step is some twenty times faster than an
-// eigen-solution). A minimiser outside the cell is replaced by the best point of the cell's faces,
-// edges and corners.
+// In: planes (position, normal). Out: minimiser. Units: the cell's own coordinates. Cost: O(1) per
+// plane and solution.
+// Source: Garland and Heckbert 1997 (quadrics); Ju et al. 2002 and Kobbelt et al. 2001 (vertex
+// placement); METHOD.md section 4.
+//
+// Solved about the mass point m as (A + mu I)(x - m) = b - A m, with a damping mu far below what a
+// real crease contributes; directions about which the planes say nothing keep the mass point. The
+// papers truncate small eigenvalues instead. Damping has no threshold at which the vertex jumps,
+// and solving by cofactors is some twenty times faster than an eigen-decomposition. A minimiser
+// outside the cell is replaced by the best point of the cell's faces, edges and corners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,9 +19,9 @@
 namespace swept {
 
 /// Sharpness (see below) of two planes that differ by 20 degrees.
-constexpr double kSharp = 0.03;
+constexpr double kMinSharpness = 0.03;
 
-/// Accumulates planes in coordinates local to the cell, [0, 1]^3.
+/// Accumulates planes in the coordinates of the cell, [0, 1]^3.
 class Qef {
  public:
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
@@ -37,21 +41,21 @@ class Qef {
   Eigen::Vector3d massPoint() const { return mass_ / count_; }
   Eigen::Matrix3d matrix() const;
   /// Second invariant of the mean normal tensor: 0 for one plane, sin^2(t/2) cos^2(t/2) for two
-  /// that differ by t, 1/3 for a cube's corner.
+  /// planes that differ by the angle t, 1/3 for the corner of a cube.
   double sharpness() const {
     const double minors = xx_ * yy_ - xy_ * xy_ + yy_ * zz_ - yz_ * yz_ + zz_ * xx_ - xz_ * xz_;
     return minors / (static_cast<double>(count_) * count_);
   }
   double error(const Eigen::Vector3d& x) const;
 
-  /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the one without the box.
+  /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the minimiser without the box.
   Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const {
     return solve(margin, kDamping, free);
   }
-  /// `damping`: of the number of planes.
+  /// `damping` is a fraction of the number of planes.
   Eigen::Vector3d solve(double margin, double damping, Eigen::Vector3d& free) const;
 
-  static constexpr double kDamping = 1e-5;  ///< a crease of 0.4 degrees weighs as much
+  static constexpr double kDamping = 1e-5;  ///< as strong as a crease of 0.4 degrees
 
  private:
   Eigen::Vector3d solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,

@@ -15,9 +15,9 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 
 struct LayerPolygons {
-  std::vector<Triangle> triangles;  // >= kExtra: extra vertex of this layer
+  std::vector<Triangle> triangles;  // indices >= kExtra: extra vertices of this layer
   std::vector<std::uint32_t> crossingOf;
-  std::vector<Eigen::Vector3d> extra;  // cells
+  std::vector<Eigen::Vector3d> extra;  // positions in grid coordinates
   std::vector<double> extraTime;
   std::int64_t fans = 0;
 };
@@ -31,8 +31,8 @@ std::uint64_t sideKey(std::uint32_t crossing, int side) {
 /// Extra vertices on faces where two segments join the same two components.
 struct FacePoints {
   std::unordered_map<std::uint64_t, std::int32_t> at;  // side of a quad -> index into points
-  std::vector<bool> hasOne;                            // by crossing; empty without points
-  std::vector<Eigen::Vector3d> points;                 // cells
+  std::vector<bool> hasOne;                            // per crossing; empty if there are no points
+  std::vector<Eigen::Vector3d> points;                 // grid coordinates
   std::vector<double> times;
 };
 
@@ -43,10 +43,10 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
   parallelBlocks(ends.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const FaceSegment& s = dual.ambiguous[n];
-      const CrossingPlace place = findCrossing(grid, s.crossing[0]);
+      const CrossingEdge edge = edgeOfCrossing(grid, s.crossing[0]);
       ends[n] =
-          std::minmax({polygons.vertex(place.axis, place.i, s.crossing[0], s.side[0]),
-                       polygons.vertex(place.axis, place.i, s.crossing[0], (s.side[0] + 1) & 3)});
+          std::minmax({polygons.vertex(edge.axis, edge.i, s.crossing[0], s.side[0]),
+                       polygons.vertex(edge.axis, edge.i, s.crossing[0], (s.side[0] + 1) & 3)});
     }
   });
   for (std::size_t begin = 0; begin < dual.ambiguous.size();) {
@@ -60,9 +60,9 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
       double time = 0;
       for (int e = 0; e < 2; ++e) {
-        const CrossingPlace place = findCrossing(grid, segment.crossing[e]);
-        Eigen::Vector3d p(place.i, place.j, place.k);
-        p[place.axis] += grid.crossings[segment.crossing[e]].fraction;
+        const CrossingEdge edge = edgeOfCrossing(grid, segment.crossing[e]);
+        Eigen::Vector3d p(edge.i, edge.j, edge.k);
+        p[edge.axis] += grid.crossings[segment.crossing[e]].fraction;
         middle += p / 2;
         time = grid.crossings[segment.crossing[e]].timeSeconds;
         out.at[sideKey(segment.crossing[e], segment.side[e])] =
@@ -139,7 +139,8 @@ class LayerEmitter {
       const auto point = facePoints_.at.find(sideKey(crossing, corner));
       if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
     }
-    // Counter-clockwise about +axis faces the high end; the outside is where it is seen from.
+    // A ring counter-clockwise about +axis faces the high end; the outside is where the crossing is
+    // seen from.
     const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
       if (seenFromLow) std::swap(b, c);
       out.triangles.push_back({a, b, c});
@@ -167,8 +168,8 @@ class LayerEmitter {
   std::int32_t firstFacePoint_;
 };
 
-/// The polygon between the two sides of a split wall end: a quad, a triangle where the wall goes on
-/// as one vertex. Wound against the polygons of the two sides.
+/// Adds the polygon between the two sides of a split wall end: a quad, or a triangle where the wall
+/// continues with one vertex. It runs against the polygons of the two sides.
 void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
             const PolygonBuilder& polygons, std::vector<Triangle>& triangles) {
   struct Corner {
@@ -177,12 +178,12 @@ void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& d
   };
   std::array<Corner, 4> ring;
   for (int n = 0; n < 2; ++n) {
-    const CrossingPlace place = findCrossing(grid, rim.crossing[n]);
+    const CrossingEdge edge = edgeOfCrossing(grid, rim.crossing[n]);
     for (int end = 0; end < 2; ++end) {
-      // The quad runs from its side's first corner to the second if seen from the high end.
+      // Seen from the high end, the quad runs from the first corner of its side to the second.
       const int corner = (rim.side[n] + end) & 3;
       Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
-      to.vertex = polygons.vertex(place.axis, place.i, rim.crossing[n], corner);
+      to.vertex = polygons.vertex(edge.axis, edge.i, rim.crossing[n], corner);
       const auto layer =
           std::upper_bound(dual.firstVertex.begin(), dual.firstVertex.end(), to.vertex) -
           dual.firstVertex.begin() - 1;
@@ -222,16 +223,123 @@ std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& d
   return triangles;
 }
 
-/// With room for what mending adds, so that nothing has to move then.
+/// Resizes with room for what mending adds, so that nothing has to be moved then.
 template <class T>
 void resizeWithRoom(std::vector<T>& list, std::size_t size, const T& value) {
   list.reserve(size + size / 32);
   list.resize(size, value);
 }
 
+/// Joins the vertices and polygons of all layers into one surface: count, scan, fill.
+class SurfaceAssembler {
+ public:
+  SurfaceAssembler(const HermiteGrid& grid, const DualSurface& dual,
+                   std::vector<LayerPolygons>& parts)
+      : grid_(grid), dual_(dual), parts_(parts) {}
+
+  Surface assemble(const FacePoints& facePoints, const std::vector<Triangle>& rim) {
+    const std::size_t dualVertices = dual_.firstVertex.back();
+    surface_.facePoints = static_cast<std::int64_t>(facePoints.points.size());
+    surface_.rimPolygons = static_cast<std::int64_t>(dual_.rims.size());
+    surface_.dualVertices = dualVertices;
+    count(dualVertices + facePoints.points.size());
+    allocate(triangleCount_ + rim.size());
+    std::copy(rim.begin(), rim.end(),
+              surface_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangleCount_));
+    for (std::size_t f = 0; f < facePoints.points.size(); ++f) {
+      setVertex(dualVertices + f, facePoints.points[f], facePoints.times[f]);
+    }
+    parallelFor(parts_.size(), [&](std::size_t i) {
+      if (i + 1 < parts_.size()) fillDualVertices(i);
+      fillPolygons(i);
+    });
+    return std::move(surface_);
+  }
+
+ private:
+  void count(std::size_t firstExtra) {
+    vertexCount_ = firstExtra;
+    extraBase_.resize(parts_.size());
+    triangleBase_.resize(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      extraBase_[i] = vertexCount_;
+      triangleBase_[i] = triangleCount_;
+      vertexCount_ += parts_[i].extra.size();
+      triangleCount_ += parts_[i].triangles.size();
+      surface_.fans += parts_[i].fans;
+    }
+    if (vertexCount_ >= static_cast<std::size_t>(kExtra)) {
+      throw Error(Status::ResourceLimit, "ResourceLimit",
+                  "the envelope has " + std::to_string(vertexCount_) +
+                      " vertices, the limit is 1073741824; use a larger cell");
+    }
+  }
+
+  /// The operating system clears fresh memory page by page; do it on all cores.
+  void allocate(std::size_t triangles) {
+    parallelActions(
+        [&] {
+          resizeWithRoom(surface_.mesh.vertices, vertexCount_, {0, 0, 0});
+        },
+        [&] { resizeWithRoom(surface_.mesh.triangles, triangles, {}); },
+        [&] { resizeWithRoom(surface_.crossingOf, triangles, Surface::kNoCrossing); },
+        [&] { resizeWithRoom(surface_.contactTime, vertexCount_, 0.0); },
+        [&] { surface_.cellFlags.resize(surface_.dualVertices); });
+  }
+
+  void setVertex(std::size_t at, const Eigen::Vector3d& g, double time) {
+    surface_.mesh.vertices[at] = grid_.plan.origin + grid_.plan.cell * g;
+    surface_.contactTime[at] = time;
+  }
+
+  void fillDualVertices(std::size_t i) {
+    constexpr float kInsideMargin = 1e-5f;  // a tenth of kCellMargin: escaped vertices are beyond
+    const auto& layer = dual_.vertices[i];
+    const auto sameCell = [&](std::size_t v, std::size_t w) {
+      return layer[v].k == layer[w].k && layer[v].j == layer[w].j;
+    };
+    for (std::size_t v = 0; v < layer.size(); ++v) {
+      const DualVertex& d = layer[v];
+      const bool inside =
+          d.local.minCoeff() > kInsideMargin && d.local.maxCoeff() < 1 - kInsideMargin;
+      surface_.cellFlags[dual_.firstVertex[i] + v] = static_cast<std::uint8_t>(
+          (inside ? Surface::kInsideCell : 0) |
+          (v > 0 && sameCell(v - 1, v) ? Surface::kSharedWithPrevious : 0) |
+          (v + 1 < layer.size() && sameCell(v, v + 1) ? Surface::kSharedWithNext : 0));
+      setVertex(dual_.firstVertex[i] + v, d.local.cast<double>() + Eigen::Vector3d(d.i, d.j, d.k),
+                d.timeSeconds);
+    }
+  }
+
+  /// Writes the extra vertices and the triangles of a layer, and frees the layer.
+  void fillPolygons(std::size_t i) {
+    LayerPolygons& part = parts_[i];
+    for (std::size_t e = 0; e < part.extra.size(); ++e) {
+      setVertex(extraBase_[i] + e, part.extra[e], part.extraTime[e]);
+    }
+    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+      Triangle triangle = part.triangles[t];
+      for (auto& v : triangle) {
+        if (v >= kExtra) v = v - kExtra + static_cast<std::int32_t>(extraBase_[i]);
+      }
+      surface_.mesh.triangles[triangleBase_[i] + t] = triangle;
+    }
+    std::copy(part.crossingOf.begin(), part.crossingOf.end(),
+              surface_.crossingOf.begin() + static_cast<std::ptrdiff_t>(triangleBase_[i]));
+    part = LayerPolygons{};
+  }
+
+  const HermiteGrid& grid_;
+  const DualSurface& dual_;
+  std::vector<LayerPolygons>& parts_;
+  std::vector<std::size_t> extraBase_, triangleBase_;  // by layer
+  std::size_t vertexCount_ = 0, triangleCount_ = 0;
+  Surface surface_;
+};
+
 }  // namespace
 
-CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index) {
+CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index) {
   auto layer =
       std::upper_bound(grid.layers.begin(), grid.layers.end(), index,
                        [](std::uint32_t x, const HermiteLayer& l) { return x < l.firstCrossing; }) -
@@ -260,88 +368,16 @@ Surface contourUniform(const HermiteGrid& grid, const Options& options, RunConte
   const FacePoints facePoints = findFacePoints(grid, dual, polygons);
 
   const auto layers = static_cast<std::size_t>(grid.plan.points[0]);
-  const std::size_t dualVertices = dual.firstVertex.back();
+  const auto firstFacePoint = static_cast<std::int32_t>(dual.firstVertex.back());
   std::vector<LayerPolygons> parts(layers);
   parallelBlocks(layers, 4, [&](std::size_t begin, std::size_t end) {
-    LayerEmitter emitter(grid, dual, polygons, facePoints, static_cast<std::int32_t>(dualVertices));
+    LayerEmitter emitter(grid, dual, polygons, facePoints, firstFacePoint);
     run.checkpoint(Phase::Contour, layers + begin, 2 * layers);
     for (std::size_t i = begin; i < end; ++i) emitter.emit(static_cast<std::int32_t>(i), parts[i]);
   });
-
-  Surface surface;
-  surface.facePoints = static_cast<std::int64_t>(facePoints.points.size());
-  std::vector<std::size_t> extraBase(layers), triangleBase(layers);
-  std::size_t vertexCount = dualVertices + facePoints.points.size(), triangleCount = 0;
-  for (std::size_t i = 0; i < layers; ++i) {
-    extraBase[i] = vertexCount;
-    triangleBase[i] = triangleCount;
-    vertexCount += parts[i].extra.size();
-    triangleCount += parts[i].triangles.size();
-    surface.fans += parts[i].fans;
-  }
-  if (vertexCount >= static_cast<std::size_t>(kExtra)) {
-    throw Error(Status::ResourceLimit, "ResourceLimit",
-                "the envelope has " + std::to_string(vertexCount) +
-                    " vertices, the limit is 1073741824; use a larger cell");
-  }
-  const auto rim = rimTriangles(grid, dual, polygons);
-  surface.rimPolygons = static_cast<std::int64_t>(dual.rims.size());
+  const std::vector<Triangle> rim = rimTriangles(grid, dual, polygons);
   std::vector<std::array<std::uint32_t, 4>>().swap(dual.quads);
-  auto& mesh = surface.mesh;
-  const std::size_t all = triangleCount + rim.size();
-  surface.dualVertices = dualVertices;
-  // The system clears fresh memory page by page: on all cores.
-  parallelActions(
-      [&] {
-        resizeWithRoom(mesh.vertices, vertexCount, {0, 0, 0});
-      },
-      [&] { resizeWithRoom(mesh.triangles, all, {}); },
-      [&] { resizeWithRoom(surface.crossingOf, all, Surface::kNoCrossing); },
-      [&] { resizeWithRoom(surface.contactTime, vertexCount, 0.0); },
-      [&] { surface.lodging.resize(dualVertices); });
-  std::copy(rim.begin(), rim.end(),
-            mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangleCount));
-  const auto place = [&](std::size_t at, const Eigen::Vector3d& g, double time) {
-    mesh.vertices[at] = grid.plan.origin + grid.plan.cell * g;
-    surface.contactTime[at] = time;
-  };
-  for (std::size_t f = 0; f < facePoints.points.size(); ++f) {
-    place(dualVertices + f, facePoints.points[f], facePoints.times[f]);
-  }
-  parallelFor(layers, [&](std::size_t i) {
-    if (i + 1 < layers) {
-      const auto& layer = dual.vertices[i];
-      const auto sameCell = [&](std::size_t v, std::size_t w) {
-        return layer[v].k == layer[w].k && layer[v].j == layer[w].j;
-      };
-      for (std::size_t v = 0; v < layer.size(); ++v) {
-        const DualVertex& d = layer[v];
-        const bool inside = d.local.minCoeff() > 1e-5f && d.local.maxCoeff() < 1 - 1e-5f;
-        surface.lodging[dual.firstVertex[i] + v] = static_cast<std::uint8_t>(
-            (inside ? Surface::kInside : 0) |
-            (v > 0 && sameCell(v - 1, v) ? Surface::kWithBefore : 0) |
-            (v + 1 < layer.size() && sameCell(v, v + 1) ? Surface::kWithAfter : 0));
-        place(dual.firstVertex[i] + v, d.local.cast<double>() + Eigen::Vector3d(d.i, d.j, d.k),
-              d.timeSeconds);
-      }
-    }
-    LayerPolygons& part = parts[i];
-    for (std::size_t e = 0; e < part.extra.size(); ++e) {
-      place(extraBase[i] + e, part.extra[e], part.extraTime[e]);
-    }
-    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
-      auto triangle = part.triangles[t];
-      for (auto& v : triangle) {
-        if (v >= kExtra)
-          v = static_cast<std::int32_t>(v - kExtra + static_cast<std::int32_t>(extraBase[i]));
-      }
-      mesh.triangles[triangleBase[i] + t] = triangle;
-    }
-    std::copy(part.crossingOf.begin(), part.crossingOf.end(),
-              surface.crossingOf.begin() + static_cast<std::ptrdiff_t>(triangleBase[i]));
-    part = LayerPolygons{};
-  });
-  return surface;
+  return SurfaceAssembler(grid, dual, parts).assemble(facePoints, rim);
 }
 
 }  // namespace swept

@@ -1,13 +1,13 @@
-// Hermite grid -> closed triangle mesh: one vertex a component, one polygon a crossing.
+// Hermite grid -> closed triangle mesh: one vertex per component, one polygon per crossing.
 //
-// In: Hermite grid. Out: mesh in mm, per vertex the time of contact. Cost: O(crossings).
-// Paper: dual contouring (Ju et al. 2002), components per cell (Schaefer and Warren 2004), polygons
-// through edge and face points where a diagonal would not do (Ju and Udeshi 2006).
-// Invariants (consistent components): closed, edge- and vertex-manifold, oriented outward. The
-// polygons of the dual surface form a closed surface by construction; two things could still make
-// it non-manifold as a set of triangles, and are mended where they occur: two segments of one face
-// that join the same two components (the second gets a vertex on the face), and the two quads of
-// one lattice edge choosing the same diagonal (both are fanned about their crossing).
+// In: Hermite grid. Out: mesh in mm, and the time of contact per vertex. Cost: O(crossings).
+// Promise (consistent components): closed, edge- and vertex-manifold, oriented outward. The
+// polygons of the dual surface are closed by construction. Two things could still make it
+// non-manifold as a set of triangles, and both are mended where they occur: two segments of one
+// face that join the same two components (the second segment gets a vertex on the face), and the
+// two quads of one lattice edge with the same diagonal (both become fans about their crossing).
+// Source: dual contouring (Ju et al. 2002), several components per cell (Schaefer and Warren 2004),
+// polygons through edge and face points where a diagonal would not do (Ju and Udeshi 2006).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,39 +19,41 @@
 namespace swept {
 
 struct Surface {
-  /// In crossingOf: a triangle of the strip that closes the end of a thin wall.
+  /// Value in crossingOf for a triangle of the strip that closes the end of a thin wall.
   static constexpr std::uint32_t kNoCrossing = 0xffffffffu;
 
   TriMesh mesh;
   std::vector<double> contactTime;
-  /// Per triangle: the crossing whose polygon it is part of, or kNoCrossing.
+  /// Per triangle: the crossing whose polygon it belongs to, or kNoCrossing.
   std::vector<std::uint32_t> crossingOf;
   std::size_t dualVertices =
       0;  ///< the first so many vertices are those of components, then extra ones
-  /// Per component vertex, bits: how it lives in its cell.
-  std::vector<std::uint8_t> lodging;
-  static constexpr std::uint8_t kInside = 1;      ///< lies inside its own cell
-  static constexpr std::uint8_t kWithBefore = 2;  ///< the vertex before it has the same cell
-  static constexpr std::uint8_t kWithAfter = 4;   ///< the vertex after it has the same cell
-  static constexpr std::uint8_t kCrowded = kWithBefore | kWithAfter;
-  /// Of any vertex: none of these bits where it is no component's.
-  std::uint8_t lodgingOf(std::int32_t v) const {
-    return static_cast<std::size_t>(v) < lodging.size() ? lodging[v] : std::uint8_t{0};
+  /// Per component vertex, as bits: whether it lies in its cell and shares that cell.
+  std::vector<std::uint8_t> cellFlags;
+  static constexpr std::uint8_t kInsideCell = 1;  ///< it lies inside its own cell
+  static constexpr std::uint8_t kSharedWithPrevious =
+      2;  ///< the vertex before it belongs to the same cell
+  static constexpr std::uint8_t kSharedWithNext =
+      4;  ///< the vertex after it belongs to the same cell
+  static constexpr std::uint8_t kShared = kSharedWithPrevious | kSharedWithNext;
+  /// These bits for any vertex; 0 for a vertex that is no component's.
+  std::uint8_t cellFlagsOf(std::int32_t v) const {
+    return static_cast<std::size_t>(v) < cellFlags.size() ? cellFlags[v] : std::uint8_t{0};
   }
-  std::int64_t fans = 0;         ///< quads fanned about their crossing
-  std::int64_t facePoints = 0;   ///< vertices put on cell faces
-  std::int64_t rimPolygons = 0;  ///< that close the ends of thin walls
+  std::int64_t fans = 0;         ///< quads cut into fans about their crossing
+  std::int64_t facePoints = 0;   ///< vertices added on cell faces
+  std::int64_t rimPolygons = 0;  ///< polygons that close the ends of thin walls
 };
 
-/// The grid is left as it was. `probe`: see buildDualSurface().
+/// The grid is not changed. `probe`: see buildDualSurface().
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
                        const SurfaceProbe* probe = nullptr);
 
-/// Lattice edge of a crossing, found from its index alone: O(log crossings).
-struct CrossingPlace {
+/// The lattice edge of a crossing, found from its index alone in O(log crossings).
+struct CrossingEdge {
   int axis = 0;
   std::int32_t i = 0, j = 0, k = 0;
 };
-CrossingPlace findCrossing(const HermiteGrid& grid, std::uint32_t index);
+CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index);
 
 }  // namespace swept

@@ -23,7 +23,7 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
       if (components.of[x] != component || part[x] == part[y]) continue;
       folds.push_back(pairs.slots[p]);
       foldFaces.push_back(static_cast<std::int8_t>(face));
-      ambiguous |= pairs.count > 1;  // joined otherwise, see surface.h
+      ambiguous |= pairs.count > 1;  // such faces get a vertex of their own, see surface.h
     }
   }
   if (folds.size() == 2 && !ambiguous) return;
@@ -32,25 +32,27 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
 }
 
 Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3d& best) const {
-  constexpr double kNone = 0.01, kSome = 0.03;  // of the planes' normals along and across a crease
-  constexpr double kStraight = 0.02;            // cells: the planes may miss it by so much more
+  /// Eigenvalues: largest along a crease, smallest across it.
+  constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
+  constexpr double kMaxExtraMiss = 0.02;  // cells: how much more the planes may miss the new point
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(planes.matrix() / planes.count());
-  if (eigen.eigenvalues()[0] > kNone || eigen.eigenvalues()[1] < kSome) return best;
-  const Eigen::Vector3d way = eigen.eigenvectors().col(0);
-  double from = -std::numeric_limits<double>::max(), to = -from;  // between the cell's walls
+  if (eigen.eigenvalues()[0] > kMaxAlong || eigen.eigenvalues()[1] < kMinAcross) return best;
+  const Eigen::Vector3d direction = eigen.eigenvectors().col(0);
+  // Range between the walls of the cell.
+  double from = -std::numeric_limits<double>::max(), to = -from;
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(way[axis]) < kCellMargin) continue;
-    const double low = (kCellMargin - best[axis]) / way[axis];
-    const double high = (1 - kCellMargin - best[axis]) / way[axis];
+    if (std::abs(direction[axis]) < kCellMargin) continue;
+    const double low = (kCellMargin - best[axis]) / direction[axis];
+    const double high = (1 - kCellMargin - best[axis]) / direction[axis];
     from = std::max(from, std::min(low, high));
     to = std::min(to, std::max(low, high));
   }
-  const Eigen::Vector3d start = best + from * way, end = best + to * way;
-  double share = 0.5;
-  if (seen) share = (start - *seen).norm() < (end - *seen).norm() ? 0.75 : 0.25;
-  const Eigen::Vector3d place = (1 - share) * start + share * end;
-  const double missed = planes.error(place) - planes.error(best);
-  return missed > kStraight * kStraight * planes.count() ? best : place;
+  const Eigen::Vector3d start = best + from * direction, end = best + to * direction;
+  double fraction = 0.5;
+  if (seen) fraction = (start - *seen).norm() < (end - *seen).norm() ? 0.75 : 0.25;
+  const Eigen::Vector3d point = (1 - fraction) * start + fraction * end;
+  const double missed = planes.error(point) - planes.error(best);
+  return missed > kMaxExtraMiss * kMaxExtraMiss * planes.count() ? best : point;
 }
 
 }  // namespace swept

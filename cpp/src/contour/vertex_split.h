@@ -1,6 +1,8 @@
-// A component with two features in one cell gets two vertices: one for each part of its crossings,
-// each with the planes of its part and of the side between them, which no crossing tells of. Strips
-// of polygons join the two (METHOD: more than one feature in a component).
+// A component with two features in one cell gets two vertices, one for each part of its crossings.
+//
+// Each vertex is fitted to the planes of its part and of the side between the parts, which the
+// crossings do not show (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
+// Units: the coordinates of the cell. Source: own method; docs/contouring.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,13 +16,13 @@
 
 namespace swept {
 
-/// Cosine below which two normals are of the two sides of a thin wall.
-constexpr double kOpposed = -0.5;
+/// Two normals whose cosine is below this belong to the two sides of a thin wall (120 degrees).
+constexpr double kMaxOpposedCosine = -0.5;
 
-/// A crossing as its cell sees it.
+/// A crossing in the coordinates of one of its cells.
 struct CrossingPoint {
   int slot;
-  Eigen::Vector3d position, normal;  ///< in the cell's coordinates
+  Eigen::Vector3d position, normal;  ///< in the coordinates of the cell
 
   static CrossingPoint of(const Cell& cell, int slot, const Crossing* crossings) {
     const Crossing& crossing = crossings[cell.crossing(slot)];
@@ -29,26 +31,26 @@ struct CrossingPoint {
 };
 
 struct VertexSplit {
-  /// Per slot of the component: 0 the one part, 1 the other, -1 neither.
+  /// Per slot of the component: part 0, part 1, or -1 for neither.
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
-  /// Near the end of both features that the ring shows, in the cell's coordinates; else both ends
-  /// of a feature are as good.
+  /// A point near that end of both features which the ring shows, in the coordinates of the cell;
+  /// not set if no end is known better than the other.
   std::optional<Eigen::Vector3d> seen;
-  /// Where the polygons of the two parts meet: the pairs of slots on the cell's faces. Two of them,
-  /// or none if the vertex cannot be split.
+  /// Where the polygons of the two parts meet: pairs of slots on the faces of the cell. There are
+  /// two of them, or none if the vertex cannot be split.
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// The folds, if every slot has a part, the ring of polygons falls into just one arc for each,
-  /// and the two are joined through faces that leave no choice.
+  /// Finds the folds. Requires that every slot has a part, that each part is one arc of the ring of
+  /// polygons, and that the arcs meet on faces that leave no choice of pairing.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 
-  /// Where on the crease of a part's planes its vertex goes, from the best place for them alone.
-  /// The part's crossings are too few to tell how long the crease is, and nothing in the cell
-  /// behind the wall that it leaves through may go on with it: the vertex stands half way between
-  /// the cell's walls, three quarters of the way from the end that is seen.
+  /// Where along the crease of a part's planes its vertex is placed, starting from the minimiser
+  /// `best`. The few crossings of the part do not show how long the crease is, and the next cell
+  /// may not know of it. The vertex is therefore placed half way between the walls of the cell, or
+  /// three quarters of the way from the end that is `seen`.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

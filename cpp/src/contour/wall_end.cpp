@@ -9,19 +9,21 @@
 namespace swept {
 namespace {
 
-constexpr double kAlong = 0.7;      ///< |cosine| from which a crossing belongs to a side
-constexpr double kUneven = 0.2;     ///< cells: the sides are flat to this
-constexpr double kThickest = 1.0;   ///< cells, of walls; gaps count as negative
-constexpr double kRimTurned = 0.8;  ///< |cosine| below which a hit is not on a side of the wall
+constexpr double kMinSideCosine =
+    0.7;  ///< |cosine| (45 degrees) from which a crossing belongs to a side
+constexpr double kMaxUnevenness = 0.2;  ///< cells: a side counts as flat up to this height
+/// Cells, of walls and of gaps: thicker ones are met by grid edges.
+constexpr double kMaxWallThickness = 1.0;
+/// |cosine| (37 degrees) below which a hit is not on a side of the wall.
+constexpr double kMaxRimCosine = 0.8;
 
-/// The two sides as planes normal . x = offset, in the cell's coordinates.
+/// The plane half way between the two sides, normal . x = middle, in the coordinates of the cell.
 struct Wall {
   Eigen::Vector3d normal;
   double middle = 0;
 };
 
-/// False if all crossings are of one side: nothing to look for, which is what nearly every
-/// component says.
+/// Quick test that rejects nearly every component: false if all crossings are on one side.
 bool spread(const Cell& cell, const Components& components, int component,
             const Crossing* crossings) {
   Eigen::Vector3d first;
@@ -39,7 +41,7 @@ bool spread(const Cell& cell, const Components& components, int component,
 
 /// The direction across the wall, if two normals of the component are opposed.
 std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
-  double least = kOpposed;
+  double least = kMaxOpposedCosine;
   std::optional<Eigen::Vector3d> best;
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t q = p + 1; q < points.size(); ++q) {
@@ -52,7 +54,7 @@ std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) 
   return best;
 }
 
-/// Sorts the crossings to the two sides; nothing if these are no thin, nearly flat wall.
+/// Assigns the crossings to the two sides; nothing if they do not form a thin, nearly flat wall.
 std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::Vector3d& normal,
                          VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
@@ -60,7 +62,7 @@ std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::
   out.part.fill(-1);
   for (const CrossingPoint& p : points) {
     const double along = p.normal.dot(normal), offset = p.position.dot(normal);
-    if (std::abs(along) < kAlong) continue;
+    if (std::abs(along) < kMinSideCosine) continue;
     const int s = along > 0 ? 0 : 1;
     out.part[p.slot] = static_cast<std::int8_t>(s);
     sum[s] += offset;
@@ -69,9 +71,9 @@ std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::
     high[s] = std::max(high[s], offset);
   }
   if (count[0] == 0 || count[1] == 0) return std::nullopt;
-  if (high[0] - low[0] > kUneven || high[1] - low[1] > kUneven) return std::nullopt;
+  if (high[0] - low[0] > kMaxUnevenness || high[1] - low[1] > kMaxUnevenness) return std::nullopt;
   const double top = sum[0] / count[0], bottom = sum[1] / count[1];
-  if (std::abs(top - bottom) > kThickest) return std::nullopt;
+  if (std::abs(top - bottom) > kMaxWallThickness) return std::nullopt;
   return Wall{normal, (top + bottom) / 2};
 }
 
@@ -90,7 +92,7 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
     sign[low] = cell.has(2 * edge) ? 1 : 0;
     sign[high] = cell.has(2 * edge + 1) ? 1 : 0;
   }
-  for (int round = 0; round < 3; ++round) {  // edges without a crossing hand the sign on
+  for (int round = 0; round < 3; ++round) {  // edges without a crossing pass the sign on
     for (int edge = 0; edge < kEdges; ++edge) {
       const auto [low, high] = ends(edge);
       if (cell.has(2 * edge) || cell.has(2 * edge + 1)) continue;
@@ -103,7 +105,8 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
   return outside;
 }
 
-/// Where the middle of the wall cuts the cell's edges, outside and inside the swept volume.
+/// Where the middle plane of the wall cuts the edges of the cell, outside and inside the swept
+/// volume.
 void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
               std::vector<Eigen::Vector3d>& outside, std::vector<Eigen::Vector3d>& inside) {
   const std::array<bool, 8> out = outsideCorners(cell);
@@ -155,7 +158,7 @@ bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& 
   if (lines.empty()) return false;
   probe.cast({corner, corner + Eigen::Vector3d::Ones()}, indices, lines);
   for (const ProbeLine& line : lines) {
-    const bool isRim = line.hit && std::abs(line.normal.dot(wall->normal)) < kRimTurned;
+    const bool isRim = line.hit && std::abs(line.normal.dot(wall->normal)) < kMaxRimCosine;
     if (isRim) out.between.push_back(line);
   }
   if (out.between.empty()) return false;

@@ -1,8 +1,13 @@
-// The end of a wall (or gap) thinner than a cell: no grid edge meets its rim, so that the crossings
-// of the cell know its two sides only. The plane half way between the sides is cut with the cell;
-// from the corners of this cut that lie outside, the surface is probed towards those inside.
+// The end of a wall (or gap) thinner than a cell.
 //
-// A wall end with its rim found has two features, one for each side.
+// In: a component with crossings on both sides of a thin wall, and a probe. Out: hits on the rim,
+// and the split of the vertex: one feature for each side. Units: grid coordinates (cells). Cost: a
+// few lines per wall end.
+// Source: own method; figures in docs/contouring.md, "Rims".
+//
+// No grid edge meets the rim of such a wall, so that the crossings of the cell show its two sides
+// only. The plane half way between the sides is cut with the edges of the cell; from the cuts that
+// lie outside, lines are cast towards those inside, and hit the rim.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +15,7 @@
 
 namespace swept {
 
-/// Looks whether the component is the end of a thin wall, and for its rim. False: no rim found.
+/// Looks for the rim of a thin wall that ends in this component. Returns false if there is none.
 bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                  int component, const Crossing* crossings, const SurfaceProbe& probe,
                  VertexSplit& out);

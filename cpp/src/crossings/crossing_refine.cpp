@@ -6,8 +6,10 @@
 
 namespace swept {
 namespace {
-/// Cells that crossings keep from lattice points: those of three edges at one point stay apart.
-constexpr double kFromPoint = 1e-3;
+/// Cells: crossings keep this distance from lattice points, so that the crossings of the edges at
+/// one lattice point stay apart. It is ten times the margin of vertices in their cells
+/// (kCellMargin).
+constexpr double kMinPointDistance = 1e-3;
 }  // namespace
 
 CrossingRefiner::CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked)
@@ -35,13 +37,13 @@ CrossingRefiner::Hit CrossingRefiner::onFace(const SweptElement& element, int ax
           p.timeSeconds};
 }
 
-CrossingRefiner::Hit CrossingRefiner::onPatch(const SweptElement& element, int axis,
-                                              const Eigen::Vector3d& line) const {
+CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, int axis,
+                                                  const Eigen::Vector3d& line) const {
   const Placement &p = placements_[element.placement], &q = placements_[element.placement + 1];
   const Placement& m = bulges_[element.placement];
   const BodyEdge& edge = input_.topology.edges[element.index()];
   const Eigen::Vector3d &va = input_.body.vertices[edge.a], &vb = input_.body.vertices[edge.b];
-  // x(r, s) = A(s) + r B(s): A the path of vertex a, B the edge vector
+  // x(r, s) = A(s) + r B(s), with A the path of vertex a and B the edge vector.
   const Eigen::Vector3d a0 = p.apply(va), a1 = q.apply(va) - a0, a2 = 4 * m.apply(va);
   const Eigen::Vector3d d = vb - va;
   const Eigen::Vector3d b0 = p.rotation * d, b1 = q.rotation * d - b0, b2 = 4 * (m.rotation * d);
@@ -69,7 +71,8 @@ CrossingRefiner::Hit CrossingRefiner::onPatch(const SweptElement& element, int a
   alongTime = a1 + (1 - 2 * s) * a2 + r * (b1 + (1 - 2 * s) * b2);
   const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
   const Eigen::Vector3d n = alongEdge.cross(alongTime);
-  // What is left of the miss across the line is paid along the line by the tangent plane.
+  // Newton's method leaves a small distance from the lattice line; move along the line until the
+  // tangent plane is met.
   double along = x[axis];
   if (std::abs(n[axis]) > 0.1 * n.norm()) {
     along += (n[u] * (x[u] - line[u]) + n[v] * (x[v] - line[v])) / n[axis];
@@ -81,15 +84,18 @@ Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::
                                  float fraction, std::uint32_t elementIndex, bool low) const {
   const Eigen::Vector3d line(i, j, k);
   const SweptElement& element = marked_.elements[elementIndex];
-  const Hit hit = element.isPatch() ? onPatch(element, axis, line) : onFace(element, axis, line);
+  const Hit hit =
+      element.isSidePatch() ? onSidePatch(element, axis, line) : onFace(element, axis, line);
   Crossing crossing;
   crossing.timeSeconds = static_cast<float>(hit.timeSeconds);
   const double exact = hit.along - line[axis];
-  // A grazing face or a degenerate patch has no good intersection: keep what the sampler saw.
-  constexpr double kTrusted = 0.25;
+  // Cells. A grazing face or a degenerate side patch has no well-defined intersection: farther than
+  // this from the sampler's crossing, the sampler's fraction is kept.
+  constexpr double kMaxCorrection = 0.25;
   const double position =
-      std::isfinite(exact) && std::abs(exact - fraction) < kTrusted ? exact : fraction;
-  crossing.fraction = static_cast<float>(std::clamp(position, kFromPoint, 1 - kFromPoint));
+      std::isfinite(exact) && std::abs(exact - fraction) < kMaxCorrection ? exact : fraction;
+  crossing.fraction =
+      static_cast<float>(std::clamp(position, kMinPointDistance, 1 - kMinPointDistance));
   const double length = hit.normal.norm();
   if (length > 0) {
     const bool towardsHigh = hit.normal[axis] > 0;

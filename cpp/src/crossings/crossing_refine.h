@@ -1,10 +1,14 @@
-// Exact position, normal and time of a crossing, in double, from the element that won it.
+// Exact position, normal and time of a crossing, in double, from the element that made it.
 //
-// Face: the line against the face's plane at its placement. Side patch: Newton on the true motion,
-// which within one step is the chord plus a quadratic through the exact midpoint,
-//   x(s) = (1-s) p + s q + 4 s (1-s) m,  m = x_mid - (p + q) / 2   (error of third order in the
-//   turn);
-// the normal is edge x velocity.
+// In: sampler input, and the lattice edge, sampled fraction and element of a crossing. Out:
+// Crossing. Units: cells, seconds. Cost: O(1), a few Newton steps for side patches.
+// Source: METHOD.md section 2, "crossing positions" and "ruled side patches".
+//
+// Face: intersection of the lattice line with the face's plane at its placement. Side patch:
+// Newton's method on the motion of the step, which is the chord plus a quadratic through the exact
+// midpoint,
+//   x(s) = (1-s) p + s q + 4 s (1-s) m,  m = x_mid - (p + q) / 2,
+// with an error of third order in the turn of the step. The normal is edge x velocity.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,8 +21,8 @@ namespace swept {
 class CrossingRefiner {
  public:
   CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked);
-  /// axis, (i, j, k): the lattice edge; fraction: where the sampler saw it; low: seen from the low
-  /// end.
+  /// axis, (i, j, k): the lattice edge. fraction: where the sampler found the crossing. low:
+  /// whether it is the one seen from the low end.
   Crossing refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k, float fraction,
                   std::uint32_t element, bool low) const;
 
@@ -29,12 +33,12 @@ class CrossingRefiner {
     double timeSeconds;
   };
   Hit onFace(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
-  Hit onPatch(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
+  Hit onSidePatch(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
 
   const SamplerInput& input_;
   const MarkedEdges& marked_;
-  std::vector<Placement> placements_;  // in cells
-  std::vector<Placement> bulges_;      // m as an affine map, in cells
+  std::vector<Placement> placements_;  // with results in cells
+  std::vector<Placement> bulges_;      // m as an affine map, with results in cells
 };
 
 }  // namespace swept

@@ -8,38 +8,40 @@
 namespace swept {
 namespace {
 
-/// More pieces than this in one cell say nothing about a single wall any more.
+/// A cell that more pieces than this pass through does not show a single wall any more, and is not
+/// worth the time.
 constexpr std::size_t kMaxPieces = 20000;
-/// Cells: pieces this close to the cell count as met, so that the search can go round its corners.
-constexpr double kAround = 0.05;
+/// Cells: pieces this close to the cell count as touching it, so that the search can go round its
+/// corners.
+constexpr double kSearchMargin = 0.05;
 
-constexpr double kSlack = 1e-7;  ///< on an edge: both triangles are met rather than none
+constexpr double kEdgeSlack = 1e-7;  ///< at an edge both triangles are hit rather than none
 
-/// Where a line meets a triangle, as the share of the line and the triangle's coordinates.
-struct Meeting {
+/// Where a line intersects a triangle: fraction along the line, and coordinates in the triangle.
+struct Hit {
   double along, u, v;
 };
 
-bool meets(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-           const Eigen::Vector3d& c, Meeting& out) {
+bool intersects(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                const Eigen::Vector3d& c, Hit& out) {
   const Eigen::Vector3d d = line.to - line.from, ab = b - a, ac = c - a;
   const Eigen::Vector3d p = d.cross(ac);
   const double det = ab.dot(p);
   if (std::abs(det) < 1e-14) return false;
   const Eigen::Vector3d s = line.from - a;
   out.u = s.dot(p) / det;
-  if (out.u < -kSlack || out.u > 1 + kSlack) return false;
+  if (out.u < -kEdgeSlack || out.u > 1 + kEdgeSlack) return false;
   const Eigen::Vector3d q = s.cross(ab);
   out.v = d.dot(q) / det;
-  if (out.v < -kSlack || out.u + out.v > 1 + kSlack) return false;
+  if (out.v < -kEdgeSlack || out.u + out.v > 1 + kEdgeSlack) return false;
   out.along = ac.dot(q) / det;
   return out.along >= 0 && out.along <= 1;
 }
 
-/// Separating axes of a triangle and the box of half sides `half` about the origin (Akenine-Moeller
-/// 2001).
-bool meetsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-              const Eigen::Vector3d& half) {
+/// Whether a triangle intersects the box of half sizes `half` about the origin, by separating axes
+/// (Akenine-Moeller 2001).
+bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                   const Eigen::Vector3d& half) {
   const auto beyond = [](double x, double y, double z, double reach) {
     return std::min({x, y, z}) > reach || std::max({x, y, z}) < -reach;
   };
@@ -50,7 +52,7 @@ bool meetsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
   const Eigen::Vector3d n = side[0].cross(side[1]);
   if (beyond(n.dot(a), n.dot(b), n.dot(c), half.dot(n.cwiseAbs()))) return false;
   for (const Eigen::Vector3d& s : side) {
-    for (int axis = 0; axis < 3; ++axis) {  // s across the axis
+    for (int axis = 0; axis < 3; ++axis) {  // s is the second axis perpendicular to `axis`
       const int p = (axis + 1) % 3, q = (axis + 2) % 3;
       const auto along = [&](const Eigen::Vector3d& x) { return s[p] * x[q] - s[q] * x[p]; };
       if (beyond(along(a), along(b), along(c),
@@ -62,8 +64,9 @@ bool meetsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
   return true;
 }
 
-/// The same of a segment.
-bool meetsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& half) {
+/// The same for a segment.
+bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
+                   const Eigen::Vector3d& half) {
   const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
   const Eigen::Vector3d reach = way.cwiseAbs();
   if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
@@ -75,10 +78,10 @@ bool meetsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::V
   return true;
 }
 
-/// Set of elements, made for a few dozen of them.
+/// A set of elements, built for a few dozen of them.
 class SeenElements {
  public:
-  /// False if it was in before.
+  /// Returns false if the element is in the set already.
   bool insert(const SweptElement& element) {
     if (2 * count_ >= slots_.size()) grow();
     const auto key = static_cast<std::uint64_t>(element.code) << 32 | element.placement;
@@ -132,11 +135,11 @@ ElementProbe::ElementProbe(const SamplerInput& input, const std::vector<SweptEle
 
 ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   Piece piece;
-  piece.isPatch = element.isPatch();
+  piece.isSidePatch = element.isSidePatch();
   const Placement& p = placements_[element.placement];
   piece.start = piece.end = p.timeSeconds;
   const auto& x = input_.body.vertices;
-  if (piece.isPatch) {
+  if (piece.isSidePatch) {
     const Placement& q = placements_[element.placement + 1];
     const BodyEdge& e = input_.topology.edges[element.index()];
     piece.corner = {p.apply(x[e.a]), p.apply(x[e.b]), q.apply(x[e.b]), q.apply(x[e.a])};
@@ -148,19 +151,20 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-// Only what two pieces share leads from the one to the other: it has to pass through the box.
+// Two pieces are neighbours by what they share (an edge, a path or a face); that part has to pass
+// through the box.
 template <class Inside, class Use>
 void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
                                  const Inside& inside, const Use& use) const {
   const std::uint32_t k = element.placement;
   const std::size_t steps = input_.motion.steps();
-  const auto patch = [&](std::int32_t edge, std::uint32_t step) {
-    use(SweptElement{static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit, step});
+  const auto sidePatch = [&](std::int32_t edge, std::uint32_t step) {
+    use(SweptElement{static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit, step});
   };
   const auto face = [&](std::int32_t f, std::uint32_t placement) {
     if (f >= 0) use(SweptElement{static_cast<std::uint32_t>(f), placement});
   };
-  if (!element.isPatch()) {
+  if (!element.isSidePatch()) {
     const auto& t = input_.body.triangles[element.index()];
     const auto cornerOf = [&](std::int32_t v) -> const Eigen::Vector3d& {
       return piece.corner[v == t[0] ? 0 : v == t[1] ? 1 : 2];
@@ -169,8 +173,8 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
       if (e < 0) continue;
       const BodyEdge& edge = input_.topology.edges[e];
       if (!inside(cornerOf(edge.a), cornerOf(edge.b))) continue;
-      if (k < steps) patch(e, k);
-      if (k > 0 && k - 1 < steps) patch(e, k - 1);
+      if (k < steps) sidePatch(e, k);
+      if (k > 0 && k - 1 < steps) sidePatch(e, k - 1);
       face(edge.left, k);
       face(edge.right, k);
     }
@@ -184,8 +188,8 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
   const auto& [a, b, c, d] = piece.corner;
   const bool atStart = inside(a, b), atEnd = inside(c, d), pathA = inside(a, d),
              pathB = inside(b, c);
-  if (atStart && k > 0) patch(e, k - 1);
-  if (atEnd && k + 1 < steps) patch(e, k + 1);
+  if (atStart && k > 0) sidePatch(e, k - 1);
+  if (atEnd && k + 1 < steps) sidePatch(e, k + 1);
   for (const std::int32_t f : {edge.left, edge.right}) {
     if (f < 0) continue;
     if (atStart) face(f, k);
@@ -195,7 +199,7 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
       if (other < 0 || other == e) continue;
       const BodyEdge& beside = input_.topology.edges[other];
       const bool sharesA = beside.a == edge.a || beside.b == edge.a;
-      if (sharesA ? pathA : pathB) patch(other, k);
+      if (sharesA ? pathA : pathB) sidePatch(other, k);
     }
   }
 }
@@ -203,16 +207,16 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
 std::vector<ElementProbe::Piece> ElementProbe::gather(
     const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
   const Eigen::Vector3d centre = region.center();
-  const Eigen::Vector3d half = region.sizes().array() / 2 + kAround;
-  std::vector<std::pair<SweptElement, std::size_t>> waiting;  // with the number of its piece
+  const Eigen::Vector3d half = region.sizes().array() / 2 + kSearchMargin;
+  std::vector<std::pair<SweptElement, std::size_t>> waiting;  // each with the number of its piece
   SeenElements seen;
   std::vector<Piece> pieces;
   const auto visit = [&](const SweptElement& element) {
     if (!seen.insert(element)) return;
     const Piece piece = pieceOf(element);
     const auto& [a, b, c, d] = piece.corner;
-    if (!meetsBox(a - centre, b - centre, c - centre, half) &&
-        (!piece.isPatch || !meetsBox(a - centre, c - centre, d - centre, half))) {
+    if (!intersectsBox(a - centre, b - centre, c - centre, half) &&
+        (!piece.isSidePatch || !intersectsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
     waiting.emplace_back(element, pieces.size());
@@ -220,7 +224,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
   };
   for (const std::uint32_t crossing : crossings) visit(elements_[winner_[crossing]]);
   const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-    return meetsBox(p - centre, q - centre, half);
+    return intersectsBox(p - centre, q - centre, half);
   };
   while (!waiting.empty() && pieces.size() <= kMaxPieces) {
     const auto [element, at] = waiting.back();
@@ -234,34 +238,35 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
 
 void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
   const auto &a = piece.corner[0], &b = piece.corner[1], &c = piece.corner[2],
-             &d = piece.corner[3];  // older compilers cannot capture bindings
-  const auto take = [&](const Meeting& at, double r, double s) {
+             &d = piece.corner[3];  // older compilers cannot capture structured bindings
+  const auto take = [&](const Hit& at, double r, double s) {
     if (at.along >= first) return;
     first = at.along;
     line.hit = true;
-    // The side patch is bilinear: its normal turns with the place.
+    // The side patch is bilinear, so its normal depends on the position.
     const Eigen::Vector3d n =
-        piece.isPatch ? ((1 - s) * (b - a) + s * (c - d)).cross((1 - r) * (d - a) + r * (c - b))
-                      : (b - a).cross(c - a);
+        piece.isSidePatch ? ((1 - s) * (b - a) + s * (c - d)).cross((1 - r) * (d - a) + r * (c - b))
+                          : (b - a).cross(c - a);
     line.normal = n.normalized();
     line.timeSeconds = piece.start + s * (piece.end - piece.start);
   };
-  Meeting at{};
-  if (meets(line, a, b, c, at)) take(at, at.u + at.v, at.v);
-  if (piece.isPatch && meets(line, a, c, d, at)) take(at, at.u, at.u + at.v);
+  Hit at{};
+  if (intersects(line, a, b, c, at)) take(at, at.u + at.v, at.v);
+  if (piece.isSidePatch && intersects(line, a, c, d, at)) take(at, at.u, at.u + at.v);
 }
 
 void ElementProbe::cast(const Eigen::AlignedBox3d& region,
                         const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
-  std::vector<double> first(lines.size(), 2);  // fraction of the line
+  std::vector<double> first(lines.size(), 2);  // fraction along each line
   for (const Piece& piece : gather(region, crossings)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
-    // Sides of the plane of the first triangle; a patch reaches beyond it by its fourth corner.
+    // Sides of the plane of the first triangle. A side patch reaches beyond that plane by its
+    // fourth corner.
     const double fourth = n.dot(d - a);
     const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
-    const double slack = kSlack * n.norm();
+    const double slack = kEdgeSlack * n.norm();
     for (std::size_t l = 0; l < lines.size(); ++l) {
       const double from = n.dot(lines[l].from - a), to = n.dot(lines[l].to - a);
       if (std::min(from, to) > high + slack || std::max(from, to) < low - slack) continue;

@@ -1,7 +1,11 @@
-// Answers a surface probe from the swept elements: those that won the given crossings, and from
-// them on along the edges and steps of the motion that they share, as long as the cell is met.
-// Cost: the elements met; none is looked for anywhere else, so that it does not matter which
-// sampler found the crossings.
+// Casts lines at the swept surface near given crossings (implements SurfaceProbe).
+//
+// In: the elements that made the crossings. Out: first hit, normal and time per line. Units: grid
+// coordinates, seconds. Cost: proportional to the elements that pass through the cell.
+// The search starts at these elements and continues to their neighbours (across shared edges and
+// paths of vertices, and to the steps before and after) as long as what they share passes through
+// the cell. It looks nowhere else, so it does not matter which sampler found the crossings.
+// Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,24 +21,27 @@ namespace swept {
 
 class ElementProbe : public SurfaceProbe {
  public:
-  /// `winner`: per crossing its index in `elements`. All must outlive the probe.
+  /// `winner`: per crossing the index of its element in `elements`. All arguments must outlive the
+  /// probe.
   ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
                const std::vector<std::uint32_t>& winner);
   void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
             std::vector<ProbeLine>& lines) const override;
 
  private:
-  /// Corners of a face, or of a side patch going round: a, b at the step's start, b, a at its end.
+  /// Corners of a face; or of a side patch in ring order: a, b at the start of the step, then b, a
+  /// at its end.
   struct Piece {
     std::array<Eigen::Vector3d, 4> corner;
-    bool isPatch = false;
-    double start = 0, end = 0;  // s
+    bool isSidePatch = false;
+    double start = 0, end = 0;  // seconds
   };
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
                             const std::vector<std::uint32_t>& crossings) const;
-  /// use(other) for those that share an edge or a vertex's path with the element, if inside(p, q)
-  /// holds for that segment, and for copies of a face in the placements before and after.
+  /// Calls use(other) for the elements that share an edge or the path of a vertex with this one, if
+  /// inside(p, q) is true for the shared segment, and for the copies of a face at the placements
+  /// before and after.
   template <class Inside, class Use>
   void forNeighbours(const SweptElement& element, const Piece& piece, const Inside& inside,
                      const Use& use) const;
@@ -43,8 +50,9 @@ class ElementProbe : public SurfaceProbe {
   const SamplerInput& input_;
   const std::vector<SweptElement>& elements_;
   const std::vector<std::uint32_t>& winner_;
-  std::vector<Placement> placements_;                   // in cells
-  std::vector<std::array<std::int32_t, 3>> faceEdges_;  // -1: rim or more than two faces
+  std::vector<Placement> placements_;  // with results in cells
+  // -1: boundary edge, or an edge of more than two faces.
+  std::vector<std::array<std::int32_t, 3>> faceEdges_;
 };
 
 }  // namespace swept

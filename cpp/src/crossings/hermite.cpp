@@ -11,8 +11,8 @@
 namespace swept {
 namespace {
 
-/// Two crossings of one edge are kept at least this far apart (cells), so that a sheet without
-/// thickness still has two sides.
+/// Cells: two crossings of one edge keep at least this distance, so that a sheet without thickness
+/// still has two sides. It is twice what kMinPointDistance keeps free at each end of an edge.
 constexpr float kMinWall = 2e-3f;
 
 void separate(Crossing& low, Crossing& high) {

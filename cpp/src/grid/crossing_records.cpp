@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// The crossings next to either end of each lattice edge of one column, found without sorting: the
-/// edges that are crossed are marked in a bit set.
+/// The crossings next to either end of each lattice edge of one column. No sorting is needed: a bit
+/// set marks the edges that are crossed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
@@ -32,7 +32,7 @@ class ColumnEnds {
     if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
     if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
   }
-  /// use(k, low, high) for the crossed edges in rising order, which are forgotten.
+  /// Calls use(k, low, high) for the crossed edges in rising order, and clears them.
   template <class Use>
   void take(const Use& use) {
     for (std::size_t w = 0; w < crossed_.size(); ++w) {
@@ -63,7 +63,7 @@ class ColumnEnds {
   std::vector<std::uint64_t> crossed_;
 };
 
-/// Parts the records of one layer by axis and column and keeps of every lattice edge the crossing
+/// Sorts the records of one layer by axis and column, and keeps for every lattice edge the crossing
 /// next to either end.
 void reduceLayer(const std::vector<RecordChunk>& chunks,
                  const std::vector<std::uint32_t>& elementBase, std::size_t i,

@@ -1,5 +1,7 @@
 // Raw crossings of any sampler -> marked edges, sorted layer by layer.
-// Cost: O(crossings); 12 bytes a crossing, and once more what one work item holds.
+// In: chunks of records, in any order. Out: marked edges that depend on the contents of the chunks
+// only. Cost: O(crossings); 12 bytes per crossing, and the same again for the records of one work
+// item.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -36,22 +38,21 @@ struct __attribute__((packed, aligned(4))) CrossingRecord {
 };
 static_assert(sizeof(CrossingRecord) == 12);
 
-/// One work item's crossings and the elements that they point to (by index within the item).
+/// The crossings of one work item and the elements that they refer to (by index within the item).
 struct RecordChunk {
   std::vector<CrossingRecord> records;
   std::vector<SweptElement> elements;
   std::vector<std::uint32_t> layerStart;  ///< once ordered: per layer its first record, and the end
 };
 
-/// Orders the records by layer, in an array of just their number; `room` receives the array that
-/// they were in, emptied, for the next chunk.
+/// Orders the records by layer, in an array of exactly their number. `room` receives the previous
+/// array, emptied, for the next chunk.
 void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
 
-/// Leaves of every lattice edge only the crossings that sortRecords() would take of these; the
-/// order of what is left is another.
+/// Keeps only those crossings of every lattice edge that sortRecords() would select, in any order.
 void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid);
 
-/// Consumes the chunks. The result depends on their contents only, not on who made them.
+/// Consumes the chunks. The result does not depend on which thread made which chunk.
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run);
 
 }  // namespace swept

@@ -1,4 +1,5 @@
-// The sampling grid: lattice points g = (i, j, k), 0 <= i < points[0] ..., at origin + cell * g.
+// The sampling grid: lattice points g = (i, j, k) with 0 <= i < points[0] and so on, at origin +
+// cell * g.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +11,9 @@
 
 namespace swept {
 
-constexpr int kMaxPointsPerSide = 8191;  ///< 13 bits an index, 17 bits of a cell: 30 bits in all
+/// 13 bits per index and 17 bits within a cell (snap.h) make 30 bits, so that differences fit into
+/// 32.
+constexpr int kMaxPointsPerSide = 8191;
 
 struct GridPlan {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< mm

@@ -1,5 +1,5 @@
 // Two-sided Hermite data of the envelope: for every lattice edge, the first crossing seen from each
-// of its ends that is outside. Memory: 8 bytes an edge, 24 bytes a crossing.
+// of its outside ends. Memory: 8 bytes per edge, 24 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,14 +13,15 @@
 namespace swept {
 
 struct Crossing {
-  float fraction = 0;  ///< along the edge, 0 at the low end, 1 at the high end
+  float fraction = 0;  ///< along the edge: 0 at the low end, 1 at the high end
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, towards the outside
   float timeSeconds = 0;
 };
 
 struct HermiteEdge {
   static constexpr std::uint8_t kLow = 1, kHigh = 2;
-  std::uint32_t first = 0;  ///< index of its (low, else high) crossing; the high one follows
+  /// Index of the low crossing (of the high one if there is no low one); the high one follows.
+  std::uint32_t first = 0;
   std::uint16_t k = 0;
   std::uint8_t sides =
       0;  ///< kLow: low end outside, has the crossing seen from there; kHigh: likewise
@@ -30,16 +31,16 @@ struct HermiteEdge {
 struct HermiteLayer {
   std::array<std::vector<HermiteEdge>, 3> edges;
   std::array<std::vector<std::uint32_t>, 3> columnStart;
-  std::uint32_t firstCrossing = 0;  ///< crossings of a layer are consecutive
+  std::uint32_t firstCrossing = 0;  ///< the crossings of a layer are consecutive
 };
 
 struct HermiteGrid {
   GridPlan plan;
   std::vector<HermiteLayer> layers;
   std::vector<Crossing> crossings;
-  std::vector<std::uint32_t> winner;  ///< per crossing: index of the swept element it lies on
+  std::vector<std::uint32_t> winner;  ///< per crossing: index of the swept element that it lies on
   std::int64_t markedEdges = 0;
-  std::int64_t sheetEdges = 0;  ///< edges whose two crossings are one and the same point
+  std::int64_t sheetEdges = 0;  ///< edges whose two crossings are the same point
 };
 
 }  // namespace swept

@@ -1,5 +1,5 @@
-// What a sampler hands on: for every lattice edge that the swept surface crosses, the first
-// crossing seen from each end. Memory grows with the surface: 20 bytes an edge.
+// The output of every sampler: for each lattice edge that the swept surface crosses, the first
+// crossing seen from each end. Memory grows with the surface: 20 bytes per edge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,28 +10,29 @@
 namespace swept {
 
 /// A piece of the swept surface: a face of the body at a placement, or the side patch that an edge
-/// of the body sweeps during a motion step.
+/// of the body sweeps during one motion step.
 struct SweptElement {
-  static constexpr std::uint32_t kPatchBit = 0x80000000u;
-  std::uint32_t code = 0;       ///< face index, or edge index | kPatchBit
-  std::uint32_t placement = 0;  ///< placement of the face, first placement of the patch's step
+  static constexpr std::uint32_t kSidePatchBit = 0x80000000u;
+  std::uint32_t code = 0;  ///< index of the face; or index of the edge | kSidePatchBit
+  /// Placement of the face, or first placement of the side patch's step.
+  std::uint32_t placement = 0;
 
-  bool isPatch() const { return (code & kPatchBit) != 0; }
-  std::uint32_t index() const { return code & ~kPatchBit; }
+  bool isSidePatch() const { return (code & kSidePatchBit) != 0; }
+  std::uint32_t index() const { return code & ~kSidePatchBit; }
 };
 
-/// Crossed lattice edge from (i, j, k) towards +axis; i, j and the axis follow from where it is
-/// kept.
+/// A crossed lattice edge from (i, j, k) towards +axis; i, j and the axis follow from the list that
+/// contains it.
 struct MarkedEdge {
-  float lowFraction = 0;   ///< position of the crossing seen first from the low end, in [0, 1]
-  float highFraction = 0;  ///< ... from the high end
+  float lowFraction = 0;   ///< position of the first crossing seen from the low end, in [0, 1]
+  float highFraction = 0;  ///< position of the first crossing seen from the high end
   std::uint32_t lowElement = 0, highElement = 0;
   std::uint16_t k = 0;
   std::uint16_t unused = 0;
 };
 
-/// Edges that start in lattice layer i. Edges of one axis stand by column j, then k; those of
-/// column j are [columnStart[axis][j], columnStart[axis][j + 1]).
+/// Edges that start in lattice layer i. The edges of one axis are ordered by column j, then by k;
+/// those of column j are [columnStart[axis][j], columnStart[axis][j + 1]).
 struct LayerEdges {
   std::array<std::vector<MarkedEdge>, 3> edges;
   std::array<std::vector<std::uint32_t>, 3> columnStart;
@@ -39,7 +40,7 @@ struct LayerEdges {
 
 struct MarkedEdges {
   std::vector<LayerEdges> layers;      ///< by i
-  std::vector<SweptElement> elements;  ///< what lowElement and highElement point to
+  std::vector<SweptElement> elements;  ///< what lowElement and highElement refer to
 };
 
 }  // namespace swept

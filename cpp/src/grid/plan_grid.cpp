@@ -11,32 +11,32 @@
 namespace swept {
 namespace {
 
-/// Vertices that can be the farthest along a world axis at any placement. With d the axis in the
-/// body's frame: all d lie within `turn` of the first one's, so a vertex that falls behind there by
-/// more than twice what a turn can make up is never in front.
+/// The vertices that can be the farthest along a world axis at any placement. Seen from the body,
+/// the axis is a direction d; all d lie within `turn` of the first one. A vertex that is behind the
+/// farthest one there by more than twice what such a turn can change is never the farthest.
 std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
                                    const Motion& motion, int axis, double side) {
   const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
-  double turn = 0, radius = 0, most = -HUGE_VAL;
+  double turn = 0, radius = 0, farthest = -HUGE_VAL;
   for (const Placement& p : motion.placements) {
     turn = std::max(turn, (side * p.rotation.row(axis) - d).norm());
   }
   for (const auto& v : body.vertices) {
     radius = std::max(radius, (v - centre).norm());
-    most = std::max(most, d.dot(v - centre));
+    farthest = std::max(farthest, d.dot(v - centre));
   }
   std::vector<std::int32_t> out;
   for (std::size_t v = 0; v < body.vertices.size(); ++v) {
-    if (d.dot(body.vertices[v] - centre) >= most - 2 * radius * turn - 1e-9 * radius) {
+    if (d.dot(body.vertices[v] - centre) >= farthest - 2 * radius * turn - 1e-9 * radius) {
       out.push_back(static_cast<std::int32_t>(v));
     }
   }
   return out;
 }
 
-/// The box of very many placements that differ little; an empty one if they differ much.
-Eigen::AlignedBox3d boxOfLikePlacements(const TriMesh& body, const Eigen::Vector3d& centre,
-                                        const Motion& motion) {
+/// The box of very many placements that differ little; an empty box if they differ much.
+Eigen::AlignedBox3d boxOfSimilarPlacements(const TriMesh& body, const Eigen::Vector3d& centre,
+                                           const Motion& motion) {
   Eigen::AlignedBox3d box;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
@@ -46,15 +46,16 @@ Eigen::AlignedBox3d boxOfLikePlacements(const TriMesh& body, const Eigen::Vector
       const std::size_t n = motion.placements.size();
       std::vector<double> parts(n / kBlock + 1, -HUGE_VAL);
       parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
-        double& most = parts[begin / kBlock];
+        double& farthest = parts[begin / kBlock];
         for (std::size_t k = begin; k < end; ++k) {
           for (const std::int32_t v : front) {
-            most = std::max(most, side * motion.placements[k].apply(body.vertices[v])[axis]);
+            farthest =
+                std::max(farthest, side * motion.placements[k].apply(body.vertices[v])[axis]);
           }
         }
       });
-      const double most = side * *std::max_element(parts.begin(), parts.end());
-      (side < 0 ? box.min() : box.max())[axis] = most;
+      const double farthest = side * *std::max_element(parts.begin(), parts.end());
+      (side < 0 ? box.min() : box.max())[axis] = farthest;
     }
   }
   return box;
@@ -67,11 +68,12 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunConte
   for (const auto& v : body.vertices) bodyBox.extend(v);
   const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
   Eigen::AlignedBox3d box;
-  // Placements in order of their own centre's extremes would prune more; a stride order is enough.
+  // Sorting the placements by their extremes would skip more of them; a strided order is enough.
   const std::size_t n = motion.placements.size();
+  // From this many placements on, finding the foremost vertices costs less than posing all boxes.
   constexpr std::size_t kMany = 1024;
   if (n >= kMany) {
-    box = boxOfLikePlacements(body, centre, motion);
+    box = boxOfSimilarPlacements(body, centre, motion);
     if (!box.isEmpty()) return box;
   }
   const std::size_t stride = n > 64 ? n / 64 : 1;

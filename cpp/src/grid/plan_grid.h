@@ -1,6 +1,8 @@
-// Extent and cell of the grid, before anything large is allocated.
-// In: body, motion. Out: the grid with at least one empty cell to every side of the sweep.
-// Cost: O(placements + a few x vertices): most placements are ruled out by their box alone.
+// Extent and cell of the grid, decided before anything large is allocated.
+// In: body, motion, options. Out: the grid, with at least one empty cell to every side of the
+// sweep. Units: mm. Cost: O(placements + a few times the vertices), because most placements are
+// skipped by their box alone.
+// Source: METHOD.md section 1 (empty cells) and section 2, "Traps" (odd offset).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,12 +16,14 @@
 namespace swept {
 
 constexpr double kGridMarginCells =
-    1.37;  ///< empty cells to each side; odd, so that planes of the body miss it
+    /// Empty cells to each side; an odd fraction, so that axis-parallel planes miss lattice points.
+    1.37;
 
 /// Exact box of all posed vertices, mm.
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run);
 
-/// Cell from options (cellSize, else resolution = cells along the longest side of the grid).
+/// Cell in mm from the options (cellSize, else resolution = cells along the longest side of the
+/// grid).
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options);
 
 /// Throws Error(InvalidInput, "CellTooLarge" / "PrecisionTooCoarse"), Error(ResourceLimit).

@@ -1,10 +1,15 @@
 // Exact crossings of one triangle with the lattice lines of one axis.
 //
-// Vertices are odd integers in units of 2^-17 cell, lattice lines stand at multiples of 2^17: no
-// vertex ever lies on a line's row or column. A line exactly on an edge, or a lattice point exactly
-// on a plane, is decided as if the lattice were shifted by (e, e^2, e^3) with e -> 0 (simulation of
-// simplicity, Edelsbrunner and Muecke 1990), the same shift for all axes: what the three axes say
-// of a lattice point agrees, and a closed surface gives a closed set of crossings.
+// In: snapped corners of a triangle. Out: lattice edges and fractions. Units: 2^-17 cell. Cost:
+// O(lattice lines that the triangle's projection covers).
+// Promise: a closed surface gives a closed set of crossings, and the three axes agree about every
+// lattice point.
+// Source: simulation of simplicity (Edelsbrunner and Muecke 1990); METHOD.md section 2, "Traps".
+//
+// Vertices are odd integers in units of 2^-17 cell and lattice lines lie at multiples of 2^17, so
+// that no vertex ever lies on the row or column of a line. A line exactly on an edge, or a lattice
+// point exactly on a plane, is decided as if the lattice were shifted by (e, e^2, e^3) with e -> 0,
+// the same shift for all axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,11 +24,11 @@ namespace swept {
 
 namespace detail {
 
-/// Sign of the edge function of s -> t at the shifted lattice line where its value is zero.
+/// Decides a line exactly on the edge s -> t: the sign of the edge function at the shifted line.
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
-/// Exact decision where the crossing is within rounding of lattice point k of the line: is the
-/// crossing above (shifted) lattice point k?
+/// Exact decision for a crossing within rounding of lattice point k of the line: is the crossing
+/// above the (shifted) lattice point?
 template <int W>
 bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& w,
                      std::int64_t area2, std::int64_t k, const SnappedPoint& a,
@@ -33,8 +38,9 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
                              static_cast<__int128>(e[2]) * w[2];
   const __int128 point = static_cast<__int128>(area2) * (k * static_cast<std::int64_t>(kSubUnits));
   if (numerator != point) return numerator > point;
-  // On the plane: the sign of -n_axis / n_W for the first axis whose normal component is not zero
-  // (moving the lattice point along that axis), W itself counting as "the point moves up".
+  // A lattice point on the plane: the sign of -n_axis / n_W for the first axis with a non-zero
+  // component of the normal decides (the lattice point moves along that axis); for W itself the
+  // point moves up.
   const auto component = [&](int axis) {
     const int p = (axis + 1) % 3, q = (axis + 2) % 3;
     const std::int64_t bp = b[p] - a[p], bq = b[q] - a[q], cp = c[p] - a[p], cq = c[q] - a[q];
@@ -44,7 +50,7 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
   for (int axis = 0; axis < 3; ++axis) {
     if (axis == W) return false;  // the shifted point is above the crossing
     const std::int64_t n = component(axis);
-    if (n != 0) return (n > 0) != (nW > 0);  // surface height changes by -n / nW
+    if (n != 0) return (n > 0) != (nW > 0);  // the height of the surface changes by -n / nW
   }
   return false;
 }
@@ -96,7 +102,7 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
 
   for (std::int32_t v = v0; v <= v1; ++v) {
     std::int32_t first = u0, last = u1;
-    if (wide) {  // narrow the row by each edge, one line to spare; the exact test decides
+    if (wide) {  // narrow the row by each edge, with one line to spare; the exact test decides
       for (int i = 0; i < 3; ++i) {
         if (dv[i] == 0) continue;
         const double at = static_cast<double>(row[i]) * perRow[i];
@@ -120,7 +126,7 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
                          scale;
         auto k = static_cast<std::int32_t>(g);
         double fraction = g - k;
-        constexpr double kNear = 1e-6;  // far above the rounding of g (4e-12)
+        constexpr double kNear = 1e-6;  // cells, far above the rounding of g (4e-12)
         if (fraction < kNear) {
           if (!detail::crossingIsAbove<W>(e, w, area2, k, a, b, c)) {
             --k;

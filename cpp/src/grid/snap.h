@@ -1,5 +1,6 @@
 // Vertices on the fine lattice on which all samplers decide exactly.
-// The order of the additions is written out: a shader that follows it gets the same bits.
+// The order of the additions is written out, so that a shader with the same order gets the same
+// bits. Source: METHOD.md section 2, "Traps".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,7 +21,7 @@ inline std::int32_t snapCoordinate(double g) {
   return 2 * static_cast<std::int32_t>(g * (kSubUnits / 2)) + 1;
 }
 
-/// p: placement with its result in cells.
+/// p: a placement with its result in cells.
 inline SnappedPoint snap(const Placement& p, const Eigen::Vector3d& x) {
   SnappedPoint out;
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
-// What contouring may ask of the swept surface beyond its crossings with the grid: where it meets
-// other lines. Implemented by sampling, or by a test that knows the surface.
+// What contouring may query of the swept surface beyond its crossings with the grid: where other
+// lines intersect it. Implemented by crossings/element_probe, and by tests with a surface of known
+// shape.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,7 +10,7 @@
 
 namespace swept {
 
-/// A segment inside one cell, and the first point of the surface met on the way. Grid coordinates.
+/// A segment inside one cell, and its first intersection with the surface. Units: grid coordinates.
 struct ProbeLine {
   Eigen::Vector3d from, to;
   bool hit = false;
@@ -21,9 +22,9 @@ struct ProbeLine {
 class SurfaceProbe {
  public:
   virtual ~SurfaceProbe() = default;
-  /// Casts the lines against the part of the surface that passes through the region (a cell or less
-  /// of one, grid coordinates) and hangs together, inside it, with the given crossings. Safe to
-  /// call from several threads.
+  /// Casts the lines at the part of the surface that passes through the region (at most a cell, in
+  /// grid coordinates) and is connected, inside the region, with the given crossings. Safe to call
+  /// from several threads.
   virtual void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
                     std::vector<ProbeLine>& lines) const = 0;
 };

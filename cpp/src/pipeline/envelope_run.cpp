@@ -224,7 +224,7 @@ HermiteGrid EnvelopeRun::sample(const BodyTopology& topology, bool cull) {
   add(report_.warnings, sampled.notes);
   report_.sweptFaces = report_.sweptPatches = 0;
   for (const SweptElement& element : marked.elements) {
-    ++(element.isPatch() ? report_.sweptPatches : report_.sweptFaces);
+    ++(element.isSidePatch() ? report_.sweptPatches : report_.sweptFaces);
   }
   HermiteGrid hermite = buildHermiteGrid(input, marked, signs, run_);
   elements_ = std::move(marked.elements);

@@ -1,4 +1,4 @@
-// The exact crossings of a single element: what a sampler's answer is held against.
+// The exact crossings of a single element: the reference for what a sampler reports.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace swept {
 
-/// emit(axis, i, j, k, fraction) for every lattice edge that the triangle crosses.
+/// Calls emit(axis, i, j, k, fraction) for every lattice edge that the triangle crosses.
 template <class Emit>
 void triangleCrossings(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c,
                        const Emit& emit) {
@@ -24,7 +24,7 @@ void elementCrossings(const SamplerInput& input, const SweptElement& element, co
                 input.body.vertices[static_cast<std::size_t>(vertex)]);
   };
   const std::size_t k = element.placement;
-  if (element.isPatch()) {
+  if (element.isSidePatch()) {
     const BodyEdge& e = input.topology.edges[element.index()];
     const SnappedPoint a = corner(e.a, k), b = corner(e.b, k), c = corner(e.b, k + 1),
                        d = corner(e.a, k + 1);

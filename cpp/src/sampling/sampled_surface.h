@@ -1,4 +1,4 @@
-// What a sampling run hands on to the pipeline, whoever did it.
+// The result of a sampling run, whichever sampler made it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ struct SampledSurface {
   std::vector<Finding> notes;
 };
 
-/// Signs from marks; called between the passes, and again if a sampler had to be changed.
+/// Computes signs from marks; called between the passes, and again if a sampler had to be changed.
 using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
 
 }  // namespace swept

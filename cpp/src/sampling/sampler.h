@@ -1,4 +1,7 @@
-// What every sampler (cpu, gl, fake) implements: body + motion + grid -> marked edges.
+// The contract of every sampler (cpu, gl, dense, fake): body + motion + grid -> marked edges.
+// In: SamplerInput. Out: for every lattice edge that the swept surface crosses, the first crossing
+// seen from each end. Units: mm; fractions of an edge. Promise: exact decisions, the same bytes for
+// any number of threads. Source: METHOD.md section 2.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,16 +22,17 @@ struct SamplerInput {
   const BodyTopology& topology;
   const Motion& motion;
   const GridPlan& grid;
-  bool cull = true;        ///< drop provably enclosed faces and patches
-  bool orientable = true;  ///< closed and consistently oriented outward: culling by direction holds
+  bool cull = true;  ///< drop provably enclosed faces and side patches
+  /// Closed and consistently oriented outward: culling by direction is valid.
+  bool orientable = true;
   const FaceClusters* clusters = nullptr;  ///< of the body, where they are known already
   SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
 };
 
-/// The reference sampler, native, on all cores. Exact: vertices are snapped to odd multiples of
-/// 2^-17 cell, every decision (ray hits triangle, which side of a lattice point) is then made in
-/// integers with ties by simulation of simplicity (lattice shifted by (e, e^2, e^3)), so that a
-/// closed surface gives a closed set of crossings.
+/// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of
+/// 2^-17 cell; every decision (does a line hit a triangle, on which side of a lattice point) is
+/// then made in integers, with ties by simulation of simplicity (the lattice is shifted by (e, e^2,
+/// e^3)). A closed surface therefore gives a closed set of crossings.
 MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run);
 
 }  // namespace swept

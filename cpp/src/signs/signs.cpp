@@ -22,7 +22,7 @@ Edges columnEdges(const LayerEdges& layer, int axis, std::int32_t j) {
 using Runs = std::vector<std::uint32_t>;
 
 /// Joins the runs of two neighbouring lines. a, b: their z edges; between: the marked edges that
-/// lead from a to b; n: lattice points along z.
+/// lead from a to b; n: number of lattice points along z.
 void joinLines(Edges a, std::uint32_t runA, Edges b, std::uint32_t runB, Edges between,
                std::int32_t n, Runs& parent) {
   std::size_t ia = 0, ib = 0, im = 0;
@@ -83,7 +83,7 @@ SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext
                 columnEdges(layer, 0, j), nz, parent);
     }
   };
-  constexpr std::size_t kSlab = 16;
+  constexpr std::size_t kSlab = 16;  // layers per task
   parallelBlocks(static_cast<std::size_t>(nx), kSlab, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Signs, begin, static_cast<std::uint64_t>(nx));
     for (auto i = static_cast<std::int32_t>(begin); i < static_cast<std::int32_t>(end); ++i) {

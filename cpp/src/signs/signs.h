@@ -1,9 +1,12 @@
-// Which lattice points the outside reaches: runs and union-find instead of a flood over voxels.
+// Which lattice points the outside reaches, by runs and union-find instead of a flood fill over
+// voxels.
+// In: marked edges. Out: one bit per run. Cost: time linear in runs and marked edges; 4 bytes per
+// line and 5 bytes per run. Promise: the same for any number of threads. Source: METHOD.md section
+// 2, "memory grows with r^3".
 //
-// Along a lattice line in z the points between two marked edges are one run. Runs of neighbouring
-// lines are joined where a lattice edge between them is not marked. Outside = what is joined to the
-// corner of the grid. Memory: 4 bytes a line and 5 bytes a run; time linear in runs and marked
-// edges.
+// Along a lattice line in z, the points between two marked edges form a run. Runs of neighbouring
+// lines are joined where a lattice edge between them is not marked. Everything joined to the corner
+// of the grid is outside.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,9 +20,10 @@
 namespace swept {
 
 struct SignRuns {
-  std::int32_t columns = 0;             ///< lattice points along y
-  std::vector<std::uint32_t> firstRun;  ///< per line (i * columns + j), one past the end at last
-  std::vector<std::uint8_t> outside;    ///< per run
+  std::int32_t columns = 0;  ///< lattice points along y
+  /// Per line (i * columns + j), and one entry behind the last.
+  std::vector<std::uint32_t> firstRun;
+  std::vector<std::uint8_t> outside;  ///< per run
 
   std::uint32_t line(std::int32_t i, std::int32_t j) const {
     return static_cast<std::uint32_t>(i) * static_cast<std::uint32_t>(columns) +
@@ -27,7 +31,7 @@ struct SignRuns {
   }
 };
 
-/// component: if given, a number per run, the same for runs that are joined.
+/// component: if given, receives a number per run, the same for runs that are joined.
 SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
                      std::vector<std::uint32_t>* component = nullptr);
 

@@ -1,4 +1,4 @@
-// The way from a mesh to a file: partition, model, kernel shape, file, check, rename.
+// Mesh -> STEP or BREP file: partition, model, kernel shape, file, check, rename.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/step_export.h"
 
@@ -57,7 +57,7 @@ void requireLength(const char* name, double value) {
             " mm; allowed: 0 to 1e9 mm");
 }
 
-// The kernel, and so most programs, gives up on longer ones.
+// The kernel, and therefore most programs, fails on longer names.
 constexpr std::size_t kLongestName = 1000;
 
 void requireName(const char* name, const std::string& text) {
@@ -85,14 +85,15 @@ void checkOptions(const StepOptions& options) {
   }
 }
 
-// Rough figures of one core, measured on triangulated bodies.
+// Rough figures, measured on triangulated bodies.
 constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
 constexpr double kSecondsPerFace = 3e-4, kSecondsPerTriangle = 8e-6, kSecondsAsItIs = 2e-6;
 
-// What decides how many bytes a face takes.
+// What decides how many bytes a face takes in the file.
 struct Writing {
   Format format = Format::Step;
-  bool flat = false;  // plane faces only, no hollow spaces: many are written by their corners
+  // Plane faces only, no hollow spaces: large numbers are written by their corners.
+  bool flat = false;
 };
 
 Writing writingOf(const HalfEdgeMesh& mesh, const StepOptions& options, Format format) {
@@ -130,7 +131,7 @@ bool isWithinLimits(std::int64_t faces, const StepOptions& options, const Writin
           "OBJ, OFF or 3MF hold it easily");
 }
 
-// Of the tolerance, for thinning a dense mesh before surfaces are looked for.
+// Fraction of the tolerance, for thinning a dense mesh before surfaces are recognised.
 constexpr double kThinFraction = 0.15;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
 
@@ -140,8 +141,8 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
   return box.diagonal().norm();
 }
 
-// With the tolerance given, or with the smallest of a series that meets the limits; `options` then
-// says which.
+// Builds with the given tolerance, or with the smallest of a series that meets the limits;
+// `options` then contains it.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format format,
                         KernelSession& kernel, RunContext& run) {
   const auto fits = [&](std::int64_t count) {
@@ -161,7 +162,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   if (!given) options.tolerance = kFirst * diagonal;
   for (;; options.tolerance *= 2) {
     if (dense->triangles.size() > kDense) {
-      // From what the last round left: its part of the tolerance was half as large.
+      // Continue with the result of the last round, whose part of the tolerance was half as large.
       thin = thinOut(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }
@@ -172,7 +173,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, Format f
   }
 }
 
-// Within a tolerance as large as the body its surface may turn inside out: then half of it.
+// If the tolerance is as large as the body, its surface may turn inside out; then try half of it.
 template <class Work>
 auto uprightWithin(double& tolerance, const Work& work) {
   constexpr int kHalvings = 8;
@@ -332,7 +333,7 @@ StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const Ste
     return writeChecked(mesh, path, used, run);
   } catch (const Error& error) {
     if (used.tolerance <= 0 || !options.recognise || !isWorthFacets(error)) throw;
-    // Never a failed export for the sake of nicer surfaces: once more with simplified facets only.
+    // An export never fails for the sake of nicer surfaces: try again with simplified facets only.
     used.recognise = false;
     StepReport report = writeChecked(mesh, path, used, run);
     report.note = std::string("no surfaces were recognised, because with them ") + error.what();

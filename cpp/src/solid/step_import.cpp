@@ -42,7 +42,7 @@ void appendFace(const TopoDS_Face& face, TriMesh& mesh) {
 
 void checkStructure(const std::filesystem::path& file, const std::string& path) {
   std::ifstream text(file, std::ios::binary);
-  if (!text) return;  // the kernel says why
+  if (!text) return;  // the kernel reports the reason
   const std::string complaint = step::stepComplaint(text);
   if (complaint.empty()) return;
   throw Error(Status::InvalidInput, "BadFile",

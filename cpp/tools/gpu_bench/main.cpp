@@ -1,5 +1,6 @@
-// Table of GPU against CPU sampling on this machine: seconds by stage, memory, parity.
-// Use: swept-gpu-bench DATA [resolution ...], DATA = folder with cases.json's meshes and motions.
+// Prints a table of GPU against CPU sampling on this machine: seconds by stage, memory, equality.
+// Use: swept-gpu-bench DATA [resolution ...], where DATA is the folder with the meshes and motions
+// of cases.json.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <cstdio>
@@ -19,7 +20,7 @@ constexpr auto kNone = Interpolation::None, kLinear = Interpolation::Linear;
 struct Body {
   const char *name, *mesh;
   double unit;
-  const char* arc;  ///< 16 keys; the arc of the fandisk, 2 units large, serves others scaled
+  const char* arc;  ///< 16 keys; the fandisk's arc (2 units large) is scaled for the others
   double arcUnit;
 };
 const Body kBodies[] = {
@@ -56,7 +57,7 @@ void row(const std::string& name, int resolution, const char* backend, const Res
   std::fflush(stdout);
 }
 
-/// Two rows of the table; the name of the device, if there is one.
+/// Two rows of the table; returns the name of the device, if there is one.
 std::string compareBackends(const std::string& name, const TriMesh& mesh, const Trajectory& motion,
                             int resolution) {
   Options options;
@@ -107,7 +108,7 @@ int main(int argc, char** argv) {
         const Trajectory motion =
             readTrajectoryCsv(data + "/motions/" + path.file, path.unit, path.interpolation);
         for (const int resolution : resolutions) {
-          // Hours on a software rasteriser, and of no use.
+          // A software rasteriser would take hours here, and its times are of no use.
           if (device.find("llvmpipe") != std::string::npos && motion.poses.size() > 1000) continue;
           const std::string found = compareBackends(name, mesh, motion, resolution);
           if (!found.empty()) device = found;

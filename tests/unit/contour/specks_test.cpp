@@ -14,7 +14,7 @@ void append(Surface& surface, const TriMesh& mesh, std::uint32_t crossing) {
   for (const auto& v : mesh.vertices) {
     surface.mesh.vertices.push_back(v);
     surface.contactTime.push_back(crossing);
-    surface.lodging.push_back(1);
+    surface.cellFlags.push_back(1);
   }
   for (auto t : mesh.triangles) {
     for (auto& v : t) v += base;

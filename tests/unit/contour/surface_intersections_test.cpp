@@ -80,12 +80,12 @@ TEST(SurfaceIntersections, APlantedFaultIsFound) {
   for (const auto& v : surface.mesh.vertices) centre += v;
   centre /= static_cast<double>(surface.mesh.vertices.size());
   surface.mesh.vertices[100] = centre - 1.1 * (surface.mesh.vertices[100] - centre);
-  surface.lodging[100] = 0;
+  surface.cellFlags[100] = 0;
   const SelfIntersections found = findSurfaceIntersections(surface, grid, run);
   EXPECT_GT(found.count, 0);
   EXPECT_EQ(found.pairs, findSelfIntersections(surface.mesh, {}, run).pairs);
   // The same without a word: the vertex is seen to lie outside the cells of its polygons.
-  surface.lodging[100] = 1;
+  surface.cellFlags[100] = 1;
   EXPECT_EQ(findSurfaceIntersections(surface, grid, run).pairs, found.pairs);
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace test;
-using step::SurfaceKind;
+using step::CarrierKind;
 
 // A right prism over a closed outline (counter-clockwise) about the origin.
 TriMesh prism(const std::vector<Eigen::Vector2d>& outline, double height, int rows) {

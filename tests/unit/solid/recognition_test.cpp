@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace test;
-using step::SurfaceKind;
+using step::CarrierKind;
 
 class Recognition : public testing::Test {
  protected:
@@ -59,7 +59,7 @@ class Recognition : public testing::Test {
 TEST_F(Recognition, TorusIsExact) {
   const TriMesh mesh = transformed(makeTorus(20, 6, 160, 64), oddTurn(), {5, 7, -9});
   for (const step::Patch& patch : patchesOf(mesh, 0.02)) {
-    ASSERT_EQ(patch.surface.kind, SurfaceKind::Torus);
+    ASSERT_EQ(patch.surface.kind, CarrierKind::Torus);
     EXPECT_NEAR(patch.surface.radius, 20, 1e-6);
     EXPECT_NEAR(patch.surface.minor, 6, 1e-6);
     EXPECT_LT((patch.surface.point - Eigen::Vector3d(5, 7, -9)).norm(), 1e-6);
@@ -81,7 +81,7 @@ TEST_F(Recognition, BoredCylinderHasPlanesAndTwoCylinders) {
   ASSERT_GT(meshVolume(mesh), 0);
   bool bore = false;
   for (const step::Patch& patch : patchesOf(mesh, 0.01)) {
-    if (patch.surface.kind != SurfaceKind::Cylinder) continue;
+    if (patch.surface.kind != CarrierKind::Cylinder) continue;
     EXPECT_NEAR(patch.surface.radius, patch.surface.reversed ? 3 : 8, 1e-6);
     bore = bore || patch.surface.reversed;
   }
@@ -205,8 +205,8 @@ TEST_F(Recognition, BordersOfOpenGroundStayOnTheirSurface) {
   for (std::size_t h = 0; h < small.mesh.opposite.size(); ++h) {
     const std::int32_t patch = small.partition.patchOf[h / 3];
     if (patch < 0 || small.partition.patchOf[small.mesh.opposite[h] / 3] >= 0) continue;
-    const step::Surface& surface = small.partition.patches[patch].surface;
-    if (surface.kind != SurfaceKind::Cylinder || surface.radius > 1.5 * radius) continue;
+    const step::Carrier& surface = small.partition.patches[patch].surface;
+    if (surface.kind != CarrierKind::Cylinder || surface.radius > 1.5 * radius) continue;
     const auto half = static_cast<std::int32_t>(h);
     const Eigen::Vector3d middle =
         (small.mesh.points[small.mesh.origin(half)] + small.mesh.points[small.mesh.target(half)]) /

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace test;
-using step::SurfaceKind;
+using step::CarrierKind;
 
 TriMesh ball(double radius) {
   std::vector<Eigen::Vector2d> profile;
@@ -89,19 +89,19 @@ class SweptBodies : public testing::TestWithParam<int> {
     for (const step::Patch& patch : partition.patches) surfaces_.push_back(patch.surface);
   }
 
-  void expectRadius(SurfaceKind kind, double radius) const {
+  void expectRadius(CarrierKind kind, double radius) const {
     int count = 0;
-    for (const step::Surface& s : surfaces_) {
+    for (const step::Carrier& s : surfaces_) {
       if (s.kind != kind) continue;
-      EXPECT_NEAR(kind == SurfaceKind::Torus ? s.minor : s.radius, radius, kExact);
+      EXPECT_NEAR(kind == CarrierKind::Torus ? s.minor : s.radius, radius, kExact);
       ++count;
     }
     EXPECT_GT(count, 0);
   }
-  void expectOn(SurfaceKind kind, const std::vector<Eigen::Vector3d>& points) const {
+  void expectOn(CarrierKind kind, const std::vector<Eigen::Vector3d>& points) const {
     for (const Eigen::Vector3d& p : points) {
       double least = 1e300;
-      for (const step::Surface& s : surfaces_) {
+      for (const step::Carrier& s : surfaces_) {
         if (s.kind == kind) least = std::min(least, std::abs(s.distance(p)));
       }
       EXPECT_LE(least, kExact) << p.transpose();
@@ -110,7 +110,7 @@ class SweptBodies : public testing::TestWithParam<int> {
 
   static constexpr double kExact = 1e-3;  // mm
   std::map<std::string, std::int64_t> kinds_;
-  std::vector<step::Surface> surfaces_;
+  std::vector<step::Carrier> surfaces_;
 };
 
 TEST_P(SweptBodies, BallAlongALine) {
@@ -118,11 +118,11 @@ TEST_P(SweptBodies, BallAlongALine) {
   solid(ball(5), along(travel));
   EXPECT_EQ(kinds_["cylinder"], 2);
   EXPECT_EQ(kinds_["sphere"], 4);
-  expectRadius(SurfaceKind::Cylinder, 5);
-  expectRadius(SurfaceKind::Sphere, 5);
-  expectOn(SurfaceKind::Sphere, {-5 * way, travel + 5 * way});
+  expectRadius(CarrierKind::Cylinder, 5);
+  expectRadius(CarrierKind::Sphere, 5);
+  expectOn(CarrierKind::Sphere, {-5 * way, travel + 5 * way});
   const Eigen::Vector3d side = 5 * way.unitOrthogonal();
-  expectOn(SurfaceKind::Cylinder, {side, -side, travel + side, travel - side});
+  expectOn(CarrierKind::Cylinder, {side, -side, travel + side, travel - side});
 }
 
 TEST_P(SweptBodies, LargerBallAlongALine) {
@@ -136,8 +136,8 @@ TEST_P(SweptBodies, BallOnACircle) {
   const Eigen::Vector3d out = axis.unitOrthogonal();
   solid(transformed(ball(5), Eigen::Quaterniond::Identity(), 20 * out), about(axis, 2 * M_PI, 64));
   EXPECT_EQ(kinds_["torus"], 4);
-  expectRadius(SurfaceKind::Torus, 5);
-  expectOn(SurfaceKind::Torus, {25 * out, 15 * out, 20 * out + 5 * axis, -25 * out});
+  expectRadius(CarrierKind::Torus, 5);
+  expectOn(CarrierKind::Torus, {25 * out, 15 * out, 20 * out + 5 * axis, -25 * out});
 }
 
 TEST_P(SweptBodies, RodAlongItsAxis) {
@@ -145,8 +145,8 @@ TEST_P(SweptBodies, RodAlongItsAxis) {
   solid(transformed(rod(5, 12), oddTurn(), {0, 0, 0}), along(20 * axis));
   EXPECT_EQ(kinds_["cylinder"], 2);
   EXPECT_EQ(kinds_["plane"], 2);
-  expectRadius(SurfaceKind::Cylinder, 5);
-  expectOn(SurfaceKind::Plane, {{0, 0, 0}, 32 * axis});
+  expectRadius(CarrierKind::Cylinder, 5);
+  expectOn(CarrierKind::Plane, {{0, 0, 0}, 32 * axis});
 }
 
 TEST_P(SweptBodies, BoxAlongALine) {
@@ -158,8 +158,8 @@ TEST_P(SweptBodies, BoxAboutAnEdge) {
   solid(boxMesh(1, 1, 1, 10), about(Eigen::Vector3d::UnitZ(), M_PI / 2, 16));
   EXPECT_EQ(kinds_["cylinder"], 1);
   EXPECT_EQ(kinds_["plane"], 5);
-  expectRadius(SurfaceKind::Cylinder, std::sqrt(200));
-  expectOn(SurfaceKind::Plane, {{5, 0, 5}, {-10, 5, 5}, {3, 3, 0}, {3, 3, 10}});
+  expectRadius(CarrierKind::Cylinder, std::sqrt(200));
+  expectOn(CarrierKind::Plane, {{5, 0, 5}, {-10, 5, 5}, {3, 3, 0}, {3, 3, 10}});
 }
 
 TEST_P(SweptBodies, BoxAboutAnEdgeInAGeneralDirection) {
@@ -168,9 +168,9 @@ TEST_P(SweptBodies, BoxAboutAnEdgeInAGeneralDirection) {
         about(turn * Eigen::Vector3d::UnitZ(), M_PI / 2, 16));
   EXPECT_EQ(kinds_["cylinder"], 1);
   EXPECT_EQ(kinds_["plane"], 5);
-  expectRadius(SurfaceKind::Cylinder, std::sqrt(200));
+  expectRadius(CarrierKind::Cylinder, std::sqrt(200));
   const std::array<Eigen::Vector3d, 4> on{{{5, 0, 5}, {-10, 5, 5}, {3, 3, 0}, {3, 3, 10}}};
-  expectOn(SurfaceKind::Plane, {turn * on[0], turn * on[1], turn * on[2], turn * on[3]});
+  expectOn(CarrierKind::Plane, {turn * on[0], turn * on[1], turn * on[2], turn * on[3]});
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, SweptBodies, testing::Values(128, 256));

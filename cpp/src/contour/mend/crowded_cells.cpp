@@ -20,10 +20,10 @@ bool isNew(const Triangle* triangles, std::uint32_t t, std::int32_t v) {
   return t == 0 || std::find(triangles[0].begin(), triangles[0].end(), v) == triangles[0].end();
 }
 
-/// Per crowded vertex: the crossings of its marked polygons.
+/// Per vertex that shares its cell: the crossings of its marked polygons.
 ListsByKey polygonsAround(const Surface& surface, const Polygons& polygons,
                           const std::vector<std::uint8_t>& marks) {
-  return {surface.lodging.size(), [&](const auto& use) {
+  return {surface.cellFlags.size(), [&](const auto& use) {
             parallelBlocks(marks.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
               for (std::size_t c = begin; c < end; ++c) {
                 if (marks[c] == 0) continue;
@@ -31,10 +31,11 @@ ListsByKey polygonsAround(const Surface& surface, const Polygons& polygons,
                 const Polygon polygon = polygons.of(crossing);
                 const Triangle* triangles = polygons.triangles(polygon);
                 for (std::uint32_t t = 0; t < polygon.count; ++t) {
-                  // Fans begin at their centre; of a quad's second triangle one corner is new.
+                  // A fan repeats its centre first, so its second corner is new in each triangle;
+                  // of the second triangle of a quad one corner is new.
                   for (int n = 0; n < 3; ++n) {
                     const std::int32_t v = triangles[t][n];
-                    if ((surface.lodgingOf(v) & Surface::kCrowded) == 0) continue;
+                    if ((surface.cellFlagsOf(v) & Surface::kShared) == 0) continue;
                     if (polygon.count > 2 ? n == 1 : isNew(triangles, t, v)) use(v, crossing);
                   }
                 }
@@ -43,20 +44,20 @@ ListsByKey polygonsAround(const Surface& surface, const Polygons& polygons,
           }};
 }
 
-/// Looks for planes between the polygons of two vertices.
-class Parting {
+/// Looks for planes that separate the polygons of two vertices.
+class PlaneSeparation {
  public:
-  Parting(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons)
+  PlaneSeparation(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons)
       : surface_(surface), grid_(grid), polygons_(polygons) {}
 
-  /// Adds the pairs of a polygon of one vertex and one of the other that no plane parts.
+  /// Adds the pairs (a polygon of one vertex, a polygon of the other) that no plane separates.
   void find(std::span<const std::uint32_t> ofA, std::span<const std::uint32_t> ofB,
             std::int32_t origin, CrossingPairs& entangled) {
     const Eigen::Vector3d between = meanNormal(ofA) - meanNormal(ofB);
     origin_ = surface_.mesh.vertices[origin];
-    apart_.assign(ofA.size() * ofB.size(), 0);
-    std::size_t left = apart_.size();
-    const auto part = [&](const Eigen::Vector3d& axis) { left -= partBy(axis, ofA, ofB); };
+    separated_.assign(ofA.size() * ofB.size(), 0);
+    std::size_t left = separated_.size();
+    const auto part = [&](const Eigen::Vector3d& axis) { left -= separateBy(axis, ofA, ofB); };
     part(between);
     for (int axis = 0; axis < 3 && left > 0; ++axis) part(Eigen::Vector3d::Unit(axis));
     for (const auto& side : {ofA, ofB}) {
@@ -65,7 +66,7 @@ class Parting {
     if (left == 0) return;
     for (std::size_t a = 0; a < ofA.size(); ++a) {
       for (std::size_t b = 0; b < ofB.size(); ++b) {
-        if (apart_[a * ofB.size() + b] != 0) continue;
+        if (separated_[a * ofB.size() + b] != 0) continue;
         entangled.emplace_back(std::min(ofA[a], ofB[b]), std::max(ofA[a], ofB[b]));
       }
     }
@@ -83,17 +84,17 @@ class Parting {
     for (const std::uint32_t c : crossings) sum += normalOf(c);
     return sum / static_cast<double>(crossings.size());
   }
-  /// Marks the pairs that planes across this axis part; how many were not yet.
-  std::size_t partBy(const Eigen::Vector3d& axis, std::span<const std::uint32_t> ofA,
-                     std::span<const std::uint32_t> ofB) {
+  /// Marks the pairs that a plane perpendicular to this axis separates; returns how many are new.
+  std::size_t separateBy(const Eigen::Vector3d& axis, std::span<const std::uint32_t> ofA,
+                         std::span<const std::uint32_t> ofB) {
     rangesOf(axis, ofA, rangesA_);
     rangesOf(axis, ofB, rangesB_);
     const double margin = kRounding * grid_.plan.cell * axis.cwiseAbs().sum();
     std::size_t found = 0, pair = 0;
     for (const Range& a : rangesA_) {
       for (const Range& b : rangesB_) {
-        if (apart_[pair] == 0 && (a.low > b.high + margin || b.low > a.high + margin)) {
-          apart_[pair] = 1;
+        if (separated_[pair] == 0 && (a.low > b.high + margin || b.low > a.high + margin)) {
+          separated_[pair] = 1;
           ++found;
         }
         ++pair;
@@ -123,7 +124,7 @@ class Parting {
   const HermiteGrid& grid_;
   const Polygons& polygons_;
   Eigen::Vector3d origin_;
-  std::vector<std::uint8_t> apart_;
+  std::vector<std::uint8_t> separated_;
   std::vector<Range> rangesA_, rangesB_;
 };
 
@@ -141,7 +142,7 @@ bool shareVertex(const Surface& surface, const Polygon& p, const Polygon& q) {
   return false;
 }
 
-/// The two polygons of one lattice edge that have a vertex in common.
+/// Adds the two polygons of a lattice edge if they have a vertex in common.
 void addFolded(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons,
                const std::vector<std::uint8_t>& marks, std::vector<CrossingPairs>& parts) {
   const std::size_t first = parts.size();
@@ -163,26 +164,26 @@ CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,
                                 const Polygons& polygons, const std::vector<std::uint8_t>& marks,
                                 RunContext& run) {
   constexpr std::size_t kBlock = 1 << 13;
-  const auto& lodging = surface.lodging;
+  const auto& cellFlags = surface.cellFlags;
   ListsByKey around = polygonsAround(surface, polygons, marks);
-  std::vector<CrossingPairs> parts(lodging.size() / kBlock + 1);
-  parallelBlocks(lodging.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<CrossingPairs> parts(cellFlags.size() / kBlock + 1);
+  parallelBlocks(cellFlags.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Check);
     CrossingPairs& part = parts[begin / kBlock];
-    Parting parting(surface, grid, polygons);
+    PlaneSeparation separation(surface, grid, polygons);
     std::vector<std::span<const std::uint32_t>> lists;
     for (std::size_t first = begin; first < end; ++first) {
-      if ((lodging[first] & Surface::kCrowded) != Surface::kWithAfter)
-        continue;  // not a cell's first
+      if ((cellFlags[first] & Surface::kShared) != Surface::kSharedWithNext)
+        continue;  // not the first vertex of its cell
       lists.clear();
       for (std::size_t v = first;; ++v) {
         lists.push_back(around.of(v));
-        if ((lodging[v] & Surface::kWithAfter) == 0) break;
+        if ((cellFlags[v] & Surface::kSharedWithNext) == 0) break;
       }
       for (std::size_t b = 1; b < lists.size(); ++b) {
         for (std::size_t a = 0; a < b; ++a) {
           if (lists[a].empty() || lists[b].empty()) continue;
-          parting.find(lists[a], lists[b], static_cast<std::int32_t>(first), part);
+          separation.find(lists[a], lists[b], static_cast<std::int32_t>(first), part);
         }
       }
     }

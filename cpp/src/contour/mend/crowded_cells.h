@@ -1,12 +1,16 @@
-// Cells with several vertices: which of their polygons may meet.
+// Cells with several vertices: which of their polygons may intersect.
 //
-// In: a surface, its grid, and which polygons lie in the tetrahedra of their own lattice edge with
-// the vertices that are theirs (by crossing, 1: yes). Out: every pair of such polygons that may
-// meet at all: those of two vertices of one cell between which no plane was found, and the two of
-// one lattice edge that share a vertex. Cost: some dot products a crowded cell. Why it is enough:
-// two polygons that meet have a cell in common. With the same vertex in all common cells they lie
-// in tetrahedra that do not overlap, unless these are those of one lattice edge; where their
-// vertices differ they are told unless a plane parts them as a whole.
+// In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra of its
+// own lattice edge, as seen from the vertices of its cells). Out: every pair of marked polygons
+// that may intersect: polygons of two vertices of one cell that no plane was found to separate, and
+// the two polygons of one lattice edge if they share a vertex. Cost: some dot products per cell
+// with several vertices.
+// Promise: no pair is missing. Two polygons that intersect have a cell in common. If they use the
+// same vertex in all common cells they lie in tetrahedra that do not overlap, unless both belong to
+// one lattice edge. If they use different vertices of a cell, the pair is reported unless a plane
+// separates the two polygons as a whole.
+// Source: extends Ju and Udeshi 2006, "Intersection-free contouring on an octree grid", to several
+// vertices per cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,7 +23,7 @@
 
 namespace swept {
 
-/// Smaller crossing first, in rising order.
+/// Each pair with the smaller crossing first; the pairs in rising order.
 using CrossingPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,

@@ -19,11 +19,16 @@
 namespace swept {
 namespace {
 
-constexpr int kReachCells = 4;  ///< around a triangle that meets another one
+/// A triangle spans two cells, so what it can meet lies within four.
+constexpr int kReachCells = 4;
+// An upper limit of the time; a surface without pairs ends earlier.
 constexpr int kRounds = 8;
-constexpr double kThinFirst = 0.1;  ///< cells: walls up to this are laid together at once
-constexpr double kWaysAside[] = {1e-9, 1e-7, 1e-5, 1e-3};  ///< cells
-constexpr double kWaysBack[] = {1e-3, 1e-2, 0.1, 1};  ///< of a vertex whose triangle has no area
+/// Cells: walls up to this thickness are treated in the first round already.
+constexpr double kMaxFirstThickness = 0.1;
+/// Cells; each a hundred times the one before, from just above rounding.
+constexpr double kStepsAside[] = {1e-9, 1e-7, 1e-5, 1e-3};
+/// Fractions of the way back to where the vertex was.
+constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
 
@@ -32,7 +37,7 @@ void sortUnique(std::vector<std::int32_t>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Changes the surface in place, within the triangles near the first pairs.
+/// Changes the surface in place, within the region near the first pairs.
 class Mender {
  public:
   Mender(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found, RunContext& run)
@@ -49,10 +54,11 @@ class Mender {
   bool done() const { return pairs_.count == 0; }
   const SelfIntersections& left() const { return pairs_; }
 
-  /// Vertices that were moved onto one another, or into one line, go part of their way back; where
-  /// that gives no area, the middle one of three in line steps aside by next to nothing.
+  /// Gives area back to triangles whose corners were moved onto one point or one line: their
+  /// vertices go back part of the way. Where that does not help, the middle one of three collinear
+  /// corners steps aside by a tiny distance.
   void restoreAreas() {
-    for (const double back : kWaysBack) {
+    for (const double back : kReturnFractions) {
       std::vector<std::int32_t> vertices;
       for (const std::int32_t t : flatTriangles()) {
         vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
@@ -65,7 +71,7 @@ class Mender {
       }
       findAgainAround(vertices);
     }
-    for (const double aside : kWaysAside) {
+    for (const double aside : kStepsAside) {
       std::vector<std::int32_t> vertices;
       for (const std::int32_t t : flatTriangles()) {
         if (!hasArea(t)) vertices.push_back(stepAside(mesh_.triangles[t], aside * grid_.plan.cell));
@@ -77,7 +83,7 @@ class Mender {
   }
 
   void mendRound(int round) {
-    std::vector<std::int32_t> polygons;  // each by one of its triangles
+    std::vector<std::int32_t> polygons;  // each represented by one of its triangles
     std::vector<std::int32_t> vertices;
     for (const auto& [a, b] : pairs_.pairs) {
       for (const std::int32_t t : {a, b}) {
@@ -86,8 +92,8 @@ class Mender {
       }
     }
     sortUnique(vertices);
-    const std::vector<FacingSides> facing = facingSides(surface_, pairs_);
-    if (round >= 4) {  // the neighbours follow
+    const std::vector<WallSides> facing = wallSides(surface_, pairs_);
+    if (round >= 4) {  // later rounds include the neighbours of the pairs
       for (const auto& [v, t] : trianglesAround(vertices, nearPairs(&region_))) {
         polygons.push_back(t);
       }
@@ -105,9 +111,9 @@ class Mender {
     const TrianglesAround around = trianglesAround(vertices, near);
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
     relax(vertices, around, round == 0 ? 0.5 : 1.0);
-    // What the one does not mend the other often does.
+    // Alternate: where relaxing does not help, moving the sides of a wall often does.
     if (round % 2 == 0) {
-      layTogether(surface_, grid_, facing, around, round == 0 ? kThinFirst : HUGE_VAL);
+      alignWallSides(surface_, grid_, facing, around, round == 0 ? kMaxFirstThickness : HUGE_VAL);
     }
     const std::vector<std::int32_t> moved = touching(vertices, near);
     changed_.insert(changed_.end(), moved.begin(), moved.end());
@@ -128,7 +134,7 @@ class Mender {
     return near.triangles(among);
   }
 
-  /// What use(v, t, part) puts in its part for each corner v of a triangle t of `near` that is one
+  /// Collects what use(v, t, part) appends for each corner v of a triangle t of `near`, if v is one
   /// of the vertices.
   template <class T, class Use>
   std::vector<T> forTouching(const std::vector<std::int32_t>& vertices,
@@ -186,10 +192,11 @@ class Mender {
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 
-  /// A vertex inside a cell of its own: that its polygons are fanned is enough.
+  /// Whether fanning its polygons is enough for this vertex: it is alone in its cell, and inside
+  /// it.
   bool settled(std::int32_t v) const {
     return static_cast<std::size_t>(v) >= surface_.dualVertices ||
-           surface_.lodging[v] == Surface::kInside;
+           surface_.cellFlags[v] == Surface::kInsideCell;
   }
 
   bool hasArea(std::int32_t t) const {
@@ -200,9 +207,9 @@ class Mender {
     return grid_.plan.origin + grid_.plan.cell * g;
   }
   Eigen::Vector3d crossingPoint(std::uint32_t crossing) const {
-    const CrossingPlace place = findCrossing(grid_, crossing);
-    Eigen::Vector3d g(place.i, place.j, place.k);
-    g[place.axis] += grid_.crossings[crossing].fraction;
+    const CrossingEdge at = edgeOfCrossing(grid_, crossing);
+    Eigen::Vector3d g(at.i, at.j, at.k);
+    g[at.axis] += grid_.crossings[crossing].fraction;
     return g;
   }
 
@@ -217,8 +224,8 @@ class Mender {
     marked_.resize(mesh_.vertices.size());
   }
 
-  /// Replaces the polygon that triangle `t` is part of by a fan about its crossing, unless it is
-  /// one already.
+  /// Replaces the polygon that triangle `t` belongs to by a fan about its crossing, unless it is a
+  /// fan already.
   void fanPolygon(std::int32_t t) {
     const std::uint32_t crossing = surface_.crossingOf[t];
     const auto same = [&](std::int32_t u) {
@@ -227,9 +234,9 @@ class Mender {
     };
     if (!fanned_.insert(crossing).second) return;
     while (same(t - 1)) --t;
-    if (!same(t + 1) || same(t + 2)) return;  // quads only: two triangles
+    if (!same(t + 1) || same(t + 2)) return;  // only quads have two triangles
     auto& triangles = mesh_.triangles;
-    // The ring: directed edges that the other triangle does not run back along.
+    // The ring consists of the directed edges whose reverse is not in the other triangle.
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;
     for (const std::int32_t u : {t, t + 1}) {
       for (int c = 0; c < 3; ++c) edges.emplace_back(triangles[u][c], triangles[u][(c + 1) % 3]);
@@ -247,16 +254,16 @@ class Mender {
     surface_.contactTime.push_back(grid_.crossings[crossing].timeSeconds);
     for (int e = 0; e < 4; ++e) {
       const Triangle triangle{rim[e].first, rim[e].second, centre};
-      std::int32_t place = t + e;
+      std::int32_t number = t + e;
       if (e < 2) {
-        triangles[place] = triangle;
+        triangles[number] = triangle;
       } else {
-        place = static_cast<std::int32_t>(triangles.size());
+        number = static_cast<std::int32_t>(triangles.size());
         triangles.push_back(triangle);
         surface_.crossingOf.push_back(crossing);
-        region_.push_back(place);
+        region_.push_back(number);
       }
-      changed_.push_back(place);
+      changed_.push_back(number);
     }
   }
 
@@ -269,7 +276,7 @@ class Mender {
     return flat;
   }
 
-  /// Moves the corner across from the longest side, square to that side; returns which.
+  /// Moves the corner opposite the longest side away from that side; returns the corner.
   std::int32_t stepAside(const Triangle& triangle, double far) {
     int longest = 0;
     Eigen::Vector3d side = Eigen::Vector3d::Zero();
@@ -297,17 +304,17 @@ class Mender {
     findAgain(nearPairs(&region_));
   }
 
-  /// Pairs of which neither triangle has changed stand; the rest is asked anew.
+  /// Keeps the pairs of which neither triangle has changed, and tests all others again.
   void findAgain(const std::vector<std::int32_t>& near) {
-    std::vector<std::int32_t> asked;
-    asked.reserve(near.size() + changed_.size());
+    std::vector<std::int32_t> candidates;
+    candidates.reserve(near.size() + changed_.size());
     std::set_union(near.begin(), near.end(), changed_.begin(), changed_.end(),
-                   std::back_inserter(asked));
+                   std::back_inserter(candidates));
     const auto isChanged = [&](std::int32_t t) {
       return std::binary_search(changed_.begin(), changed_.end(), t);
     };
     SelfIntersections next =
-        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(asked);
+        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(candidates);
     for (const auto& pair : pairs_.pairs) {
       if (!isChanged(pair.first) && !isChanged(pair.second)) next.pairs.push_back(pair);
     }
@@ -322,11 +329,12 @@ class Mender {
   RunContext& run_;
   TriangleBlocks blocks_;
   SelfIntersections pairs_;
-  std::vector<std::int32_t> region_;                          // triangles
-  std::vector<std::uint8_t> marked_;                          // by vertex; zero between uses
-  std::vector<std::int32_t> changed_;                         // triangles, in this round
-  std::unordered_map<std::int32_t, Eigen::Vector3d> before_;  // where moved vertices were
-  std::unordered_set<std::uint32_t> fanned_;  // crossings whose polygons have been looked at
+  std::vector<std::int32_t> region_;                          // triangles near the first pairs
+  std::vector<std::uint8_t> marked_;                          // per vertex; zero between uses
+  std::vector<std::int32_t> changed_;                         // triangles changed in this round
+  std::unordered_map<std::int32_t, Eigen::Vector3d> before_;  // first positions of moved vertices
+  // Crossings whose polygons were considered for fanning.
+  std::unordered_set<std::uint32_t> fanned_;
 };
 
 }  // namespace

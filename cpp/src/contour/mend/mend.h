@@ -1,15 +1,20 @@
-// Mends self-intersections of an envelope where they are, without dropping a face.
+// Mends self-intersections of an envelope locally, without removing a face.
 //
-// In: surface with the pairs of triangles that meet. Out: the same surface, closed and manifold as
-// before, with the pairs that are left. Only polygons near a pair are touched, in rounds: they are
-// fanned about their crossing (every triangle then stays in its own cells, Ju and Udeshi 2006), and
-// the vertices of components that share their cell move towards their mass points, which lie in the
-// hull of the crossings, half way and in later rounds all the way. In every other round the two
-// sides of thin walls are laid together as well (wall_sides.h). In the end the polygons round the
-// pairs' vertices are fanned too. A triangle spans at
-// most the cells round one lattice edge, so it can only meet triangles a few cells away: the region
-// looked at again is a few cells wider than what is changed. Cost: one pass over the triangles to
-// find the region; then a round looks only at what is near the pairs that are left.
+// In: a surface and its pairs of intersecting triangles. Out: the same surface, closed and manifold
+// as before, and the pairs that are left. Units: mm, distances as fractions of the cell. Cost: one
+// pass over the triangles to find the region; after that each round looks only at what is near the
+// remaining pairs.
+// Promise: only polygons near a pair change; the number of rounds is fixed, so the result does not
+// depend on time or threads.
+// Source: fans about the crossing after Ju and Udeshi 2006; METHOD.md section 7.
+//
+// Each round replaces polygons near a pair by fans about their crossing (every triangle then stays
+// in the cells round its lattice edge), and moves the vertices of components that share a cell
+// towards their mass points, which lie in the hull of their crossings: half way in the first round,
+// all the way later. Every other round also aligns the two sides of thin walls (wall_sides.h).
+// Later rounds fan the polygons round the pairs' vertices as well. A triangle spans at most the
+// cells round one lattice edge, so it can only intersect triangles a few cells away; the region
+// that is tested again is wider than the change by that much.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,8 +23,8 @@
 
 namespace swept {
 
-/// Changes `surface` in place; returns the pairs that are left, by its triangle numbers. `grid` is
-/// the one that it was contoured from.
+/// Changes `surface` in place and returns the pairs that are left, by its triangle numbers. `grid`
+/// is the grid that the surface was contoured from.
 SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& grid,
                                         const SelfIntersections& found, RunContext& run);
 

@@ -1,6 +1,6 @@
-// The polygons of a surface by their crossings, each a run of triangles.
-// In: a surface whose polygons have not been mended yet: the triangles of one stand together.
-// Cost: one pass over the triangles; 4 bytes a crossing.
+// The polygons of a surface by their crossings; each is a consecutive run of triangles.
+// In: a surface straight from contouring, before mending: the triangles of a polygon are
+// consecutive. Cost: one pass over the triangles, 4 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,7 +11,8 @@
 
 namespace swept {
 
-/// Cells, far above what rounding does to a place.
+/// Cells: a margin far above the rounding of a position, which is about 1e-12 of a cell at 4,096
+/// cells.
 constexpr double kRounding = 1e-7;
 
 struct Polygon {

@@ -59,7 +59,7 @@ std::vector<std::int32_t> BlockSet::triangles(const std::vector<std::int32_t>* a
   const std::size_t count = among != nullptr ? among->size() : blocks_.of_.size();
   return gather<std::int32_t>(count, [&](std::size_t n, std::vector<std::int32_t>& part) {
     const std::int32_t t = among != nullptr ? (*among)[n] : static_cast<std::int32_t>(n);
-    if (holds(static_cast<std::size_t>(t))) part.push_back(t);
+    if (contains(static_cast<std::size_t>(t))) part.push_back(t);
   });
 }
 

@@ -1,5 +1,6 @@
-// The part of a surface near some of its triangles, chosen by blocks of cells.
-// Cost: a bit a block of the grid; a number a triangle, which is kept while its first corner stays.
+// The part of a surface near some of its triangles, selected by blocks of cells.
+// Cost: one bit per block of the grid, and one number per triangle, valid as long as the triangle's
+// first corner stays where it is.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,11 +13,11 @@
 
 namespace swept {
 
-/// Block of every triangle's first corner.
+/// The block that contains each triangle's first corner.
 class TriangleBlocks {
  public:
   TriangleBlocks(const TriMesh& mesh, const GridPlan& plan);
-  /// After the triangles or their corners have changed, or triangles have been added.
+  /// To be called after triangles or their corners have changed, or triangles were added.
   void update(const TriMesh& mesh, const std::vector<std::int32_t>& changed);
 
  private:
@@ -36,15 +37,15 @@ class TriangleBlocks {
 class BlockSet {
  public:
   explicit BlockSet(const TriangleBlocks& blocks);
-  /// All blocks within `reach` cells of the triangle's box. Many threads may add at once.
+  /// Adds all blocks within `reach` cells of the triangle's box. Safe to call from many threads.
   void add(const TriMesh& mesh, std::int32_t triangle, int reach);
-  /// Does the triangle's first corner lie in one of the blocks?
-  bool holds(std::size_t triangle) const {
+  /// Whether the triangle's first corner lies in one of the blocks.
+  bool contains(std::size_t triangle) const {
     const std::uint32_t block = blocks_.of_[triangle];
     return (bits_[block >> 6] >> (block & 63) & 1u) != 0;
   }
-  /// Triangles of the surface, or of `among` if that is given, that the blocks hold; in rising
-  /// order where `among` rises.
+  /// The triangles of the surface, or of `among` if given, that the blocks contain; in rising order
+  /// if `among` is.
   std::vector<std::int32_t> triangles(const std::vector<std::int32_t>* among = nullptr) const;
 
  private:
@@ -52,7 +53,7 @@ class BlockSet {
   std::vector<std::uint64_t> bits_;
 };
 
-/// What use(n, part) puts in its part for n in [0, count), in the order of n.
+/// Concatenates what use(n, part) appends for n in [0, count), in the order of n.
 template <class T, class Use>
 std::vector<T> gather(std::size_t count, const Use& use) {
   constexpr std::size_t kBlock = 1 << 15;

@@ -14,20 +14,22 @@
 namespace swept {
 namespace {
 
-constexpr double kMaxSize = 2;    ///< cells
-constexpr double kMaxTurned = 4;  ///< cells
+constexpr double kMaxSpeckSize =
+    2;  ///< cells: a shell round one or two lattice edges is not larger
+/// Cells: larger shells that are inside out are left for the checker to report.
+constexpr double kMaxTurnedSize = 4;
 
 constexpr std::size_t kBlock = 1 << 14;
 
-/// Marks the shells that go.
-std::vector<bool> findSpecks(const std::vector<ShellExtent>& shells, double cell, double mostVolume,
+/// Marks the shells to drop.
+std::vector<bool> findSpecks(const std::vector<ShellExtent>& shells, double cell, double maxVolume,
                              Specks& found) {
   std::vector<bool> speck(shells.size());
   bool others = false;
   for (std::size_t s = 0; s < shells.size(); ++s) {
     const double size = shells[s].box.diagonal().norm() / cell;
     const double volume = std::abs(shells[s].volume) / (cell * cell * cell);
-    if (size >= kMaxSize || volume >= mostVolume) {
+    if (size >= kMaxSpeckSize || volume >= maxVolume) {
       others = true;
       continue;
     }
@@ -62,7 +64,7 @@ void compact(std::vector<T>& values, const RawArray<std::int32_t>& number) {
   values.resize(kept);
 }
 
-/// The kept ones are numbered in their order; -1: not kept.
+/// Numbers the kept entries in their order; -1 for the others.
 RawArray<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
   RawArray<std::int32_t> number(kept.size());
   std::vector<std::int32_t> next(kept.size() / kBlock + 1, 0);
@@ -81,14 +83,14 @@ RawArray<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
 
 }  // namespace
 
-Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersections& pairs,
+Specks dropSpecks(Surface& surface, double cell, double maxVolume, SelfIntersections& pairs,
                   RunContext& run) {
   Specks found;
   TriMesh& mesh = surface.mesh;
   run.checkpoint(Phase::Check);
   const Shells shells = shellsByVertices(mesh);
   if (shells.count < 2) return found;
-  const std::vector<bool> speck = findSpecks(measureShells(mesh, shells), cell, mostVolume, found);
+  const std::vector<bool> speck = findSpecks(measureShells(mesh, shells), cell, maxVolume, found);
   if (found.count == 0) return found;
   std::vector<std::uint8_t> keepsTriangle(mesh.triangles.size()), keepsVertex(mesh.vertices.size());
   parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
@@ -112,7 +114,7 @@ Specks dropSpecks(Surface& surface, double cell, double mostVolume, SelfIntersec
       vertex.data(), vertex.data() + surface.dualVertices, [](std::int32_t v) { return v >= 0; }));
   compact(mesh.vertices, vertex);
   compact(surface.contactTime, vertex);
-  compact(surface.lodging, vertex);
+  compact(surface.cellFlags, vertex);
   SelfIntersections left;
   for (const auto& [a, b] : pairs.pairs) {
     if (triangle[a] >= 0 && triangle[b] >= 0) left.pairs.emplace_back(triangle[a], triangle[b]);
@@ -126,7 +128,7 @@ std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, doubl
                            RunContext& run) {
   std::vector<bool> turned(static_cast<std::size_t>(topology.shells.count));
   for (const InsideOutShell& found : shellsInsideOut(surface.mesh, topology, run)) {
-    if (found.size < kMaxTurned * cell) turned[found.shell] = true;
+    if (found.size < kMaxTurnedSize * cell) turned[found.shell] = true;
   }
   for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
     if (!turned[topology.shells.ofTriangle[t]]) continue;

@@ -15,11 +15,12 @@
 namespace swept {
 namespace {
 
-constexpr double kOnEdge = 1e-9;  ///< cells
+/// Cells: a fan's centre lies on its lattice edge up to this rounding.
+constexpr double kOnEdge = 1e-9;
 using Triangle = std::array<std::int32_t, 3>;
 
-/// The lattice edge (axis, i, j, k) that a polygon goes round.
-struct Place {
+/// The lattice edge (axis, i, j, k) that a polygon surrounds.
+struct PolygonEdge {
   int axis;
   Eigen::Vector3i low;
 };
@@ -31,7 +32,7 @@ class PolygonSorter {
 
   const Polygons& polygons() const { return polygons_; }
 
-  /// use(place, crossing) for the polygons of one lattice layer.
+  /// Calls use(edge, crossing) for the polygons of one lattice layer.
   template <class Use>
   void forLayer(std::size_t i, const Use& use) const {
     const HermiteLayer& layer = grid_.layers[i];
@@ -39,10 +40,11 @@ class PolygonSorter {
       for (std::size_t j = 0; j + 1 < layer.columnStart[axis].size(); ++j) {
         for (std::uint32_t e = layer.columnStart[axis][j]; e < layer.columnStart[axis][j + 1];
              ++e) {
-          const HermiteEdge& edge = layer.edges[axis][e];
-          const Place place{axis, {static_cast<int>(i), static_cast<int>(j), edge.k}};
-          for (std::uint32_t c = edge.first; c < edge.first + (edge.sides == 3 ? 2 : 1); ++c) {
-            if (polygons_.has(c)) use(place, c);
+          const HermiteEdge& crossed = layer.edges[axis][e];
+          const PolygonEdge edge{axis, {static_cast<int>(i), static_cast<int>(j), crossed.k}};
+          for (std::uint32_t c = crossed.first; c < crossed.first + (crossed.sides == 3 ? 2 : 1);
+               ++c) {
+            if (polygons_.has(c)) use(edge, c);
           }
         }
       }
@@ -50,30 +52,32 @@ class PolygonSorter {
   }
 
   /// True only if the polygon certainly lies in the tetrahedra of its own lattice edge.
-  bool lies(const Place& place, std::uint32_t crossing) const {
+  bool lies(const PolygonEdge& edge, std::uint32_t crossing) const {
     const Polygon polygon = polygons_.of(crossing);
-    return polygon.count == 2 ? quadLies(place, polygons_.triangles(polygon))
-                              : fanLies(place, polygon);
+    return polygon.count == 2 ? quadLies(edge, polygons_.triangles(polygon))
+                              : fanLies(edge, polygon);
   }
 
  private:
-  bool inside(std::int32_t v) const { return (surface_.lodgingOf(v) & Surface::kInside) != 0; }
-  /// A fan about a point of the lattice edge.
-  bool fanLies(const Place& place, const Polygon& polygon) const {
+  bool inside(std::int32_t v) const {
+    return (surface_.cellFlagsOf(v) & Surface::kInsideCell) != 0;
+  }
+  /// Tests a fan about a point of the lattice edge.
+  bool fanLies(const PolygonEdge& edge, const Polygon& polygon) const {
     const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
-    const Eigen::Vector3d centre = local(place, triangles[0][0]);
+    const Eigen::Vector3d centre = local(edge, triangles[0][0]);
     if (centre.head<2>().cwiseAbs().maxCoeff() > kOnEdge) return false;
     if (centre[2] < kRounding || centre[2] > 1 - kRounding) return false;
     for (std::uint32_t t = 0; t < polygon.count; ++t) {
       if (triangles[t][0] != triangles[0][0]) return false;
-      const int from = quadrant(place, triangles[t][1]), to = quadrant(place, triangles[t][2]);
+      const int from = quadrant(edge, triangles[t][1]), to = quadrant(edge, triangles[t][2]);
       if (from < 0 || to < 0 || ((from ^ to) != 1 && (from ^ to) != 2)) return false;
     }
     return true;
   }
 
-  bool quadLies(const Place& place, const Triangle* triangles) const {
-    // The diagonal runs between the corners that both triangles have.
+  bool quadLies(const PolygonEdge& edge, const Triangle* triangles) const {
+    // The diagonal joins the two corners that both triangles have.
     const Triangle &p = triangles[0], &q = triangles[1];
     int third = 0;
     while (third < 3 && std::find(q.begin(), q.end(), p[third]) != q.end()) ++third;
@@ -81,34 +85,36 @@ class PolygonSorter {
     while (fourth < 3 && std::find(p.begin(), p.end(), q[fourth]) != p.end()) ++fourth;
     if (third == 3 || fourth == 3) return false;
     const std::int32_t a = p[(third + 1) % 3], c = p[(third + 2) % 3];
-    const int qa = quadrant(place, a), qc = quadrant(place, c);
-    const int qb = quadrant(place, p[third]), qd = quadrant(place, q[fourth]);
+    const int qa = quadrant(edge, a), qc = quadrant(edge, c);
+    const int qb = quadrant(edge, p[third]), qd = quadrant(edge, q[fourth]);
     if (std::min({qa, qb, qc, qd}) < 0 || (qa ^ qc) != 3 || (qb ^ qd) != 3 || qa == qb || qa == qd)
       return false;
-    const Eigen::Vector3d from = local(place, a), to = local(place, c);
-    const Passage b = passage(from, to, local(place, p[third]));
-    const Passage d = passage(from, to, local(place, q[fourth]));
-    // A diagonal that as good as meets the lattice edge passes it on one of the two sides.
+    const Eigen::Vector3d from = local(edge, a), to = local(edge, c);
+    const Passage b = passage(from, to, local(edge, p[third]));
+    const Passage d = passage(from, to, local(edge, q[fourth]));
+    // A diagonal that practically meets the lattice edge passes it on one of the two sides.
     return b.inside || d.inside || (b.atEdge && d.atEdge);
   }
 
-  /// Which of the four cells round the edge holds this vertex, if it is that cell's; or -1.
-  int quadrant(const Place& place, std::int32_t v) const {
+  /// Which of the four cells round the edge contains this vertex, if the vertex belongs to that
+  /// cell; else -1.
+  int quadrant(const PolygonEdge& edge, std::int32_t v) const {
     if (!inside(v)) return -1;
-    const Eigen::Vector3d x = local(place, v);
+    const Eigen::Vector3d x = local(edge, v);
     const bool near = std::abs(x[0]) < 1 - kRounding && std::abs(x[1]) < 1 - kRounding &&
                       x[2] > kRounding && x[2] < 1 - kRounding;
     return near ? (x[0] > 0 ? 1 : 0) + (x[1] > 0 ? 2 : 0) : -1;
   }
 
-  /// Position from the low end of the lattice edge, in cells; the last coordinate is along it.
-  Eigen::Vector3d local(const Place& place, std::int32_t v) const {
-    const Eigen::Vector3d g = (surface_.mesh.vertices[v] - grid_.plan.origin) / grid_.plan.cell -
-                              place.low.cast<double>();
-    return {g[(place.axis + 1) % 3], g[(place.axis + 2) % 3], g[place.axis]};
+  /// Position in cells, relative to the low end of the lattice edge; the last coordinate is along
+  /// it.
+  Eigen::Vector3d local(const PolygonEdge& edge, std::int32_t v) const {
+    const Eigen::Vector3d g =
+        (surface_.mesh.vertices[v] - grid_.plan.origin) / grid_.plan.cell - edge.low.cast<double>();
+    return {g[(edge.axis + 1) % 3], g[(edge.axis + 2) % 3], g[edge.axis]};
   }
 
-  /// How a segment passes the triangle of the lattice edge and s.
+  /// How a segment passes the triangle that the lattice edge and s span.
   struct Passage {
     bool inside = false, atEdge = false;
   };
@@ -133,16 +139,33 @@ void append(std::vector<std::int32_t>& to, const std::vector<std::vector<std::in
   for (const auto& part : parts) to.insert(to.end(), part.begin(), part.end());
 }
 
-/// Is any of the four cells round a lattice edge reached by a member?
-bool reached(const NearPairs& near, const Place& place) {
-  const int b = (place.axis + 1) % 3, c = (place.axis + 2) % 3;
+/// Whether `near` reaches any of the four cells round a lattice edge.
+bool reached(const NearPairs& near, const PolygonEdge& edge) {
+  const int b = (edge.axis + 1) % 3, c = (edge.axis + 2) % 3;
   for (int corner = 0; corner < 4; ++corner) {
-    Eigen::Vector3i cell = place.low;
+    Eigen::Vector3i cell = edge.low;
     cell[b] -= corner & 1;
     cell[c] -= corner >> 1;
     if (near.reaches(cell[0], cell[1], cell[2])) return true;
   }
   return false;
+}
+
+/// Compares the triangles of each pair of polygons exactly.
+std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
+    const Surface& surface, const Polygons& polygons, const CrossingPairs& entangled) {
+  return gather<std::pair<std::int32_t, std::int32_t>>(
+      entangled.size(), [&](std::size_t n, auto& part) {
+        const Polygon p = polygons.of(entangled[n].first);
+        const Polygon q = polygons.of(entangled[n].second);
+        for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
+          for (std::uint32_t u = q.first; u < q.first + q.count; ++u) {
+            const auto low = static_cast<std::int32_t>(std::min(t, u));
+            const auto high = static_cast<std::int32_t>(std::max(t, u));
+            if (meetWrongly(surface.mesh, low, high)) part.emplace_back(low, high);
+          }
+        }
+      });
 }
 
 }  // namespace
@@ -160,14 +183,14 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
   std::vector<std::uint8_t> settled(grid.crossings.size(), 0);
   parallelFor(layers, [&](std::size_t i) {
     run.checkpoint(Phase::Check);
-    sorter.forLayer(i, [&](const Place& place, std::uint32_t crossing) {
-      settled[crossing] = sorter.lies(place, crossing);
+    sorter.forLayer(i, [&](const PolygonEdge& edge, std::uint32_t crossing) {
+      settled[crossing] = sorter.lies(edge, crossing);
     });
   });
   const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
   std::vector<std::vector<std::int32_t>> bad(layers + 1);
   parallelFor(layers, [&](std::size_t i) {
-    sorter.forLayer(i, [&](const Place&, std::uint32_t crossing) {
+    sorter.forLayer(i, [&](const PolygonEdge&, std::uint32_t crossing) {
       if (settled[crossing] == 0) addTo(bad[i], crossing);
     });
   });
@@ -184,24 +207,13 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
   std::vector<std::vector<std::int32_t>> good(layers);
   parallelFor(layers, [&](std::size_t i) {
     run.checkpoint(Phase::Check);
-    sorter.forLayer(i, [&](const Place& place, std::uint32_t crossing) {
-      if (settled[crossing] != 0 && reached(near, place)) addTo(good[i], crossing);
+    sorter.forLayer(i, [&](const PolygonEdge& edge, std::uint32_t crossing) {
+      if (settled[crossing] != 0 && reached(near, edge)) addTo(good[i], crossing);
     });
   });
   append(members, good);
   SelfIntersections found = near.find(members);
-  const auto more = gather<std::pair<std::int32_t, std::int32_t>>(
-      entangled.size(), [&](std::size_t n, auto& part) {
-        const Polygon p = sorter.polygons().of(entangled[n].first);
-        const Polygon q = sorter.polygons().of(entangled[n].second);
-        for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
-          for (std::uint32_t u = q.first; u < q.first + q.count; ++u) {
-            const auto low = static_cast<std::int32_t>(std::min(t, u));
-            const auto high = static_cast<std::int32_t>(std::max(t, u));
-            if (meetWrongly(surface.mesh, low, high)) part.emplace_back(low, high);
-          }
-        }
-      });
+  const auto more = compareEntangled(surface, sorter.polygons(), entangled);
   found.pairs.insert(found.pairs.end(), more.begin(), more.end());
   tbb::parallel_sort(found.pairs.begin(), found.pairs.end());
   found.count = static_cast<std::int64_t>(found.pairs.size());

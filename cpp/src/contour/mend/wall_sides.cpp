@@ -14,26 +14,28 @@
 namespace swept {
 namespace {
 
-constexpr double kMinHalf = 2e-4;  ///< cells between a side and the middle of the wall
-constexpr int kTurns = 200;        ///< steps towards a direction that all triangles agree with
+/// Cells from a side to the middle of the wall, far above the rounding of a vertex.
+constexpr double kMinHalfThickness = 2e-4;
+constexpr int kIterations =
+    200;  ///< steps of the iteration below; its error falls as 1 / sqrt(steps)
 
 using Vec3 = Eigen::Vector3d;
 
 bool sameCell(const Surface& surface, std::int32_t a, std::int32_t b) {
   if (a > b) std::swap(a, b);
   for (std::int32_t v = a; v < b; ++v) {
-    if ((surface.lodging[v] & Surface::kWithAfter) == 0) return false;
+    if ((surface.cellFlags[v] & Surface::kSharedWithNext) == 0) return false;
   }
   return true;
 }
 
-/// The direction whose least product with the normals is largest: the middle of the smallest ball
-/// round their ends (Badoiu and Clarkson 2003).
+/// The direction whose smallest product with the normals is largest: the centre of the smallest
+/// ball that contains their end points (Badoiu and Clarkson 2003).
 Vec3 directionAmong(const std::vector<Vec3>& normals) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& n : normals) middle += n;
   middle /= static_cast<double>(normals.size());
-  for (int turn = 1; turn <= kTurns; ++turn) {
+  for (int turn = 1; turn <= kIterations; ++turn) {
     const Vec3* farthest = nullptr;
     double most = 0;
     for (const Vec3& n : normals) {
@@ -48,9 +50,9 @@ Vec3 directionAmong(const std::vector<Vec3>& normals) {
   return middle.normalized();
 }
 
-/// A lattice edge through the wall.
+/// Where a lattice edge passes through the wall.
 struct Through {
-  Vec3 middle, across;  // in cells; `across` leads from the side of a to that of b
+  Vec3 middle, across;  // cells; `across` points from the side of a to that of b
 };
 
 class Layer {
@@ -58,29 +60,30 @@ class Layer {
   Layer(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
       : surface_(surface), grid_(grid), around_(around) {}
 
-  /// None where the wall is thicker than that along one of them, in cells.
-  std::vector<Through> throughWall(const FacingSides& sides, double thickest) const {
+  /// All lattice edges through the wall; none if the wall is thicker than `maxThickness` cells
+  /// along any of them.
+  std::vector<Through> throughWall(const WallSides& sides, double maxThickness) const {
     const std::vector<std::uint32_t> ofA = crossingsOf(sides.a), ofB = crossingsOf(sides.b);
     std::vector<Through> out;
     for (const std::uint32_t c : ofA) {
       for (const int step : {1, -1}) {
         const std::uint32_t other = c + static_cast<std::uint32_t>(step);
         if (!std::binary_search(ofB.begin(), ofB.end(), other)) continue;
-        const CrossingPlace p = findCrossing(grid_, c), q = findCrossing(grid_, other);
+        const CrossingEdge p = edgeOfCrossing(grid_, c), q = edgeOfCrossing(grid_, other);
         if (std::tie(p.axis, p.i, p.j, p.k) != std::tie(q.axis, q.i, q.j, q.k)) continue;
         const double from = grid_.crossings[c].fraction, to = grid_.crossings[other].fraction;
         Through edge;
         edge.middle = Vec3(p.i, p.j, p.k);
         edge.middle[p.axis] += (from + to) / 2;
         edge.across = Vec3::Unit(p.axis) * (to - from);
-        if (std::abs(to - from) > thickest) return {};
+        if (std::abs(to - from) > maxThickness) return {};
         out.push_back(edge);
       }
     }
     return out;
   }
 
-  Vec3 place(const FacingSides& sides, const std::vector<Through>& edges) const {
+  Vec3 commonPoint(const WallSides& sides, const std::vector<Through>& edges) const {
     const auto& x = surface_.mesh.vertices;
     const Vec3 now = ((x[sides.a] + x[sides.b]) / 2 - grid_.plan.origin) / grid_.plan.cell;
     Vec3 mass = Vec3::Zero();
@@ -89,9 +92,9 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Half the way from a to b, in cells, once both lie on the place between them.
-  Vec3 half(const FacingSides& sides, const std::vector<Through>& edges) const {
-    std::vector<Vec3> normals;  // into the wall from the side of a
+  /// Half the vector from a to b, in cells, once both lie on the common point between them.
+  Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
+    std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);
     addNormals(sides.b, 1, normals);
     if (normals.empty()) return Vec3::Zero();
@@ -99,12 +102,12 @@ class Layer {
     double thickness = 0;
     for (const Through& edge : edges) thickness += std::abs(direction.dot(edge.across));
     thickness /= static_cast<double>(edges.size());
-    return direction * std::min(std::max(thickness / 2, kMinHalf), roomAt(sides));
+    return direction * std::min(std::max(thickness / 2, kMinHalfThickness), roomAt(sides));
   }
 
  private:
-  /// Of the place between two sides, half its distance from the walls of its cell.
-  double roomAt(const FacingSides& sides) const {
+  /// Half the distance from the common point of two sides to the walls of its cell.
+  double roomAt(const WallSides& sides) const {
     const Vec3 at = (surface_.mesh.vertices[sides.a] - grid_.plan.origin) / grid_.plan.cell;
     const Vec3 local = at.array() - at.array().floor();
     return std::min(local.minCoeff(), 1 - local.maxCoeff()) / 2;
@@ -138,10 +141,10 @@ class Layer {
 
 }  // namespace
 
-std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersections& pairs) {
+std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections& pairs) {
   const auto& triangles = surface.mesh.triangles;
   const auto crowded = [&](std::int32_t v) {
-    return (surface.lodgingOf(v) & Surface::kCrowded) != 0;
+    return (surface.cellFlagsOf(v) & Surface::kShared) != 0;
   };
   std::vector<std::pair<std::int32_t, std::int32_t>> found;
   for (const auto& [t, u] : pairs.pairs) {
@@ -154,7 +157,7 @@ std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersect
     }
   }
   tbb::parallel_sort(found.begin(), found.end());
-  std::vector<FacingSides> out;
+  std::vector<WallSides> out;
   std::unordered_set<std::int32_t> taken;
   for (std::size_t n = 0; n < found.size(); ++n) {
     if (n > 0 && found[n] == found[n - 1]) continue;
@@ -167,8 +170,8 @@ std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersect
   return out;
 }
 
-void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
-                 const TrianglesAround& around, double thickest) {
+void alignWallSides(Surface& surface, const HermiteGrid& grid, const std::vector<WallSides>& sides,
+                    const TrianglesAround& around, double maxThickness) {
   const Layer layer(surface, grid, around);
   auto& x = surface.mesh.vertices;
   constexpr std::size_t kBlock = 64;
@@ -178,11 +181,11 @@ void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<Fa
     });
   };
   std::vector<std::vector<Through>> edges(sides.size());
-  forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n], thickest); });
+  forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n], maxThickness); });
   forAll([&](std::size_t n) {
     if (edges[n].empty()) return;
     x[sides[n].a] = x[sides[n].b] =
-        grid.plan.origin + grid.plan.cell * layer.place(sides[n], edges[n]);
+        grid.plan.origin + grid.plan.cell * layer.commonPoint(sides[n], edges[n]);
   });
   std::vector<Vec3> half(sides.size(), Vec3::Zero());
   forAll([&](std::size_t n) {

@@ -1,12 +1,14 @@
-// The two sides of walls so thin that their triangles meet.
+// Aligns the two sides of walls so thin that their triangles intersect.
 //
-// Where a wall is thinner than what its two sides' vertices are off their place, the sides cross.
-// Two vertices of one cell whose polygons meet are moved onto one place between them and from
-// there apart again, along a direction that all triangles round both agree with, by half of what
-// the lattice edges through the wall say about its thickness. Polygons about one lattice edge then
-// are the two faces of one sheet, which cannot cross.
-// In: surface, its grid, triangles round the vertices. Out: moved vertices; faces stay as they are.
-// Cost: some microseconds a pair.
+// In: surface, its grid, the triangles round the vertices. Out: moved vertices; the faces stay as
+// they are. Units: mm; thickness in cells. Cost: some microseconds per pair.
+// Source: own method; directions by Badoiu and Clarkson 2003, "Smaller core-sets for balls".
+//
+// Where a wall is thinner than the error of the vertices on its two sides, the sides cross. Two
+// vertices of one cell whose polygons intersect are moved onto one common point, and then apart
+// again along a direction that all triangles round them agree with, by half the thickness that the
+// lattice edges through the wall show. The polygons round such a lattice edge then are the two
+// faces of one sheet, which cannot cross.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,20 +21,20 @@
 
 namespace swept {
 
-/// Vertex, and a triangle at it that is part of a crossing's polygon; sorted.
+/// Pairs of a vertex and a triangle at it that belongs to a crossing's polygon; sorted.
 using TrianglesAround = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Two component vertices of one cell, each on a side of its own.
-struct FacingSides {
+/// Two component vertices of one cell, one on each side of the wall.
+struct WallSides {
   std::int32_t a, b;
 };
 
-/// Those to which triangles belong that meet; no vertex twice.
-std::vector<FacingSides> facingSides(const Surface& surface, const SelfIntersections& pairs);
+/// The vertex pairs whose triangles intersect; no vertex occurs twice.
+std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections& pairs);
 
-/// Lays both vertices of each pair side by side; pairs without a common lattice edge stay, and
-/// those with more than `thickest` cells between them along one.
-void layTogether(Surface& surface, const HermiteGrid& grid, const std::vector<FacingSides>& sides,
-                 const TrianglesAround& around, double thickest);
+/// Moves both vertices of each pair side by side. Pairs without a common lattice edge stay, as do
+/// those whose wall is thicker than `maxThickness` cells along one of these edges.
+void alignWallSides(Surface& surface, const HermiteGrid& grid, const std::vector<WallSides>& sides,
+                    const TrianglesAround& around, double maxThickness);
 
 }  // namespace swept

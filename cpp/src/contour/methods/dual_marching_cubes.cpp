@@ -9,7 +9,8 @@ void findDualMarchingCubes(const Cell& cell, Components& out) {
   std::array<std::array<std::int8_t, 2>, kSlots> link;
   std::array<std::int8_t, kSlots> links{};
   for (int face = 0; face < kFaces; ++face) {
-    // Going round: each crossing that enters the inside is joined to the one that leaves it next.
+    // Going round the face, each crossing that enters the inside is joined to the next one, which
+    // leaves it.
     std::int8_t stops[4];
     bool enters[4];
     int n = 0;

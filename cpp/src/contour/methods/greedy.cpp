@@ -6,9 +6,9 @@
 namespace swept {
 namespace {
 
-constexpr int kMaxComponents = kSlots / 2;  ///< as many as the caller has room for
+constexpr int kMaxComponents = kSlots / 2;  ///< the room that the caller has for components
 
-/// The crossings at which a walk stops: on an edge with two the one met first, else the only one.
+/// The crossings at which a walk stops: the first on an edge with two, else the only one.
 std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   std::uint32_t slots = 0;
   for (int edge = 0; edge < kEdges; ++edge) {
@@ -19,7 +19,7 @@ std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   return slots;
 }
 
-/// Least cosine between two normals of the set.
+/// The smallest cosine between two normals of the set.
 float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings) {
   float least = 1;
   for (int s = 0; s < kSlots; ++s) {

@@ -11,7 +11,7 @@ WalkTable::Entry walk(std::uint32_t crossed) {
   std::uint32_t unvisited = 0xff;
   for (int start = 0; start < 8; ++start) {
     if (!(unvisited >> start & 1u)) continue;
-    // Corners reached: grow until nothing changes.
+    // Grow the set of reached corners until nothing changes.
     std::uint32_t reached = 1u << start, before = 0;
     while (reached != before) {
       before = reached;
@@ -55,7 +55,7 @@ void findEquivalence(const Cell& cell, Components& out) {
   out.of.fill(-1);
   const WalkTable::Entry& entry = walkTable().entries[crossed];
   for (int group = 0; group < entry.count; ++group) {
-    // A walk from outside travels from the end that the crossing is seen from.
+    // A walk that starts outside leaves from the end that its crossing is seen from.
     const std::uint32_t mine = entry.stops[group] & cell.mask;
     if (mine == 0) continue;
     for (int slot = 0; slot < kSlots; ++slot) {

@@ -17,10 +17,11 @@
 namespace swept {
 namespace {
 
-// From so many placements and crossings of one work item on, it may be worth to look which matter.
-constexpr std::size_t kManyPlacements = 16, kManyRecords = std::size_t{1} << 20;
+// A work item with this many placements or crossings may contain many crossings that do not matter;
+// then they are reduced on the way (see thin()).
+constexpr std::size_t kMinThinPlacements = 16, kMinThinRecords = std::size_t{1} << 20;
 
-/// Work item: the placements [begin, end) with faces [faceBegin, faceEnd).
+/// Work item: the placements [begin, end) with the faces [faceBegin, faceEnd).
 struct WorkItem {
   std::size_t begin, end, faceBegin, faceEnd;
 };
@@ -30,14 +31,17 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   const std::size_t faces = input.body.triangles.size();
   std::vector<WorkItem> items;
   if (input.motion.continuous) {
-    // What moves outward is decided once a step within an item, and once more where two items meet.
-    // A cache keeps items of one placement, of motions that are not long.
+    // The direction of a face is decided once per step within an item, and once more where two
+    // items meet, so that items should be long. With a cache, items of one placement are kept for
+    // the next run, unless the motion has many placements.
     const std::size_t longest = input.cache != nullptr && placements < 256 ? placements : 48;
     const std::size_t group = std::max<std::size_t>(1, placements / longest);
     for (std::size_t k = 0; k < placements; k += group) {
       items.push_back({k, std::min(k + group, placements), 0, faces});
     }
   } else {
+    // Faces per item: one item is some milliseconds of work, and large bodies are shared by all
+    // cores.
     constexpr std::size_t kFaces = 8192;
     const std::size_t group = std::max<std::size_t>(1, std::min(kFaces / faces, placements / 64));
     for (std::size_t k = 0; k < placements; k += group) {
@@ -49,14 +53,15 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   return items;
 }
 
-/// Crossings of all items together. Where large faces turn, thousands of patches lie over each
-/// other: how many no estimate says before, so a run that takes more memory than it may is ended
-/// here.
+/// Counts the crossings of all items together. Where large faces turn, thousands of side patches
+/// cover each other, and no estimate tells beforehand how many; a run that would exceed its memory
+/// limit ends here.
 class CrossingBudget {
  public:
   CrossingBudget(const RunContext& run, double cell) : limit_(memoryLimit(run)), cell_(cell) {}
 
-  /// Unsigned: a step that thins its crossings adds less than nothing, and wraps round.
+  /// The argument may be negative (a step that thins its crossings): unsigned arithmetic wraps
+  /// round, and the sum is right.
   void add(std::size_t crossings) {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
     if (limit_ == 0 || bytes <= limit_) return;
@@ -68,7 +73,7 @@ class CrossingBudget {
   }
 
  private:
-  // As often again for what is made of them.
+  // Each crossing is counted twice: sorting them needs a second array of the same size.
   static constexpr std::uint64_t kBytes = 2 * sizeof(CrossingRecord);
   std::uint64_t limit_;
   double cell_;
@@ -95,7 +100,7 @@ class ItemSampler {
       push(2, i, j, k, f);
     });
   }
-  /// Forgets the last element if nothing hit the lattice.
+  /// Removes the last element again if it crosses no lattice edge.
   void finish() {
     if (out_.records.empty() || out_.records.back().element != element_) out_.elements.pop_back();
   }
@@ -115,17 +120,17 @@ class ItemSampler {
     triangle(points[t[0]], points[t[1]], points[t[2]]);
     finish();
   }
-  /// Faces that slide within themselves cross the same lattice edges at every placement: of many
-  /// crossings those go that can no longer matter.
+  /// Faces that slide within themselves cross the same lattice edges at every placement. When there
+  /// are many crossings, those that cannot be first or last on their edge any more are removed.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);
     limit_ = std::max(limit_, 2 * out_.records.size());
     thinned_ = true;
   }
-  void patch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
-             const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
-    add(static_cast<std::uint32_t>(edge) | SweptElement::kPatchBit,
+  void sidePatch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
+                 const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
+    add(static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit,
         static_cast<std::uint32_t>(step));
     triangle(now[e.a], now[e.b], next[e.b]);
     triangle(now[e.a], next[e.b], next[e.a]);
@@ -141,8 +146,9 @@ class ItemSampler {
   RecordChunk& out_;
   std::uint32_t element_ = 0;
   bool thinned_ = false;
-  std::size_t limit_ = std::max(kManyRecords, 3 * static_cast<std::size_t>(input_.grid.points[0]) *
-                                                  static_cast<std::size_t>(input_.grid.points[1]));
+  std::size_t limit_ =
+      std::max(kMinThinRecords, 3 * static_cast<std::size_t>(input_.grid.points[0]) *
+                                    static_cast<std::size_t>(input_.grid.points[1]));
 };
 
 void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
@@ -159,7 +165,7 @@ void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& o
   }
 }
 
-/// One work item of a continuous motion.
+/// Samples one work item of a continuous motion.
 class SweepSampler {
  public:
   SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out,
@@ -182,9 +188,9 @@ class SweepSampler {
       if (k == steps_) break;
       sampler_.pose(k + 1, next_);
       kept_.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
-        sampler_.patch(e, ends, k, now_, next_);
+        sampler_.sidePatch(e, ends, k, now_, next_);
       });
-      if (item.end - item.begin >= kManyPlacements) sampler_.thin(k + 1 == item.end);
+      if (item.end - item.begin >= kMinThinPlacements) sampler_.thin(k + 1 == item.end);
       if (k + 1 < item.end) kept_.advance();
       std::swap(now_, next_);
     }
@@ -209,7 +215,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     own = buildClusters(input.body, input.topology);
   }
   const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
-  // Steps that the last run sampled as well; only items of one placement are kept.
+  // Steps that the last run has sampled as well; only items of one placement are kept.
   std::vector<SampleCache::Key> keys;
   std::vector<std::uint8_t> known(items.size(), 0);
   if (input.cache != nullptr && input.motion.continuous && items.front().end == 1) {
@@ -220,7 +226,8 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     }
   }
   CrossingBudget budget(run, input.grid.cell);
-  tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;  // grown once a thread
+  // One buffer per thread, which grows once.
+  tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
   parallelFor(items.size(), [&](std::size_t i) {
     if (known[i] != 0) return;
     std::vector<CrossingRecord>& room = rooms.local();

@@ -14,7 +14,8 @@ SampleCache::Key SampleCache::keyOf(const SamplerInput& input, std::size_t place
   }
   key[n++] = input.cull ? input.grid.cell : -input.grid.cell;
   for (int step = -1; step <= 1; ++step) {
-    // Ends of the motion leave zeros, which no rotation has.
+    // Missing neighbours at the ends of the motion leave zeros, which no rotation matrix consists
+    // of.
     const bool there =
         !(step < 0 && placement == 0) &&
         placement + static_cast<std::size_t>(step + 1) <= input.motion.placements.size();
@@ -52,7 +53,7 @@ void SampleCache::replace(const std::vector<Key>& keys, const std::vector<Record
   std::unordered_map<Key, RecordChunk, Hash> next;
   for (std::size_t k = 0; k < keys.size() && bytes <= kMaxBytes; ++k) {
     const auto known = chunks_.find(keys[k]);
-    // Moved where it can be: a chunk is a good part of a megabyte.
+    // Move known chunks instead of copying them: a chunk may take a megabyte.
     next.try_emplace(keys[k], known != chunks_.end() ? std::move(known->second) : chunks[k]);
   }
   chunks_ = std::move(next);

@@ -9,13 +9,14 @@
 namespace swept {
 namespace {
 
+// Faces per cluster: larger clusters have wider cones, and more of them would be mixed.
 constexpr std::uint32_t kMaxFaces = 24;
 constexpr float kMinCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Neighbours of each face across edges with exactly two, equally oriented faces.
+/// The neighbours of each face across edges that have exactly two, equally oriented faces.
 struct Neighbours {
-  std::vector<std::uint32_t> of;  // three a face, kNone where there is none
+  std::vector<std::uint32_t> of;  // three per face; kNone where there is no neighbour
 
   Neighbours(const TriMesh& body, const BodyTopology& topology)
       : of(3 * body.triangles.size(), kNone) {
@@ -36,7 +37,7 @@ void measure(const TriMesh& body, const BodyTopology& topology, const FaceCluste
              FaceCluster& cluster) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low,
                   normals = Eigen::Vector3d::Zero();
-  cluster.leastHeight = 1e300;
+  cluster.minHeight = 1e300;
   const auto eachFace = [&](const auto& use) {
     for (std::uint32_t n = 0; n < cluster.faceCount; ++n) use(all.faces[cluster.firstFace + n]);
   };
@@ -46,7 +47,7 @@ void measure(const TriMesh& body, const BodyTopology& topology, const FaceCluste
       high = high.cwiseMax(body.vertices[v]);
     }
     normals += topology.normals[f].cast<double>();
-    cluster.leastHeight = std::min(cluster.leastHeight, static_cast<double>(topology.heights[f]));
+    cluster.minHeight = std::min(cluster.minHeight, static_cast<double>(topology.heights[f]));
   });
   cluster.centre = (low + high) / 2;
   const double length = normals.norm();
@@ -59,7 +60,7 @@ void measure(const TriMesh& body, const BodyTopology& topology, const FaceCluste
     cosine = std::min(cosine, cluster.axis.dot(topology.normals[f].cast<double>()));
   });
   cluster.radius = std::sqrt(radius2);
-  // Normals are floats: a little room.
+  // The normals are 32-bit floats; this covers their rounding.
   const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-6;
   cluster.cosCone = std::cos(angle);
   cluster.sinCone = std::sin(angle);
@@ -97,18 +98,16 @@ std::vector<FaceClusters::EdgeEnds> endsOf(const BodyTopology& topology, const F
   ends.reserve(edges.size());
   for (const std::uint32_t e : edges) {
     const BodyEdge& edge = topology.edges[e];
-    ends.push_back({all.placeOf[edge.left], all.placeOf[edge.right < 0 ? edge.left : edge.right],
+    ends.push_back({all.indexOf[edge.left], all.indexOf[edge.right < 0 ? edge.left : edge.right],
                     edge.a, edge.b});
   }
   return ends;
 }
 
-}  // namespace
-
-FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
+/// Grows clusters breadth first from the first face that has none.
+void growClusters(const TriMesh& body, const BodyTopology& topology, FaceClusters& out) {
   const auto faces = static_cast<std::uint32_t>(body.triangles.size());
   const Neighbours neighbours(body, topology);
-  FaceClusters out;
   out.faces.reserve(faces);
   out.clusterOf.assign(faces, kNone);
   for (std::uint32_t seed = 0; seed < faces; ++seed) {
@@ -132,6 +131,11 @@ FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
     cluster.faceCount = static_cast<std::uint32_t>(out.faces.size()) - cluster.firstFace;
     out.clusters.push_back(cluster);
   }
+}
+
+/// Separates the edges within clusters from those between them; returns where the inner edges of
+/// each cluster start.
+std::vector<std::uint32_t> splitEdges(const BodyTopology& topology, FaceClusters& out) {
   std::vector<std::uint32_t> start(out.clusters.size() + 1, 0);
   const auto inner = [&](const BodyEdge& e) {
     return e.right >= 0 && !e.opposed && out.clusterOf[e.left] == out.clusterOf[e.right];
@@ -148,13 +152,12 @@ FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
       out.borderEdges.push_back(e);
     }
   }
-  groupBorders(topology, out);
-  out.placeOf.resize(faces);
-  for (std::uint32_t n = 0; n < faces; ++n) out.placeOf[out.faces[n]] = n;
-  out.innerEnds = endsOf(topology, out, out.innerEdges);
-  out.borderEnds = endsOf(topology, out, out.borderEdges);
-  out.balls.resize(faces);
-  parallelBlocks(faces, 8192, [&](std::size_t begin, std::size_t end) {
+  return start;
+}
+
+void makeBalls(const TriMesh& body, const BodyTopology& topology, FaceClusters& out) {
+  out.balls.resize(out.faces.size());
+  parallelBlocks(out.faces.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const std::uint32_t f = out.faces[n];
       const auto& t = body.triangles[f];
@@ -167,6 +170,21 @@ FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
                       topology.normals[f], topology.heights[f]};
     }
   });
+}
+
+}  // namespace
+
+FaceClusters buildClusters(const TriMesh& body, const BodyTopology& topology) {
+  const auto faces = static_cast<std::uint32_t>(body.triangles.size());
+  FaceClusters out;
+  growClusters(body, topology, out);
+  const std::vector<std::uint32_t> start = splitEdges(topology, out);
+  groupBorders(topology, out);
+  out.indexOf.resize(faces);
+  for (std::uint32_t n = 0; n < faces; ++n) out.indexOf[out.faces[n]] = n;
+  out.innerEnds = endsOf(topology, out, out.innerEdges);
+  out.borderEnds = endsOf(topology, out, out.borderEdges);
+  makeBalls(body, topology, out);
   parallelBlocks(out.clusters.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       out.clusters[c].firstEdge = start[c];

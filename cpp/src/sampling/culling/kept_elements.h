@@ -1,5 +1,5 @@
 // Walks a continuous motion placement by placement over the faces and side patches that culling
-// keeps, in one fixed order: every sampler that uses it numbers the same elements the same way.
+// keeps, in one fixed order: all samplers that use it number the same elements alike.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,14 +20,14 @@ class KeptElements {
     if (placement > 0) before_.compute(placement - 1);
     if (hasAfter()) after_.compute(placement);
   }
-  /// To the next placement; not beyond the last.
+  /// Goes to the next placement; not beyond the last.
   void advance() {
     std::swap(before_, after_);
     ++placement_;
     if (hasAfter()) after_.compute(placement_);
   }
 
-  /// use(face) for the copies kept at this placement.
+  /// Calls use(face) for the faces kept at this placement.
   template <class Use>
   void forFaces(const Use& use) const {
     const bool hasBefore = placement_ > 0;
@@ -37,21 +37,22 @@ class KeptElements {
         continue;
       }
       for (std::uint32_t at = cluster.firstFace; at < cluster.firstFace + cluster.faceCount; ++at) {
-        if (!enclosed(hasBefore ? before_.ofPlace(at) : 0, hasAfter() ? after_.ofPlace(at) : 0)) {
+        if (!enclosed(hasBefore ? before_.ofIndex(at) : 0, hasAfter() ? after_.ofIndex(at) : 0)) {
           use(clusters_.faces[at]);
         }
       }
     }
   }
 
-  /// use(edge, ends) for the side patches kept in the step that starts here; needs a step.
+  /// Calls use(edge, ends) for the side patches kept in the step that starts here; there must be
+  /// such a step.
   template <class Use>
   void forPatches(const Use& use) const {
     for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
       if (input_.cull && after_.ofCluster(c) != 0) continue;
       const FaceCluster& cluster = clusters_.clusters[c];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
-        if (!input_.cull || !sameWay(clusters_.innerEnds[n], false))
+        if (!input_.cull || !inSameDirection(clusters_.innerEnds[n], false))
           use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
       }
     }
@@ -63,7 +64,7 @@ class KeptElements {
         if (left != 0 && left == (border.opposed ? -right : right)) continue;
       }
       for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
-        if (!mayDrop || !sameWay(clusters_.borderEnds[n], border.opposed)) {
+        if (!mayDrop || !inSameDirection(clusters_.borderEnds[n], border.opposed)) {
           use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
         }
       }
@@ -72,9 +73,10 @@ class KeptElements {
 
  private:
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
-  /// patchIsEnclosed() for an edge with two faces.
-  bool sameWay(const FaceClusters::EdgeEnds& ends, bool opposed) const {
-    const int left = after_.ofPlace(ends.left), right = after_.ofPlace(ends.right);
+  /// Whether the two faces of an edge move in the same direction, so that its side patch is
+  /// enclosed.
+  bool inSameDirection(const FaceClusters::EdgeEnds& ends, bool opposed) const {
+    const int left = after_.ofIndex(ends.left), right = after_.ofIndex(ends.right);
     return left != 0 && left == (opposed ? -right : right);
   }
   bool enclosed(int before, int after) const {

@@ -8,16 +8,17 @@ namespace swept {
 namespace {
 
 constexpr double kSnapCells = 0x1p-17;
-constexpr double kRounding = 1e-6;  ///< of the displacement: normals are floats, with room
+/// Fraction of the displacement: the normals are 32-bit floats, with room to spare.
+constexpr double kRounding = 1e-6;
 
-/// Snapping turns the normal of a triangle of this height by at most about this angle.
+/// Snapping the corners turns the normal of a triangle of this height by at most about this angle.
 double snapAngle(double height, double cell) {
   return 4 * kSnapCells * cell / std::max(height, 1e-300);
 }
 
 }  // namespace
 
-/// The step in the body's frame at its start: a point moves by bend * p + shift.
+/// A motion step as seen from the body at its start: a point p moves by bend * p + shift.
 struct FaceDirections::Step {
   Eigen::Matrix3d bend, turnBack;
   Eigen::Vector3d shift;
@@ -25,14 +26,14 @@ struct FaceDirections::Step {
   double snap = 0;   // mm
   Eigen::Matrix3f bendFloat, turnBackFloat;
   Eigen::Vector3f shiftFloat;
-  float rounding = 0;  // mm: of d in float
+  float rounding = 0;  // mm: rounding of a displacement in float
 };
 
 FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& clusters)
     : input_(&input),
       clusters_(&clusters),
       clusterDirection_(clusters.clusters.size()),
-      placeDirection_(input.body.triangles.size()) {
+      faceDirection_(input.body.triangles.size()) {
   for (const FaceCluster& c : clusters.clusters) {
     farthest_ = std::max(farthest_, c.centre.norm() + c.radius);
   }
@@ -44,9 +45,10 @@ int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) 
   const double travel = length + spread;
   const double margin = spread +
                         travel * (step.angle * step.angle + kRounding +
-                                  snapAngle(cluster.leastHeight, input_->grid.cell)) +
+                                  snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
-  // Smallest n . d over the cone on the side where the axis points, at either end of the step.
+  // The smallest n . d over the cone, on the side that the axis points to, at either end of the
+  // step.
   const auto side = [&](double along) {
     const double across = std::sqrt(std::max(0.0, length * length - along * along));
     const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
@@ -56,8 +58,8 @@ int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) 
   return first != 0 && first == side(cluster.axis.dot(step.turnBack * d)) ? first : 0;
 }
 
-/// The middle of the face alone: n . d changes by at most angle * radius over the ball. Most faces
-/// are decided here.
+/// Decides from the middle of the face alone: n . d changes by at most angle * radius over the
+/// ball. Most faces are decided here.
 int FaceDirections::decideBall(const FaceClusters::FaceBall& ball, const Step& step) const {
   const Eigen::Vector3f d = step.bendFloat * ball.centre + step.shiftFloat;
   const float first = ball.normal.dot(d), second = ball.normal.dot(step.turnBackFloat * d);
@@ -97,7 +99,8 @@ void FaceDirections::compute(std::size_t k) {
   step.bend = turn - Eigen::Matrix3d::Identity();
   step.turnBack = turn.transpose();
   step.shift = p.rotation.transpose() * (q.translation - p.translation);
-  // Twice the sine of half the turn, by which no vector can change more; and a little room.
+  // No vector changes by more than twice the sine of half the turn; with a little room for
+  // rounding.
   step.angle = step.bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
   step.snap = 4 * kSnapCells * input_->grid.cell;
   step.bendFloat = step.bend.cast<float>();
@@ -110,12 +113,12 @@ void FaceDirections::compute(std::size_t k) {
     clusterDirection_[c] = whole;
     const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
     if (whole != 0) {
-      std::fill(placeDirection_.begin() + first, placeDirection_.begin() + end, whole);
+      std::fill(faceDirection_.begin() + first, faceDirection_.begin() + end, whole);
       continue;
     }
     for (std::uint32_t at = first; at < end; ++at) {
       const int direction = decideBall(clusters_->balls[at], step);
-      placeDirection_[at] = static_cast<std::int8_t>(
+      faceDirection_[at] = static_cast<std::int8_t>(
           direction != 0 ? direction : decideFace(clusters_->faces[at], step));
     }
   }

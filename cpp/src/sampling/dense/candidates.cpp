@@ -10,8 +10,11 @@
 namespace swept::dense {
 namespace {
 
-constexpr std::size_t kBlock = 256;     // vertices a task
-constexpr double kSameNormal = 0.9998;  // cosine: normals closer than this are asked once
+constexpr std::size_t kBlock = 256;  // vertices per task
+/// Cosine (1.1 degrees): normals closer than this are queried once.
+constexpr double kMinSameCosine = 0.9998;
+// Queries per vertex, and halvings of an arc between two normals: both bound the time per vertex.
+// What is missed is found and closed by leak_repair.h.
 constexpr std::size_t kMaxNormals = 8;
 constexpr int kArcDepth = 3;
 
@@ -22,8 +25,8 @@ void insert(Set& set, std::uint32_t placement) {
   if (at == set.end() || *at != placement) set.insert(at, placement);
 }
 
-/// What is asked at a vertex, and the best answers.
-struct Question {
+/// One query at a vertex, and the best advance that was found.
+struct Query {
   Point6 gradient;
   float best;
 };
@@ -39,16 +42,16 @@ class CandidateSearch {
         vertices_(input.body.vertices.size()),
         normals_(vertices_, Eigen::Vector3d::Zero()),
         winners_(vertices_),
-        questions_(vertices_) {
+        queries_(vertices_) {
     collectNeighbours();
   }
 
   FacePlacements find() {
     parallelBlocks(vertices_, kBlock, [&](std::size_t begin, std::size_t end) {
       run_.checkpoint(Phase::Sampling);
-      for (std::size_t v = begin; v < end; ++v) askAt(v);
+      for (std::size_t v = begin; v < end; ++v) queryAt(v);
     });
-    askAlongEdges();
+    queryAlongEdges();
     for (int ring = 0; ring < settings_.rings; ++ring) {
       if (!spread(ring < settings_.freeRings)) break;
     }
@@ -81,42 +84,42 @@ class CandidateSearch {
     }
   }
 
-  std::uint32_t ask(const Point6& g, std::uint32_t guess, float* advance = nullptr) const {
+  std::uint32_t query(const Point6& g, std::uint32_t guess, float* advance = nullptr) const {
     const PlacementSpace::Best best = space_.support(g, guess);
     if (advance != nullptr) *advance = best.advance;
     return best.placement;
   }
 
-  /// Winners on the arc between two asked (point, normal) pairs.
-  void askBetween(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::uint32_t winner,
-                  const Eigen::Vector3d& y, const Eigen::Vector3d& m, std::uint32_t other,
-                  int depth, Set& out) const {
+  /// Queries the normals on the arc between two (point, normal) pairs that have been queried.
+  void queryBetween(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::uint32_t winner,
+                    const Eigen::Vector3d& y, const Eigen::Vector3d& m, std::uint32_t other,
+                    int depth, Set& out) const {
     if (winner == other || depth == 0) return;
     Eigen::Vector3d between = n + m;
     const double length = between.norm();
-    if (length < 0.2) return;  // the two look away from each other: no arc
+    if (length < 0.2) return;  // nearly opposite normals: there is no arc between them
     between /= length;
     const Eigen::Vector3d z = (x + y) / 2;
-    const std::uint32_t middle = ask(space_.gradient(z, between), winner);
+    const std::uint32_t middle = query(space_.gradient(z, between), winner);
     insert(out, middle);
-    askBetween(x, n, winner, z, between, middle, depth - 1, out);
-    askBetween(z, between, middle, y, m, other, depth - 1, out);
+    queryBetween(x, n, winner, z, between, middle, depth - 1, out);
+    queryBetween(z, between, middle, y, m, other, depth - 1, out);
   }
 
-  void askAt(std::size_t v) {
+  void queryAt(std::size_t v) {
     const Eigen::Vector3d& x = input_.body.vertices[v];
-    std::array<Eigen::Vector3d, kMaxNormals> asked;
+    std::array<Eigen::Vector3d, kMaxNormals> queried;
     std::array<std::uint32_t, kMaxNormals> answer{};
     std::size_t count = 0;
     const auto put = [&](const Eigen::Vector3d& n) {
       for (std::size_t i = 0; i < count; ++i) {
-        if (asked[i].dot(n) > kSameNormal) return;
+        if (queried[i].dot(n) > kMinSameCosine) return;
       }
-      Question question{space_.gradient(x, n), 0};
-      answer[count] = ask(question.gradient, count > 0 ? answer[0] : 0, &question.best);
-      asked[count] = n;
+      Query atVertex{space_.gradient(x, n), 0};
+      answer[count] = query(atVertex.gradient, count > 0 ? answer[0] : 0, &atVertex.best);
+      queried[count] = n;
       insert(winners_[v], answer[count]);
-      questions_[v].push_back(question);
+      queries_[v].push_back(atVertex);
       ++count;
     };
     put(normals_[v]);
@@ -125,25 +128,26 @@ class CandidateSearch {
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        if (i > 0 && asked[i].dot(asked[j]) > 0.9) continue;  // between creases only
-        askBetween(x, asked[i], answer[i], x, asked[j], answer[j], kArcDepth, winners_[v]);
+        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;  // between creases only
+        queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
       }
     }
-    questions_[v].shrink_to_fit();
+    queries_[v].shrink_to_fit();
   }
 
-  /// Where the winners at the two ends of an edge differ, the ones between belong to both ends.
-  void askAlongEdges() {
+  /// Where the winners at the two ends of an edge differ, the winners between them belong to both
+  /// ends.
+  void queryAlongEdges() {
     const auto& edges = input_.topology.edges;
     std::vector<Set> found(edges.size());
     parallelBlocks(edges.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       run_.checkpoint(Phase::Sampling);
       for (std::size_t e = begin; e < end; ++e) {
         const std::int32_t a = edges[e].a, b = edges[e].b;
-        const std::uint32_t atA = ask(questions_[a][0].gradient, winners_[a][0]);
-        const std::uint32_t atB = ask(questions_[b][0].gradient, winners_[b][0]);
-        askBetween(input_.body.vertices[a], normals_[a], atA, input_.body.vertices[b], normals_[b],
-                   atB, kArcDepth, found[e]);
+        const std::uint32_t atA = query(queries_[a][0].gradient, winners_[a][0]);
+        const std::uint32_t atB = query(queries_[b][0].gradient, winners_[b][0]);
+        queryBetween(input_.body.vertices[a], normals_[a], atA, input_.body.vertices[b],
+                     normals_[b], atB, kArcDepth, found[e]);
       }
     });
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -157,13 +161,13 @@ class CandidateSearch {
   bool isNear(std::size_t v, std::uint32_t placement) const {
     const Point6& point = space_.point(placement);
     const auto slack = static_cast<float>(settings_.slack);
-    for (const Question& q : questions_[v]) {
+    for (const Query& q : queries_[v]) {
       if (dot(q.gradient, point) >= q.best - slack) return true;
     }
     return false;
   }
 
-  /// One ring further; false if nothing moved.
+  /// Spreads the winners by one ring of vertices; false if nothing changed.
   bool spread(bool freely) {
     if (fresh_.empty()) fresh_ = winners_;
     std::vector<Set> next(vertices_);
@@ -182,7 +186,7 @@ class CandidateSearch {
         std::sort(offered.begin(), offered.end());
         offered.erase(std::unique(offered.begin(), offered.end()), offered.end());
         for (const std::uint32_t placement : offered) {
-          if (winners_[v].size() + next[v].size() >= settings_.most) break;
+          if (winners_[v].size() + next[v].size() >= settings_.maxPlacements) break;
           if (std::binary_search(winners_[v].begin(), winners_[v].end(), placement)) continue;
           if (freely || isNear(v, placement)) next[v].push_back(placement);
         }
@@ -240,7 +244,7 @@ class CandidateSearch {
   std::vector<Eigen::Vector3d> normals_;
   std::vector<std::uint32_t> faceStart_, faces_;
   std::vector<Set> winners_, fresh_;
-  std::vector<std::vector<Question>> questions_;
+  std::vector<std::vector<Query>> queries_;
 };
 
 }  // namespace

@@ -1,10 +1,14 @@
-// Which placements can hold a bit of the body's surface on the envelope.
+// Which placements can put a face of the body on the envelope.
 //
-// Every vertex asks the placement space with its own normal, with those of its faces and, where two
-// answers differ, with normals between them (also between neighbouring vertices). The winners then
-// spread from vertex to vertex as long as they stay within a slack of the local best: the envelope
-// changes placement along ridges, and both sheets must reach the ridge.
-// Out: per face the sorted placements to sample it at. Cost: O(vertices x queries); 4 bytes a pair.
+// In: body, placement space. Out: per face the sorted placements at which it has to be sampled.
+// Units: mm. Cost: O(vertices x queries); 4 bytes per (face, placement) pair.
+// Source: METHOD.md section 2, "Support queries in placement space", which gives the figures for
+// slack and rings.
+//
+// Every vertex queries the placement space with its own normal, with the normals of its faces, and
+// with normals between them where two answers differ (also between neighbouring vertices). The
+// winners then spread from vertex to vertex as long as they are within a slack of the local best:
+// the envelope changes placement along ridges, and both sheets must reach the ridge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,14 +21,14 @@
 namespace swept::dense {
 
 struct CandidateSettings {
-  double slack = 0;       ///< mm: how far behind the local best a spread winner is kept
-  int freeRings = 1;      ///< rings over which winners spread whatever their advance
-  int rings = 8;          ///< rings over which they spread within the slack
-  std::size_t most = 96;  ///< a vertex stops taking in placements at this many
+  double slack = 0;   ///< mm: how far behind the local best a spread winner is still kept
+  int freeRings = 1;  ///< rings over which winners spread whatever their advance
+  int rings = 8;      ///< rings over which winners spread within the slack
+  std::size_t maxPlacements = 96;  ///< a vertex accepts no more placements beyond this number
 };
 
 struct FacePlacements {
-  std::vector<std::uint64_t> start;      ///< per face, one past the end at last
+  std::vector<std::uint64_t> start;      ///< per face, and one entry behind the last
   std::vector<std::uint32_t> placement;  ///< sorted within a face
 };
 

@@ -19,7 +19,7 @@ double bodyRadius(const TriMesh& body) {
   return box.diagonal().norm() / 2;
 }
 
-/// The placement nearest to the mean, and those farthest along fixed directions in all six
+/// The placement nearest to the mean, and those farthest along fixed directions in the six
 /// coordinates.
 std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t placements,
                                        int count) {
@@ -51,7 +51,7 @@ class DenseRun {
     linkFaces();
   }
 
-  /// Nothing if too much stayed open.
+  /// Returns nothing if too much stayed open.
   std::optional<DenseSurface> sample(bool mayGiveUp) {
     const std::size_t faces = input_.body.triangles.size();
     const double cell = input_.grid.cell;
@@ -59,7 +59,7 @@ class DenseRun {
     wanted.slack = settings_.slackCells * cell + space_.remainder();
     wanted.freeRings = settings_.freeRings;
     wanted.rings = settings_.rings;
-    wanted.most = settings_.mostAtVertex;
+    wanted.maxPlacements = settings_.maxAtVertex;
     const FacePlacements candidates = findCandidates(input_, space_, wanted, run_);
     for (std::uint32_t f = 0; f < faces; ++f) {
       sampler_.add(f, candidates.placement.data() + candidates.start[f],
@@ -80,8 +80,8 @@ class DenseRun {
       if (leaks.missing.empty() || round == settings_.rounds) break;
       close(leaks);
     }
-    const auto most = settings_.mostLeft * static_cast<double>(leaks.asked);
-    if (mayGiveUp && (!leaks.complete || static_cast<double>(leaks.covered) > most)) {
+    const auto maxOpen = settings_.maxOpenFraction * static_cast<double>(leaks.tested);
+    if (mayGiveUp && (!leaks.complete || static_cast<double>(leaks.covered) > maxOpen)) {
       return std::nullopt;
     }
     DenseSurface out;
@@ -105,7 +105,7 @@ class DenseRun {
     }
   }
 
-  /// Samples the missing pairs with the faces around them.
+  /// Samples the missing pairs together with the faces around them.
   void close(const LeakSearch& leaks) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const auto& [face, placement] : leaks.missing) {
@@ -127,7 +127,7 @@ class DenseRun {
     std::string text = textOf(
         3, "dense motion: ", sampler_.pairs(), " of ", all, " copies of faces were sampled (",
         100 * static_cast<double>(sampler_.pairs()) / all, " %), ", rounds,
-        " rounds of repair; of ", leaks.asked, " surface points asked against all placements, ",
+        " rounds of repair; of ", leaks.tested, " surface points tested against all placements, ",
         leaks.covered, " are still covered by more than ", margin, " mm");
     if (leaks.covered > 0) text += textOf(3, ", by at most ", leaks.deepest, " mm");
     text += textOf(3, "; linear form good to ", space_.remainder(),
@@ -150,11 +150,11 @@ bool suits(const TriMesh& body, const Motion& motion, double cell, bool cull, bo
            const DenseSettings& settings) {
   const double pairs =
       static_cast<double>(body.triangles.size()) * static_cast<double>(motion.placements.size());
-  if (motion.continuous || !cull || !orientable || pairs < settings.leastPairs) return false;
+  if (motion.continuous || !cull || !orientable || pairs < settings.minPairs) return false;
   const PlacementSpace space(body, motion.placements, PlacementSpace::kExtentOnly);
-  return space.turn() <= settings.mostTurn &&
-         space.reach() <= settings.mostReach * bodyRadius(body) &&
-         space.remainder() <= settings.mostRemainder * cell;
+  return space.turn() <= settings.maxTurn &&
+         space.reach() <= settings.maxReach * bodyRadius(body) &&
+         space.remainder() <= settings.maxRemainder * cell;
 }
 
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,

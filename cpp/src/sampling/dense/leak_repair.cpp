@@ -13,6 +13,7 @@
 namespace swept::dense {
 namespace {
 
+// Limit of memory and time: the table of covered points then takes some hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly at one point
 
@@ -61,7 +62,7 @@ class LeakFinder {
     return static_cast<std::uint64_t>(g[0]) << 26 | static_cast<std::uint64_t>(g[1]) << 13 |
            static_cast<std::uint64_t>(g[2]);
   }
-  /// Rises in the order in which a layer's edges are visited.
+  /// A key that rises in the order in which the edges of a layer are visited.
   static std::uint64_t orderOf(int axis, std::int32_t j, std::int32_t k, std::uint64_t side) {
     return static_cast<std::uint64_t>(axis) << 32 | static_cast<std::uint64_t>(j) << 17 |
            static_cast<std::uint64_t>(k) << 1 | side;
@@ -88,8 +89,8 @@ class LeakFinder {
     return depth > 0;
   }
 
-  /// Lattice point g lies near `face` at `placement`, outside of that copy: is it covered by
-  /// another?
+  /// Lattice point g lies near `face` at `placement`, outside of that copy. Looks for another
+  /// placement whose copy covers it.
   bool findCover(const Lattice& g, std::uint32_t face, std::uint32_t placement, Scratch& s,
                  Covered& out) const {
     const Eigen::Vector3d x = inBody(g, placement);
@@ -116,12 +117,12 @@ class LeakFinder {
   void seed() {
     const auto layers = static_cast<std::size_t>(input_.grid.points[0]);
     std::vector<std::vector<Covered>> found(layers);
-    std::vector<std::int64_t> asked(layers, 0);
+    std::vector<std::int64_t> tested(layers, 0);
     clear_.layers.resize(layers);
     parallelFor(layers, [&](std::size_t layer) {
       run_.checkpoint(Phase::Signs, layer, layers);
       Scratch scratch;
-      // Both lists rise by place, so one walk over the old one finds what is known.
+      // Both lists rise in the same order, so one pass over the old list finds what is known.
       std::vector<ClearPoints::Point> known = std::move(clear_.layers[layer]);
       std::vector<ClearPoints::Point>& clear = clear_.layers[layer];
       clear.clear();
@@ -137,7 +138,7 @@ class LeakFinder {
                 const SweptElement& e = marked_.elements[element];
                 const ClearPoints::Point point{orderOf(axis, j, edge.k, side), e.index(),
                                                e.placement};
-                ++asked[layer];
+                ++tested[layer];
                 while (at != known.end() && at->place < point.place) ++at;
                 const bool isKnown = at != known.end() && *at == point;
                 if (!isKnown && findCover(g, point.face, point.placement, scratch, cover)) {
@@ -154,7 +155,7 @@ class LeakFinder {
     });
     std::vector<Covered> all;
     for (std::size_t layer = 0; layer < layers; ++layer) {
-      out_.asked += asked[layer];
+      out_.tested += tested[layer];
       all.insert(all.end(), found[layer].begin(), found[layer].end());
     }
     out_.covered = static_cast<std::int64_t>(all.size());
@@ -182,16 +183,16 @@ class LeakFinder {
     return at != end && static_cast<std::int32_t>(at->k) == low[2];
   }
 
-  /// From one covered point to its six neighbours.
+  /// Goes from one covered point to its six neighbours.
   void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
             std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
     const Lattice g = unpack(from.point);
     for (int axis = 0; axis < 3; ++axis) {
-      for (int way = -1; way <= 1; way += 2) {
+      for (int direction = -1; direction <= 1; direction += 2) {
         Lattice to = g;
-        to[axis] += way;
+        to[axis] += direction;
         if (to[axis] < 0 || to[axis] >= input_.grid.points[axis]) continue;
-        if (isMarked(way < 0 ? to : g, axis) || cover_.contains(pack(to))) continue;
+        if (isMarked(direction < 0 ? to : g, axis) || cover_.contains(pack(to))) continue;
         const Eigen::Vector3d y = inBody(to, from.placement);
         if (isInside(y, s)) {
           covered.push_back({pack(to), from.placement, 0});
@@ -213,6 +214,7 @@ class LeakFinder {
   }
 
   void follow() {
+    // Points per task: some milliseconds of exact tests.
     constexpr std::size_t kPoints = 512;
     const std::size_t blocks = (front_.size() + kPoints - 1) / kPoints;
     std::vector<std::vector<Covered>> covered(blocks);

@@ -12,6 +12,7 @@ namespace swept::dense {
 namespace {
 
 constexpr double kBatchCrossings = 24e6;  // 12 bytes each, twice while they are sorted
+// Crossings per task: a batch makes 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
 class ElementSampler {
@@ -55,7 +56,8 @@ void PairSampler::addWhole(std::uint32_t placement) {
     items_.push_back({f, at, at + 1});
 }
 
-/// Expected: half the sum of the areas of the three projections, in cells, at most 1.74 the area.
+/// Expected number: half the sum of the areas of the three projections in cells, at most 1.74 times
+/// the area.
 double PairSampler::crossingsOf(std::uint32_t face) const {
   const auto& t = input_.body.triangles[face];
   const Eigen::Vector3d& a = input_.body.vertices[t[0]];
@@ -75,15 +77,17 @@ void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {
   }
 }
 
-/// The edges marked so far become records again: two an edge.
+/// The edges marked so far become records again: two per edge.
 void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   const std::size_t layers = marked_.layers.size();
+  // Layers per task; one chunk each.
   constexpr std::size_t kLayers = 16;
   const std::size_t first = chunks.size();
   chunks.resize(first + (layers + kLayers - 1) / kLayers);
   parallelBlocks(layers, kLayers, [&](std::size_t begin, std::size_t end) {
     RecordChunk& chunk = chunks[first + begin / kLayers];
-    // Neighbouring edges are often won by one element: those met lately are not written again.
+    // One element often marks many neighbouring edges; an element that was written lately is not
+    // written again.
     struct Carried {
       std::uint32_t from = 0xffffffffu, to = 0;
     };
@@ -96,7 +100,7 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
       }
       return slot.to;
     };
-    // Back to the same fixed-point fraction: in the middle of its step, so that rounding is safe.
+    // Back to the same fixed-point fraction: the middle of its step is safe against rounding.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
     const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
     for (std::size_t i = begin; i < end; ++i) {

@@ -1,6 +1,6 @@
 // Samples chosen (face, placement) pairs, batch by batch, into one set of marked edges.
-// Memory: what a batch crosses (bounded) and the marked edges so far; never all raw crossings.
-// Deterministic: the result depends on the pairs only.
+// In: pairs. Out: marked edges. Memory: the crossings of one batch (bounded) and the marked edges
+// so far; never all raw crossings. Promise: the result depends on the pairs only.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,9 +16,9 @@ class PairSampler {
  public:
   PairSampler(const SamplerInput& input, RunContext& run);
 
-  /// The placements [begin, end) of one face. The pointed-to list must outlive the next flush().
+  /// Adds the placements [begin, end) of one face. The list must stay valid until the next flush().
   void add(std::uint32_t face, const std::uint32_t* begin, const std::uint32_t* end);
-  /// All faces at one placement.
+  /// Adds all faces at one placement.
   void addWhole(std::uint32_t placement);
   /// Samples what was added.
   void flush();
@@ -39,8 +39,8 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;    // in cells
-  std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: lists of one placement
+  std::vector<Placement> placements_;    // with results in cells
+  std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: used as lists of one placement
   std::vector<Item> items_;
   MarkedEdges marked_;
   std::int64_t pairs_ = 0;

@@ -8,10 +8,11 @@
 namespace swept::dense {
 namespace {
 
+// Points per leaf: testing eight points costs about as much as testing the boxes of one more level.
 constexpr std::uint32_t kLeaf = 8;
 
 Placement meanOf(const std::vector<Placement>& placements, const Eigen::Vector3d& centre) {
-  // Small turns: the average of the matrices, made a rotation again.
+  // For small turns the mean rotation is the mean of the matrices, made a rotation again.
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   for (const Placement& p : placements) {
@@ -104,7 +105,7 @@ Point6 PlacementSpace::gradient(const Eigen::Vector3d& x, const Eigen::Vector3d&
 }
 
 PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t guess) const {
-  constexpr float kRounding = 1e-5f;  // mm: bounds and dot products add in different order
+  constexpr float kRounding = 1e-5f;  // mm: bounds and dot products add in a different order
   Best best{guess, dot(g, points_[guess])};
   struct Open {
     std::uint32_t node;
@@ -136,7 +137,7 @@ PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t gues
   return best;
 }
 
-void PlacementSpace::above(const Point6& g, float least, std::size_t most,
+void PlacementSpace::above(const Point6& g, float minAdvance, std::size_t maxCount,
                            std::vector<Best>& out) const {
   out.clear();
   struct Open {
@@ -147,14 +148,14 @@ void PlacementSpace::above(const Point6& g, float least, std::size_t most,
   std::size_t open = 0;
   const Split split(g);
   stack[open++] = {0, bound(nodes_[0], split)};
-  while (open > 0 && out.size() < most) {
+  while (open > 0 && out.size() < maxCount) {
     const Open top = stack[--open];
-    if (top.bound < least) continue;
+    if (top.bound < minAdvance) continue;
     const Node& node = nodes_[top.node];
     if (node.right == 0) {
-      for (std::uint32_t i = node.begin; i < node.end && out.size() < most; ++i) {
+      for (std::uint32_t i = node.begin; i < node.end && out.size() < maxCount; ++i) {
         const float advance = dot(g, sorted_[i]);
-        if (advance > least) out.push_back({order_[i], advance});
+        if (advance > minAdvance) out.push_back({order_[i], advance});
       }
       continue;
     }

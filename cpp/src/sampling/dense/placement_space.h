@@ -1,14 +1,17 @@
 // The placements of a dense motion as points in six dimensions, and support queries over them.
 //
-// Relative to a mean placement, a body point with mean position c + q moves by dt + w x q (first
-// order in the turn w), so its advance along a unit normal n is n.dt + (q x n).w: linear in the
-// point (dt, w). How far a placement pushes a bit of surface is a dot product, and which one pushes
-// it farthest is a support query, answered by branch and bound over a tree of boxes.
-// Units: mm; w is scaled by the body's radius, so that all six coordinates are lengths.
-// Remainder: radius * |w|^2 / 2 bounds what the linear form leaves out along any direction, to
-// second order (remainder()).
-// Cost: O(n log n) to build; microseconds a query. Deterministic: equal values go to the lower
-// index.
+// In: body, placements. Out: the placement of largest advance along a normal. Units: mm; w is
+// scaled by the body's radius, so that all six coordinates are lengths. Cost: O(n log n) to build;
+// microseconds per query.
+// Promise: of equal values the lower index wins, so that results are the same for any number of
+// threads.
+// Source: METHOD.md section 2, "Support queries in placement space".
+//
+// Relative to a mean placement, a body point with mean position c + q moves by dt + w x q (to first
+// order in the turn w), so that its advance along a unit normal n is n.dt + (q x n).w: linear in
+// the point (dt, w). Which placement pushes a bit of surface farthest is therefore a support query,
+// answered by branch and bound over a tree of boxes. remainder() bounds what the linear form leaves
+// out along any direction, to second order: radius * |w|^2 / 2.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -36,17 +39,19 @@ class PlacementSpace {
   };
 
   enum Wanted { kAll, kExtentOnly };
-  /// kExtentOnly: no tree and no questions, only how far the placements differ.
+  /// kExtentOnly: no tree and no queries, only how much the placements differ.
   PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements,
                  Wanted wanted = kAll);
 
-  /// Advance along n (unit, body frame) at body point x is dot(gradient(x, n), point(placement)).
+  /// The advance along n (unit, body frame) at body point x is dot(gradient(x, n),
+  /// point(placement)).
   Point6 gradient(const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
   const Point6& point(std::uint32_t placement) const { return points_[placement]; }
-  /// The placement of largest advance; `guess` speeds it up and does not change the answer.
+  /// The placement of largest advance; `guess` makes it faster and does not change the answer.
   Best support(const Point6& gradient, std::uint32_t guess) const;
-  /// Up to `most` placements of advance above `least`, best branches first.
-  void above(const Point6& gradient, float least, std::size_t most, std::vector<Best>& out) const;
+  /// Up to `maxCount` placements with an advance above `minAdvance`, best branches first.
+  void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
+             std::vector<Best>& out) const;
 
   const Placement& mean() const { return mean_; }
   double remainder() const { return remainder_; }  ///< mm
@@ -57,10 +62,12 @@ class PlacementSpace {
   struct Node {
     Point6 low, high;
     std::uint32_t begin = 0, end = 0;
-    std::uint32_t right = 0;  ///< index of the second child, the first follows; 0: leaf
+    /// Index of the second child, the first one follows directly; 0: leaf.
+    std::uint32_t right = 0;
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
-  /// A gradient as the boxes are asked: its positive part meets their high sides, the rest the low.
+  /// A gradient split for bounds over boxes: its positive part applies to their high sides, the
+  /// rest to their low sides.
   struct Split {
     Point6 up, down;
     explicit Split(const Point6& g) {

@@ -26,7 +26,7 @@ void SegmentGrid::forCubes(const Eigen::Vector3d& low, const Eigen::Vector3d& hi
   }
 }
 
-SegmentGrid::SegmentGrid(const TriMesh& body, double least) : body_(body) {
+SegmentGrid::SegmentGrid(const TriMesh& body, double minSize) : body_(body) {
   Eigen::AlignedBox3d box;
   for (const auto& v : body.vertices) box.extend(v);
   low_ = box.min();
@@ -35,8 +35,8 @@ SegmentGrid::SegmentGrid(const TriMesh& body, double least) : body_(body) {
     const Eigen::Vector3d& a = body.vertices[t[0]];
     area += (body.vertices[t[1]] - a).cross(body.vertices[t[2]] - a).norm() / 2;
   }
-  // Cubes of the size of the mean triangle, yet few enough for large triangles among small ones.
-  size_ = std::max({least, std::sqrt(area / static_cast<double>(body.triangles.size())),
+  // Cubes as large as the mean triangle, but few enough where large triangles lie among small ones.
+  size_ = std::max({minSize, std::sqrt(area / static_cast<double>(body.triangles.size())),
                     box.diagonal().norm() / 1e6});
   const auto cubes = [&] {
     double sum = 0;

@@ -1,5 +1,6 @@
-// Which triangles of the body a short segment meets: triangles sorted into cubes, in a hash of
-// cubes. Cost: O(triangles) to build, a few cubes a segment of about a cube's size.
+// Which triangles of the body a short segment intersects. The triangles are sorted into cubes, the
+// cubes into a hash table. Cost: O(triangles) to build, a few cubes per segment of about a cube's
+// length.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,9 +13,9 @@ namespace swept::dense {
 
 class SegmentGrid {
  public:
-  /// least: mm, cubes are at least this large.
-  SegmentGrid(const TriMesh& body, double least);
-  /// Triangles met by the segment (borders included), sorted.
+  /// minSize: mm, smallest edge of the cubes.
+  SegmentGrid(const TriMesh& body, double minSize);
+  /// The triangles that the segment intersects (borders included), sorted.
   void hits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
             std::vector<std::uint32_t>& out) const;
 

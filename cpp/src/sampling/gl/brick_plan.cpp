@@ -12,7 +12,7 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                               std::uint64_t budgetBytes) {
   const std::int32_t image = std::min(limits.texture3d, 4096);
   const std::int32_t view = std::min(limits.viewport, limits.framebuffer);
-  // Codes of edges are 32 bits, so that an image of 2^27 texels is the most.
+  // The codes of edges are 32-bit bit numbers, so that an image may have at most 2^27 texels.
   const std::uint64_t texels = std::min<std::uint64_t>(budgetBytes / 4, std::uint64_t{1} << 26);
   if (image < 3 || view < 32 || texels < 3) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
@@ -21,10 +21,10 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                     ", budget " + std::to_string(budgetBytes) + " bytes; needed are 3, 32, 12)");
   }
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
-  const auto least = [](std::int32_t a, std::int64_t b, std::int64_t c) {
+  const auto smallest = [](std::int32_t a, std::int64_t b, std::int64_t c) {
     return static_cast<std::int32_t>(std::min<std::int64_t>({a, b, c}));
   };
-  const std::int32_t bz = least(nz, view, 32 * std::int64_t{image});
+  const std::int32_t bz = smallest(nz, view, 32 * std::int64_t{image});
   std::int32_t words = (bz + 31) / 32, sizeZ = bz;
   if (3 * static_cast<std::uint64_t>(words) > texels) {
     words = static_cast<std::int32_t>(texels / 3);
@@ -32,11 +32,11 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
   }
   const auto row = 3 * static_cast<std::uint64_t>(words);
   const std::int32_t sizeY =
-      least(least(ny, view, image), static_cast<std::int64_t>(texels / row), ny);
+      smallest(smallest(ny, view, image), static_cast<std::int64_t>(texels / row), ny);
   const auto layer = row * static_cast<std::uint64_t>(sizeY);
   const std::int32_t sizeX =
-      least(least(nx, view, image / 3),
-            static_cast<std::int64_t>(std::max<std::uint64_t>(1, texels / layer)), nx);
+      smallest(smallest(nx, view, image / 3),
+               static_cast<std::int64_t>(std::max<std::uint64_t>(1, texels / layer)), nx);
   std::vector<Brick> bricks;
   for (std::int32_t i = 0; i < nx; i += sizeX) {
     for (std::int32_t j = 0; j < ny; j += sizeY) {

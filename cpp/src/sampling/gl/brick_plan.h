@@ -1,6 +1,6 @@
-// The grid cut into bricks whose marks fit into one 3D image of the device and into a budget.
-// Bricks are slabs of whole layers as long as that fits; then layers are cut along y, then z.
-// Any cut gives the same result. Cost: O(bricks).
+// Cuts the grid into bricks whose marks fit into one 3D image of the device and into a budget.
+// Bricks are slabs of whole layers as long as these fit; then layers are cut along y, then along z.
+// Every cut gives the same result. Cost: O(bricks).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ struct Brick {
   }
 };
 
-/// Bricks of one slab of layers follow one another, by y, then z.
+/// The bricks of one slab of layers follow one another, by y, then by z.
 /// Throws Error(DeviceUnavailable) if not even the smallest brick (1 x 1 x 32 points) fits.
 std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                               std::uint64_t budgetBytes);

@@ -27,7 +27,7 @@ std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
       kept.forFaces([&](std::uint32_t f) { parts[item].push_back({f, placement}); });
       if (k == input.motion.steps()) break;
       kept.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
-        parts[item].push_back({e | SweptElement::kPatchBit, placement});
+        parts[item].push_back({e | SweptElement::kSidePatchBit, placement});
       });
       if (k + 1 < end) kept.advance();
     }
@@ -60,14 +60,15 @@ ElementSource planElements(const SamplerInput& input, RunContext& run) {
 
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes) {
   std::vector<ElementChunk> chunks;
-  // Numbers within a chunk are 32 bits; a patch needs the placement after its own as well.
+  // Element numbers within a chunk have 32 bits; a side patch needs the placement after its own as
+  // well.
   const std::uint64_t window = std::max<std::uint64_t>(2, bytes / kPlacementBytes);
   if (source.listed) {
-    const std::uint64_t most = std::max<std::uint64_t>(1, bytes / sizeof(SweptElement));
+    const std::uint64_t maxCount = std::max<std::uint64_t>(1, bytes / sizeof(SweptElement));
     for (std::uint64_t first = 0; first < source.list.size();) {
       const std::uint32_t base = source.list[first].placement;
       std::uint64_t end = first;
-      while (end < source.list.size() && end - first < most &&
+      while (end < source.list.size() && end - first < maxCount &&
              source.list[end].placement + 2 <= base + window) {
         ++end;
       }
@@ -78,10 +79,10 @@ std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t 
     }
     return chunks;
   }
-  const std::uint64_t most = std::max<std::uint64_t>(
+  const std::uint64_t maxCount = std::max<std::uint64_t>(
       1, std::min<std::uint64_t>(window - 1, 0xfffffff0u / std::max(1u, source.perPlacement)));
-  for (std::uint64_t base = 0; base < source.placements; base += most) {
-    const std::uint64_t count = std::min<std::uint64_t>(most, source.placements - base);
+  for (std::uint64_t base = 0; base < source.placements; base += maxCount) {
+    const std::uint64_t count = std::min<std::uint64_t>(maxCount, source.placements - base);
     const std::uint64_t held = std::min<std::uint64_t>(count + 1, source.placements - base);
     chunks.push_back({base * source.perPlacement, count * source.perPlacement,
                       static_cast<std::uint32_t>(base), static_cast<std::uint32_t>(held)});

@@ -1,8 +1,9 @@
-// Which pieces of the swept surface are drawn, and how they are numbered.
+// Which elements of the swept surface are drawn, and how they are numbered.
 //
 // Listed: the kept elements of a continuous motion, one by one, in the order of the CPU sampler.
-// Otherwise every face in every placement and, if the motion is continuous, every edge in every
-// step; nothing is written down, the shader derives them (dense motions, or culling switched off).
+// Otherwise (dense motions, or culling switched off): every face at every placement and, if the
+// motion is continuous, every edge in every step. Then no list is stored; the shader derives the
+// elements from their numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,18 +28,18 @@ struct ElementSource {
     if (listed) return list[number];
     const auto local = static_cast<std::uint32_t>(number % perPlacement);
     const auto placement = static_cast<std::uint32_t>(number / perPlacement);
-    return {local < faces ? local : (local - faces) | SweptElement::kPatchBit, placement};
+    return {local < faces ? local : (local - faces) | SweptElement::kSidePatchBit, placement};
   }
   /// The last placement of a continuous motion starts no step.
   bool exists(const SweptElement& element) const {
-    return !element.isPatch() || element.placement + 1 < placements;
+    return !element.isSidePatch() || element.placement + 1 < placements;
   }
 };
 
-/// A run of consecutive elements whose data lie on the device at one time.
+/// A run of consecutive elements whose data are on the device at one time.
 struct ElementChunk {
   std::uint64_t first = 0, count = 0;
-  std::uint32_t placementBase = 0, placementCount = 0;  ///< placements that it needs
+  std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that it needs
 };
 
 ElementSource planElements(const SamplerInput& input, RunContext& run);

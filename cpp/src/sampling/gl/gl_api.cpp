@@ -14,7 +14,7 @@ class SystemLoader : public GlLoader {
     if (library_) return true;
     const char* chosen = std::getenv("SWEPT_EGL_LIBRARY");
     const char* name = chosen && *chosen ? chosen : "libEGL.so.1";
-    // Never closed: drivers leave threads and exit handlers behind.
+    // The library is never closed, because drivers leave threads and exit handlers behind.
     library_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
     if (!library_) {
       const char* error = dlerror();

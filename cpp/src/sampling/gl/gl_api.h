@@ -13,11 +13,11 @@
 
 namespace swept::gl {
 
-/// Where entry points come from. Tests put their own in its place.
+/// Where entry points come from. Tests use a loader of their own.
 class GlLoader {
  public:
   virtual ~GlLoader() = default;
-  /// False and a reason if the library cannot be had. May be called again.
+  /// Returns false and a reason if the library cannot be opened. May be called again.
   virtual bool open(std::string& why) = 0;
   /// Address of an egl* or gl* function, or null.
   virtual void* find(const char* name) = 0;
@@ -41,7 +41,7 @@ std::shared_ptr<GlLoader> systemLoader();
   X(PFNEGLGETCURRENTSURFACEPROC, GetCurrentSurface) \
   X(PFNEGLGETERRORPROC, GetError)
 
-/// May be absent: null then.
+/// These may be absent; then they are null.
 #define SWEPT_EGL_EXTENSIONS(X)                           \
   X(PFNEGLQUERYDEVICESEXTPROC, QueryDevicesEXT)           \
   X(PFNEGLQUERYDEVICESTRINGEXTPROC, QueryDeviceStringEXT) \
@@ -104,7 +104,7 @@ struct EglApi {
   SWEPT_EGL_FUNCTIONS(SWEPT_MEMBER)
   SWEPT_EGL_EXTENSIONS(SWEPT_MEMBER)
 #undef SWEPT_MEMBER
-  /// False and the first missing name.
+  /// Returns false and the first missing name.
   bool load(GlLoader& loader, std::string& missing);
 };
 

@@ -19,7 +19,7 @@ namespace {
 std::mutex setupMutex;
 std::optional<GlSetup> testSetup;
 
-/// A bumpy disc on a turning path: enough work to tell which of the two is faster.
+/// A bumpy disc on a turning path: enough work to show which of the two is faster.
 struct Probe {
   TriMesh body;
   Motion motion;
@@ -63,7 +63,7 @@ double probe(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunC
     MarkedEdges marked = sampler.mark(run);
     sampler.resolve(marked, findOutside(marked, p.grid, run), run);
   };
-  onGpu();  // drivers finish their shaders at first use
+  onGpu();  // drivers finish compiling their shaders at first use
   Timer timer;
   onGpu();
   const double gpu = timer.lap();
@@ -72,7 +72,7 @@ double probe(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunC
 }
 
 void requireFaster(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunContext& run) {
-  static std::map<std::string, double> known;  // one run at a time is here
+  static std::map<std::string, double> known;  // only one run at a time gets here
   const std::string& name = device->context->device();
   double ratio = setup.assumedProbe;
   if (!(ratio > 0)) {
@@ -113,7 +113,8 @@ SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool
   const std::lock_guard lock(oneAtATime);
   std::shared_ptr<GlDevice> device = openTested(setup, run);
   if (mustBeFaster) requireFaster(device, setup, run);
-  // The first device is the one just tested; after a loss a new one is opened and tested anew.
+  // The first device is the one that was just tested; after a loss a new one is opened and tested
+  // again.
   const auto next = [&] { return device ? std::move(device) : openTested(setup, run); };
   GlSampler sampler(input, next, setup.settings, run);
   SampledSurface out;

@@ -1,4 +1,4 @@
-// One sampling run on the GPU from opening the device to verified marks and winners.
+// One sampling run on the GPU, from opening the device to verified marks and winners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -51,7 +51,8 @@ DeviceWish wishFromEnvironment() {
   return {name ? name : "", false};
 }
 
-/// Devices one by one where EGL lists them, else the surfaceless platform, else the default.
+/// The devices one by one where EGL lists them, else the surfaceless platform, else the default
+/// display.
 std::vector<GlContext::Candidate> GlContext::candidates() const {
   const char* client = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<Candidate> all;
@@ -145,7 +146,7 @@ bool GlContext::tryOpen(const Candidate& candidate, const DeviceWish& wish, std:
       return false;
     }
   }
-  // A robust context tells of a reset; where it cannot be had, fences still notice a loss.
+  // A robust context reports a reset; where there is none, fences still notice a loss.
   const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,       4,
                             EGL_CONTEXT_MINOR_VERSION,       5,
                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};

@@ -1,8 +1,8 @@
-// A headless OpenGL 4.5 context: which device, what it can do, whether it still lives.
+// A headless OpenGL 4.5 context: which device, what it can do, and whether it still works.
 //
-// Devices are asked for through EGL; hardware comes before software rasterisers. A context is
-// current on the thread that made it from construction to destruction; what was current before
-// comes back. The display is never terminated: others in this process may use it.
+// Devices are listed through EGL; hardware is tried before software rasterisers. A context is
+// current on the thread that made it from construction to destruction; whatever was current before
+// is restored. The display is never terminated, because others in this process may use it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,10 +16,10 @@
 namespace swept::gl {
 
 struct DeviceWish {
-  std::string name;           ///< part of vendor, renderer or version, any case; empty: no wish
+  std::string name;           ///< part of vendor, renderer or version, any case; empty: any device
   bool hardwareOnly = false;  ///< do not even open software rasterisers
 };
-/// The wish in SWEPT_GL_DEVICE ("llvmpipe", "NVIDIA", ...).
+/// The device named in SWEPT_GL_DEVICE ("llvmpipe", "NVIDIA", ...).
 DeviceWish wishFromEnvironment();
 
 struct Limits {
@@ -45,8 +45,8 @@ class GlContext {
   const std::string& device() const { return device_; }  ///< vendor, renderer, version
   bool isSoftware() const { return software_; }
 
-  /// Waits for all work so far. Throws Error(DeviceLost) if the context was reset, an error was
-  /// raised, or nothing came back within `timeoutSeconds`. Returns the seconds waited.
+  /// Waits until all work so far is done. Throws Error(DeviceLost) if the context was reset, an
+  /// error was raised, or nothing came back within `timeoutSeconds`. Returns the seconds waited.
   double finish(double timeoutSeconds) const;
   [[noreturn]] void lost(const std::string& what) const;
 

@@ -1,4 +1,4 @@
-// A context with the sampler's programs, opened and tried out before any run relies on it.
+// A context with the sampler's programs, opened and tested before any run relies on it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -15,7 +15,10 @@
 namespace swept::gl {
 namespace {
 
-constexpr double kLongDraw = 0.012, kShortDraw = 0.004;  // s; the promise is 0.050
+/// Seconds; the promise is 0.050 s per draw, so that a draw may take four times as long as the
+/// last.
+constexpr double kMaxDraw = 0.012, kMinDraw = 0.004;
+// Limits of the adaptive batch, so that one odd measurement cannot drive it to nothing or too far.
 constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 22;
 
 /// Locations of the uniforms in shaders/*.
@@ -58,7 +61,7 @@ GlPasses::GlPasses(const GlDevice& device, const SamplerInput& input, const Elem
   std::uint64_t chunkBytes = settings.chunkBytes != 0 ? settings.chunkBytes : budget / 4;
   chunkBytes = std::min(chunkBytes, storage);
   chunks_ = planChunks(source, chunkBytes);
-  mostCodes_ = static_cast<std::size_t>(
+  maxCodes_ = static_cast<std::size_t>(
       std::max<std::uint64_t>(1, std::min(budget / 2 / 20, storage / sizeof(glm::uvec2))));
   const GlApi& gl = context_.gl();
   gl.CreateBuffers(kBuffers, buffers_);
@@ -82,11 +85,11 @@ GlPasses::~GlPasses() {
 
 void GlPasses::requireLimits() const {
   const Limits& limits = context_.limits();
-  const auto need = [&](const char* what, std::int64_t has, std::int64_t least) {
-    if (has >= least) return;
+  const auto need = [&](const char* what, std::int64_t has, std::int64_t minCount) {
+    if (has >= minCount) return;
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
                 "no GPU can be used: " + context_.device() + " offers " + std::to_string(has) +
-                    " " + what + ", needed are " + std::to_string(least) +
+                    " " + what + ", needed are " + std::to_string(minCount) +
                     "; use --backend cpu or auto");
   };
   need("storage blocks in the vertex stage", limits.vertexStorageBlocks, 5);
@@ -102,7 +105,7 @@ void GlPasses::requireLimits() const {
 }
 
 void GlPasses::upload(Binding binding, const void* data, std::size_t bytes) {
-  constexpr std::size_t kMin = 16;  // a buffer of no bytes cannot be bound
+  constexpr std::size_t kMin = 16;  // OpenGL cannot bind a buffer without bytes
   std::array<std::byte, kMin> padded{};
   if (data != nullptr && bytes < kMin) {
     if (bytes > 0) std::memcpy(padded.data(), data, bytes);
@@ -192,12 +195,12 @@ void GlPasses::drawAndWait(std::uint32_t elements, std::uint32_t instances,
   longestDraw_ = std::max(longestDraw_, seconds);
   if (settings_.adaptBatch) {
     const std::uint64_t drawn = std::uint64_t{elements} * instances;
-    if (seconds > kLongDraw) {
-      const double share = std::min(0.5, 0.5 * (kLongDraw + kShortDraw) / seconds);
+    if (seconds > kMaxDraw) {
+      const double share = std::min(0.5, 0.5 * (kMaxDraw + kMinDraw) / seconds);
       const auto fewer = static_cast<std::uint64_t>(share * static_cast<double>(drawn));
       batch_ = std::max(kMinBatch, std::min(batch_, fewer));
     }
-    if (seconds < kShortDraw && drawn * 2 > batch_) batch_ = std::min(kMaxBatch, batch_ * 2);
+    if (seconds < kMinDraw && drawn * 2 > batch_) batch_ = std::min(kMaxBatch, batch_ * 2);
   }
   afterDraw();
 }

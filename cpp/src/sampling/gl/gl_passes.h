@@ -1,8 +1,9 @@
-// The two passes on the device, brick by brick. Holds all that lies in its memory.
+// The two passes on the device, brick by brick. Owns all that is in the device's memory.
 //
-// Cost: O(elements) vertices a pass and brick + fragments; every draw is kept below 50 ms, so that
-// a cancel is seen and no watchdog bites. Numbers: positions are doubles in cells of the grid,
-// snapped to 2^-17 cell on the device by the same operations as on the CPU.
+// Cost: O(elements) vertices per pass, and brick + fragments. Every draw is kept below 50 ms, so
+// that a cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of
+// the grid, snapped to 2^-17 cell on the device by the same operations as on the CPU.
+// Source: thesis of 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,13 +21,14 @@ struct GlSettings {
   std::uint64_t budgetBytes = 0;  ///< marks, lists and chunks; 0: SWEPT_GL_MEMORY_MB or 192 MiB
   std::uint64_t chunkBytes = 0;   ///< placements or elements at one time; 0: from the limits
   double fenceTimeoutSeconds = 10;
-  std::uint32_t firstBatch = 1024;  ///< elements in the first draw; adapts from there
+  std::uint32_t firstBatch = 1024;  ///< elements in the first draw; later draws adapt
   bool adaptBatch = true;
-  std::uint64_t epochElements = 0xfffffff0u;  ///< elements that 32-bit numbers tell apart
+  std::uint64_t epochElements = 0xfffffff0u;  ///< elements that 32-bit numbers can distinguish
 };
 std::uint64_t budgetOf(const GlSettings& settings);
 
-/// What pass 2 knows of a contributing edge; numbers count from the first element of the epoch.
+/// What pass 2 finds for a contributing edge; element numbers count from the first element of the
+/// epoch.
 struct EdgeWinner {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t lowFraction = kNone, highFraction = 0;  ///< of 2^23 - 1
@@ -42,20 +44,20 @@ class GlPasses {
   GlPasses(const GlPasses&) = delete;
   GlPasses& operator=(const GlPasses&) = delete;
 
-  /// Pass 1: the brick's marks, (3 * size[0]) x size[1] x words() texels.
+  /// Pass 1: the marks of the brick, (3 * size[0]) x size[1] x words() texels.
   std::vector<std::uint32_t> mark(const Brick& brick, const std::function<void()>& afterDraw);
-  /// Pass 2 for a sorted list of codes (bit numbers in the brick's marks) over the elements
-  /// [first, end); their numbers in the result count from `first`.
+  /// Pass 2 for a sorted list of codes (bit numbers in the brick's marks) over the elements [first,
+  /// end); element numbers in the result count from `first`.
   std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<std::uint32_t>& codes,
                                       std::uint64_t first, std::uint64_t end,
                                       const std::function<void()>& afterDraw);
-  /// Element numbers at which an epoch may end: chunk borders.
+  /// Element numbers at which an epoch may end: the borders of chunks.
   const std::vector<ElementChunk>& chunks() const { return chunks_; }
-  /// Contributing edges that one call of findWinners() takes at most.
-  std::size_t mostCodes() const { return mostCodes_; }
+  /// Largest number of contributing edges for one call of findWinners().
+  std::size_t maxCodes() const { return maxCodes_; }
   double longestDrawSeconds() const { return longestDraw_; }
   std::uint64_t draws() const { return draws_; }
-  /// Device memory asked for so far, bytes, at its peak.
+  /// Peak of the device memory allocated so far, bytes.
   std::uint64_t bytes() const { return bytes_; }
 
  private:
@@ -79,7 +81,7 @@ class GlPasses {
   const ElementSource& source_;
   GlSettings settings_;
   std::vector<ElementChunk> chunks_;
-  std::size_t mostCodes_ = 0;
+  std::size_t maxCodes_ = 0;
   unsigned buffers_[kBuffers] = {}, texture_ = 0, framebuffer_ = 0, vertexArray_ = 0;
   std::size_t bufferBytes_[kBuffers] = {};
   Brick imageBrick_;

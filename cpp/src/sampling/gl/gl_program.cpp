@@ -53,7 +53,7 @@ Program::Program(const GlContext& context, const std::string& fragment) : contex
     for (const Stage& stage : stages) {
       const unsigned shader = compile(context, stage.kind, stage.files);
       gl.AttachShader(id_, shader);
-      gl.DeleteShader(shader);  // lives on with the program
+      gl.DeleteShader(shader);  // the program keeps it alive
     }
     gl.LinkProgram(id_);
     GLint done = 0, length = 0;

@@ -13,10 +13,11 @@
 namespace swept::gl {
 namespace {
 
+// A device that is lost twice in one run is not tried again; the CPU takes over.
 constexpr int kReopenings = 1;
 constexpr float kFractionUnits = (1 << CrossingRecord::kFractionBits) - 1;
 
-/// Adds the marked edges of one brick to its layers; columns of earlier bricks come first.
+/// Adds the marked edges of one brick to its layers; the columns of earlier bricks come first.
 void collect(const Brick& brick, const std::vector<std::uint32_t>& marks,
              std::vector<LayerEdges>& layers, std::vector<std::vector<std::uint32_t>>& columns) {
   const auto words = static_cast<std::size_t>(brick.words());
@@ -43,7 +44,7 @@ void collect(const Brick& brick, const std::vector<std::uint32_t>& marks,
   });
 }
 
-/// Sorts by column where bricks were cut along z, and writes where columns start.
+/// Sorts the edges by column where bricks were cut along z, and writes where the columns start.
 void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column,
                  std::int32_t columns) {
   auto& edges = layer.edges[axis];
@@ -65,19 +66,51 @@ void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column
   edges.shrink_to_fit();
 }
 
-/// Do all edges of layer i end within the grid? What follows relies on it.
+/// Whether all edges of layer i end within the grid; the steps that follow rely on it.
 bool staysInGrid(const LayerEdges& layer, std::int32_t i, const GridPlan& grid) {
   const auto& n = grid.points;
   if (i + 1 >= n[0] && !layer.edges[0].empty()) return false;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t most = axis == 2 ? n[2] - 2 : n[2] - 1;
+    const std::int32_t maxCount = axis == 2 ? n[2] - 2 : n[2] - 1;
     for (const MarkedEdge& edge : layer.edges[axis]) {
-      if (edge.k > most) return false;
+      if (edge.k > maxCount) return false;
     }
   }
   const auto& start = layer.columnStart[1];
   return start[static_cast<std::size_t>(n[1]) - 1] == start[static_cast<std::size_t>(n[1])];
 }
+
+/// Element numbers at which epochs start, and the end. Element numbers on the device have 32 bits;
+/// an epoch is a run of whole chunks that stays below.
+std::vector<std::uint64_t> epochsOf(const std::vector<ElementChunk>& chunks, std::uint64_t count,
+                                    std::uint64_t maxElements) {
+  std::vector<std::uint64_t> epochs{0};
+  for (const ElementChunk& chunk : chunks) {
+    const bool tooMany = chunk.first + chunk.count - epochs.back() > maxElements;
+    if (tooMany && chunk.first > epochs.back()) epochs.push_back(chunk.first);
+  }
+  epochs.push_back(count);
+  return epochs;
+}
+
+/// The extreme crossings of an edge over the epochs seen so far.
+struct BestCrossings {
+  std::uint32_t low = 0xffffffffu, high = 0;
+  std::uint64_t lowElement = ~std::uint64_t{0}, highElement = ~std::uint64_t{0};
+
+  /// Takes in the winners of an epoch that starts with the given element.
+  void add(const EdgeWinner& w, std::uint64_t epoch) {
+    if (w.lowElement != EdgeWinner::kNone && w.lowFraction < low) {
+      low = w.lowFraction;
+      lowElement = epoch + w.lowElement;
+    }
+    const bool first = highElement == ~std::uint64_t{0};
+    if (w.highElement != EdgeWinner::kNone && (first || w.highFraction > high)) {
+      high = w.highFraction;
+      highElement = epoch + w.highElement;
+    }
+  }
+};
 
 }  // namespace
 
@@ -99,7 +132,7 @@ void GlSampler::open() {
   passes_ = std::make_unique<GlPasses>(*device_, input_, source_, settings_);
 }
 
-/// Does the work; if the device is lost, once more on a new context.
+/// Does the work; if the device is lost, does it once more on a new context.
 template <class Work>
 auto GlSampler::withDevice(const Work& work) {
   for (;;) {
@@ -160,42 +193,20 @@ void GlSampler::resolveBrick(const Brick& brick, MarkedEdges& marked, const Sign
           });
     }
   }
-  // Numbers of elements on the device are 32 bits: epochs of whole chunks that stay below.
-  const auto& chunks = passes_->chunks();
-  std::vector<std::uint64_t> epochs{0};
-  for (const ElementChunk& chunk : chunks) {
-    const bool tooMany = chunk.first + chunk.count - epochs.back() > settings_.epochElements;
-    if (tooMany && chunk.first > epochs.back()) epochs.push_back(chunk.first);
-  }
-  epochs.push_back(source_.count());
+  const std::vector<std::uint64_t> epochs =
+      epochsOf(passes_->chunks(), source_.count(), settings_.epochElements);
   std::vector<std::uint32_t> codes;
   for (std::size_t begin = 0; begin < targets.size(); begin += codes.size()) {
-    const std::size_t end = std::min(begin + passes_->mostCodes(), targets.size());
+    const std::size_t end = std::min(begin + passes_->maxCodes(), targets.size());
     codes.clear();
     for (std::size_t t = begin; t < end; ++t) codes.push_back(targets[t].code);
-    struct Best {
-      std::uint32_t low = 0xffffffffu, high = 0;
-      std::uint64_t lowElement = ~std::uint64_t{0}, highElement = ~std::uint64_t{0};
-    };
-    std::vector<Best> best(codes.size());
+    std::vector<BestCrossings> best(codes.size());
     for (std::size_t e = 0; e + 1 < epochs.size(); ++e) {
       const auto found = passes_->findWinners(brick, codes, epochs[e], epochs[e + 1], afterDraw);
-      for (std::size_t n = 0; n < found.size(); ++n) {
-        Best& b = best[n];
-        const EdgeWinner& w = found[n];
-        if (w.lowElement != EdgeWinner::kNone && w.lowFraction < b.low) {
-          b.low = w.lowFraction;
-          b.lowElement = epochs[e] + w.lowElement;
-        }
-        const bool first = b.highElement == ~std::uint64_t{0};
-        if (w.highElement != EdgeWinner::kNone && (first || w.highFraction > b.high)) {
-          b.high = w.highFraction;
-          b.highElement = epochs[e] + w.highElement;
-        }
-      }
+      for (std::size_t n = 0; n < found.size(); ++n) best[n].add(found[n], epochs[e]);
     }
     for (std::size_t n = 0; n < best.size(); ++n) {
-      const Best& b = best[n];
+      const BestCrossings& b = best[n];
       if (b.lowElement >= source_.count() || b.highElement >= source_.count()) {
         reportGarbage(deviceName_, "pass 2 found no surface on an edge that pass 1 marked");
       }
@@ -227,7 +238,8 @@ void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& 
                 "the envelope has " + std::to_string(winners_.size()) +
                     " crossings, the limit is 4294967280; use a larger cell");
   }
-  // Edges point into the list of discoveries; the elements are kept once each, in their own order.
+  // The edges refer to the list of discoveries; each element is then stored once, in the order of
+  // its number.
   std::vector<std::uint64_t> used(winners_);
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());

@@ -1,7 +1,7 @@
-// Sampling on the GPU: the two passes of the method, with signs made on the CPU in between.
+// Sampling on the GPU: two passes, with the signs made on the CPU in between.
 // In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit; elements and fractions
-// are filled in for contributing edges only. Paper: thesis of 2017, chapter 3 (docs/gpu.md).
-// Cost: time O(elements x bricks + fragments), memory of the device within a budget.
+// are filled in for contributing edges only. Cost: time O(elements x bricks + fragments), device
+// memory within a budget. Source: thesis of 2017, chapter 3 (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ class GlSampler {
             RunContext& run);
   ~GlSampler();
 
-  /// Pass 1. Throws Error(DeviceLost) if the device is lost twice; once is mended by a new context
-  /// that does the brick anew.
+  /// Pass 1. If the device is lost once, a new context does the brick again; if it is lost twice,
+  /// throws Error(DeviceLost).
   MarkedEdges mark(RunContext& run);
   /// Pass 2. Throws Error(DeviceLost) as above, and if an edge has no winner.
   void resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& run);
@@ -50,7 +50,7 @@ class GlSampler {
   std::unique_ptr<GlPasses> passes_;
   std::vector<Brick> bricks_;
   std::string deviceName_;
-  std::vector<std::uint64_t> winners_;  // numbers of elements that won, in order of discovery
+  std::vector<std::uint64_t> winners_;  // numbers of the elements that won, in order of discovery
   int reopened_ = 0;
 };
 

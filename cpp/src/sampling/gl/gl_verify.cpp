@@ -13,7 +13,7 @@
 namespace swept::gl {
 namespace {
 
-/// The same sequence in every run: a failure can be seen again.
+/// The same sequence in every run, so that a failure can be repeated.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -43,7 +43,8 @@ bool isMarked(const MarkedEdges& marked, int axis, std::int32_t i, std::int32_t 
   return at != end && at->k == k;
 }
 
-/// An octahedron that turns and moves: faces, side patches, ties with the lattice, two bricks.
+/// An octahedron that turns and moves: it has faces, side patches, ties with the lattice, and two
+/// bricks.
 struct KnownField {
   TriMesh body;
   Motion motion;
@@ -85,7 +86,8 @@ void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSecond
   const BodyTopology topology = buildTopology(field.body);
   const SamplerInput input{field.body, topology, field.motion, field.grid, true, true};
   GlSettings settings;
-  settings.budgetBytes = 2 * 12 * 23 * 3 * 2 * sizeof(std::uint32_t);  // half the layers a brick
+  // Half of the layers fit into one brick.
+  settings.budgetBytes = 2 * 12 * 23 * 3 * 2 * sizeof(std::uint32_t);
   settings.chunkBytes = 4096;
   settings.fenceTimeoutSeconds = fenceTimeoutSeconds;
   GlSampler sampler(
@@ -160,7 +162,7 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
       high[axis] = std::max(high[axis], g);
     }
   }
-  // Change of the winding number at lattice points of the chosen lines, going up.
+  // Change of the winding number at the lattice points of the chosen lines, going up.
   using Line = std::pair<std::int32_t, std::int32_t>;
   std::map<Line, std::map<std::int32_t, int>> lines;
   for (int n = 0; n < 64; ++n) {

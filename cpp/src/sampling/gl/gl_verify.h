@@ -1,7 +1,8 @@
-// Does the device tell the truth? A known field at the start, random parts of every run after.
+// Tests whether the device computes correctly: a known field at the start, random parts of every
+// run after it.
 //
-// All checks compare with the exact predicate of the CPU; the device has no tolerance. They throw
-// Error(DeviceLost, "DeviceGarbage") naming the device, what was expected and where.
+// All checks compare with the exact predicates of the CPU; the device has no tolerance. They throw
+// Error(DeviceLost, "DeviceGarbage") that names the device, what was expected and where.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -25,7 +26,7 @@ void verifyMarks(const SamplerInput& input, const ElementSource& source, const M
 void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                  const std::string& device);
 
-/// The winners of about `samples` contributing edges must lie where they are said to.
+/// The winners of about `samples` contributing edges must cross them where the device says.
 void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                    const std::string& device, int samples);
 

@@ -6,7 +6,7 @@
 
 namespace swept::gl {
 
-/// Null if there is no such file.
+/// Returns null if there is no such file.
 const char* shaderSource(const std::string& name);
 
 }  // namespace swept::gl

@@ -12,33 +12,35 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Nearer to parallel than this, normals of two surfaces do not fix the point across their contact.
+// Where two surfaces are nearer to parallel than this (11 degrees), their normals do not fix the
+// point across their line of contact.
 constexpr double kTouchingCosine = 0.98;
 
-double lengthScale(const Surface& s) {
+double lengthScale(const Carrier& s) {
   switch (s.kind) {
-    case SurfaceKind::Torus:
+    case CarrierKind::Torus:
       return s.minor;
-    case SurfaceKind::Cylinder:
-    case SurfaceKind::Sphere:
-    case SurfaceKind::Cone:
+    case CarrierKind::Cylinder:
+    case CarrierKind::Sphere:
+    case CarrierKind::Cone:
       return s.radius;
-    case SurfaceKind::Extrusion:
-    case SurfaceKind::Revolution:
+    case CarrierKind::Extrusion:
+    case CarrierKind::Revolution:
       return s.profile->length() / (2 * M_PI);
     default:
       return 1e300;
   }
 }
 
-Eigen::VectorXd equations(const Vector3d& p, const std::vector<const Surface*>& surfaces,
+Eigen::VectorXd equations(const Vector3d& p, const std::vector<const Carrier*>& surfaces,
                           const std::vector<std::pair<int, int>>& touching) {
   Eigen::VectorXd value(surfaces.size() + 3 * touching.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) value[i] = surfaces[i]->distance(p);
   for (std::size_t k = 0; k < touching.size(); ++k) {
-    const Surface& a = *surfaces[touching[k].first];
-    const Surface& b = *surfaces[touching[k].second];
-    // Weighted below the distances: it decides only the direction that they leave open.
+    const Carrier& a = *surfaces[touching[k].first];
+    const Carrier& b = *surfaces[touching[k].second];
+    // Weighted below the distances, because this row only decides the direction that they leave
+    // open.
     const double scale = 0.1 * std::min(lengthScale(a), lengthScale(b));
     value.segment<3>(surfaces.size() + 3 * k) = scale * (a.normal(p) - b.normal(p));
   }
@@ -53,7 +55,7 @@ std::optional<Curve> circleThrough(const std::vector<Vector3d>& points, bool clo
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Vector3d normal = solver.eigenvectors().col(0).normalized();
   const Vector3d x = anyOrthogonal(normal), y = normal.cross(x);
-  // x^2 + y^2 = 2 a x + 2 b y + c
+  // The circle as a linear equation: x^2 + y^2 = 2 a x + 2 b y + c
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Vector3d right = Vector3d::Zero();
   const double scale = std::sqrt(solver.eigenvalues().sum() / static_cast<double>(points.size()));
@@ -74,8 +76,8 @@ std::optional<Curve> circleThrough(const std::vector<Vector3d>& points, bool clo
   double turned = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3d d = points[i] - curve.start;
-    const double off = d.dot(normal);
-    if (std::hypot(off, (d - off * normal).norm() - curve.radius) > eps) return std::nullopt;
+    const double height = d.dot(normal);
+    if (std::hypot(height, (d - height * normal).norm() - curve.radius) > eps) return std::nullopt;
     if (i == 0) continue;
     const Vector3d before = points[i - 1] - curve.start;
     turned += std::atan2(before.cross(d).dot(normal), before.dot(d));
@@ -88,13 +90,13 @@ std::optional<Curve> circleThrough(const std::vector<Vector3d>& points, bool clo
   } else {
     curve.last = std::atan2(curve.xdir.cross(end).dot(curve.axis), curve.xdir.dot(end));
     if (curve.last <= 0) curve.last += 2 * M_PI;
-    // Points that go to and fro, or round more than once, are no arc.
+    // Points that go back and forth, or round more than once, do not form an arc.
     if (std::abs(curve.last - std::abs(turned)) > 0.5) return std::nullopt;
   }
   return curve;
 }
 
-// Points in order along the curve: those that fold back or crowd are dropped, the ends stay.
+// Drops points that fold back or are too close to the one before; the two ends stay.
 std::vector<Vector3d> inOrder(const std::vector<Vector3d>& points) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
@@ -114,7 +116,7 @@ std::vector<Vector3d> inOrder(const std::vector<Vector3d>& points) {
 }
 
 Curve splineThrough(const std::vector<Vector3d>& points, bool closed,
-                    const std::vector<const Surface*>& surfaces) {
+                    const std::vector<const Carrier*>& surfaces) {
   Curve curve;
   curve.kind = CurveKind::Spline;
   const std::size_t count = points.size();
@@ -166,7 +168,8 @@ Vector3d Curve::at(double t) const {
   }
   std::size_t i = 0;
   while (i + 2 < knots.size() && knots[i + 1] < t) ++i;
-  // Bezier points of span i; inner joints lie between their neighbours, by the knot ratio.
+  // Bezier points of span i; inner joints lie between their neighbours, in the ratio of the knot
+  // spacings.
   auto joint = [&](std::size_t k) -> Vector3d {
     if (k == 0) return poles.front();
     if (k + 1 == knots.size()) return poles.back();
@@ -186,10 +189,10 @@ Curve lineThrough(const Vector3d& a, const Vector3d& b) {
   return curve;
 }
 
-Curve profileOf(const Surface& surface) {
+Curve profileOf(const Carrier& surface) {
   const Vector3d& x = surface.xdir;
   const Vector3d y =
-      surface.kind == SurfaceKind::Extrusion ? surface.axis.cross(x) : Vector3d(surface.axis);
+      surface.kind == CarrierKind::Extrusion ? surface.axis.cross(x) : Vector3d(surface.axis);
   const std::vector<Profile::Node>& nodes = surface.profile->nodes();
   const double from = nodes.front().knot;
   const auto inSpace = [&](const Eigen::Vector2d& q) {
@@ -211,7 +214,7 @@ Curve profileOf(const Surface& surface) {
 }
 
 Curve curveThrough(std::vector<Vector3d> points, bool closed, double eps,
-                   const std::vector<const Surface*>& surfaces) {
+                   const std::vector<const Carrier*>& surfaces) {
   if (!closed) {
     const Curve line = lineThrough(points.front(), points.back());
     double worst = 0;
@@ -229,7 +232,7 @@ Curve curveThrough(std::vector<Vector3d> points, bool closed, double eps,
 }
 
 Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolerance) {
-  // Keep what a polyline within the tolerance needs, then let a spline round its corners.
+  // Keep the points that a polyline within the tolerance needs; a spline then rounds its corners.
   std::vector<char> kept(points.size(), 0);
   kept.front() = kept.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};
@@ -246,9 +249,9 @@ Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolera
     std::size_t split = from;
     for (std::size_t i = from + 1; i < to; ++i) {
       const Vector3d d = points[i] - line.start;
-      const double off = (d - std::clamp(d.dot(line.axis), 0.0, line.last) * line.axis).norm();
-      if (off <= worst) continue;
-      worst = off;
+      const double height = (d - std::clamp(d.dot(line.axis), 0.0, line.last) * line.axis).norm();
+      if (height <= worst) continue;
+      worst = height;
       split = i;
     }
     if (split == from) continue;
@@ -264,7 +267,7 @@ Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolera
   return splineThrough(left, closed, {});
 }
 
-Vector3d meetingPoint(const Vector3d& from, const std::vector<const Surface*>& surfaces) {
+Vector3d meetingPoint(const Vector3d& from, const std::vector<const Carrier*>& surfaces) {
   Vector3d point = from;
   std::vector<std::pair<int, int>> touching;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kSamplesPerSpan = 6;
-constexpr int kCells = 64;  // along the longer side
+constexpr int kCells = 64;  // grid cells along the longer side of the box
 
 Vector2d rightOf(const Vector2d& v) { return {v.y(), -v.x()}; }
 
@@ -21,12 +21,12 @@ Profile::Profile(std::vector<Node> nodes, bool closed, double beyond)
   first_ = nodes_.front().knot;
   last_ = nodes_.back().knot;
   if (beyond_ > 0) {
-    // Straight and even, so that the slope stays the same.
-    for (const double way : {-1.0, 1.0}) {
-      Node end = way < 0 ? nodes_.front() : nodes_.back();
-      end.knot += way * beyond_ / end.slope.norm();
-      end.at += way * beyond_ * end.slope.normalized();
-      nodes_.insert(way < 0 ? nodes_.begin() : nodes_.end(), end);
+    // Straight and evenly spaced, so that the slope stays the same.
+    for (const double direction : {-1.0, 1.0}) {
+      Node end = direction < 0 ? nodes_.front() : nodes_.back();
+      end.knot += direction * beyond_ / end.slope.norm();
+      end.at += direction * beyond_ * end.slope.normalized();
+      nodes_.insert(direction < 0 ? nodes_.begin() : nodes_.end(), end);
     }
   }
   sample();
@@ -87,7 +87,8 @@ void Profile::sample() {
   cellStart_.push_back(static_cast<std::int32_t>(cellSegments_.size()));
 }
 
-// To all cells within a cell of it: what a cell does not know is farther than that.
+// Enters the segment into all grid cells within one cell of it: everything else is farther away
+// than that.
 void Profile::addToCells(std::int32_t segment,
                          std::vector<std::vector<std::int32_t>>& cells) const {
   const Vector2d &a = samples_[segment], &b = samples_[segment + 1];
@@ -100,39 +101,39 @@ void Profile::addToCells(std::int32_t segment,
   }
 }
 
-// Parameter of the segment's nearest point, if nearer than `least` (squared).
-double Profile::bestOn(std::int32_t segment, const Vector2d& q, double& least) const {
+// Parameter of the segment's nearest point, if it is nearer than `smallest` (squared distance).
+double Profile::bestOn(std::int32_t segment, const Vector2d& q, double& smallest) const {
   const Vector2d &a = samples_[segment], ab = samples_[segment + 1] - a;
   const double w = std::clamp((q - a).dot(ab) / std::max(1e-300, ab.squaredNorm()), 0.0, 1.0);
-  const double off = (q - a - w * ab).squaredNorm();
-  if (!(off < least)) return -1e300;
-  least = off;
+  const double offset = (q - a - w * ab).squaredNorm();
+  if (!(offset < smallest)) return -1e300;
+  smallest = offset;
   return sampleAt_[segment] + w * (sampleAt_[segment + 1] - sampleAt_[segment]);
 }
 
 Profile::Foot Profile::foot(const Vector2d& q) const {
-  double least = 1e300, t = nodes_.front().knot;
-  const auto ask = [&](std::int32_t segment) {
-    const double found = bestOn(segment, q, least);
+  double smallest = 1e300, t = nodes_.front().knot;
+  const auto visit = [&](std::int32_t segment) {
+    const double found = bestOn(segment, q, smallest);
     if (found > -1e299) t = found;
   };
-  const Vector2d place = (q - low_) / cell_;
-  if (place.minCoeff() >= 0 && place.x() < count_.x() && place.y() < count_.y()) {
-    const std::size_t cell =
-        static_cast<std::size_t>(place.y()) * count_.x() + static_cast<std::size_t>(place.x());
-    for (std::int32_t i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) ask(cellSegments_[i]);
+  const Vector2d position = (q - low_) / cell_;
+  if (position.minCoeff() >= 0 && position.x() < count_.x() && position.y() < count_.y()) {
+    const std::size_t cell = static_cast<std::size_t>(position.y()) * count_.x() +
+                             static_cast<std::size_t>(position.x());
+    for (std::int32_t i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) visit(cellSegments_[i]);
   }
-  if (!(least < cell_ * cell_)) {
-    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) ask(static_cast<std::int32_t>(i));
+  if (!(smallest < cell_ * cell_)) {
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) visit(static_cast<std::int32_t>(i));
   }
   const double begin = nodes_.front().knot, end = nodes_.back().knot;
   Vector2d first, second;
   for (int round = 0; round < 4; ++round) {
     derivatives(t, first, second);
-    const Vector2d off = at(t) - q;
-    const double slope = first.squaredNorm() + off.dot(second);
+    const Vector2d offset = at(t) - q;
+    const double slope = first.squaredNorm() + offset.dot(second);
     if (!(slope > 0.1 * first.squaredNorm())) break;
-    double next = t - off.dot(first) / slope;
+    double next = t - offset.dot(first) / slope;
     if (closed_ && next < begin) next += end - begin;
     if (closed_ && next > end) next -= end - begin;
     next = std::clamp(next, begin, end);
@@ -146,10 +147,10 @@ Profile::Foot Profile::foot(const Vector2d& q) const {
 
 double Profile::distance(const Vector2d& q) const {
   const Foot near = foot(q);
-  const Vector2d off = q - near.at;
-  const double right = off.dot(rightOf(near.tangent)), past = std::abs(off.dot(near.tangent));
-  // Beyond the straight ends.
-  if (past > 1e-6 * length()) return right < 0 ? -off.norm() : off.norm();
+  const Vector2d offset = q - near.at;
+  const double right = offset.dot(rightOf(near.tangent)), past = std::abs(offset.dot(near.tangent));
+  // Beyond the straight end pieces.
+  if (past > 1e-6 * length()) return right < 0 ? -offset.norm() : offset.norm();
   return right;
 }
 
@@ -190,11 +191,11 @@ Profile Profile::opened(double from, double to) const {
     return Node{at(inside), first, t};
   };
   kept.push_back(nodeAt(from));
-  const double least = 1e-3 * period;
+  const double margin = 1e-3 * period;
   for (const double shift : {0.0, period}) {
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
       const double t = nodes_[i].knot + shift;
-      if (t > from + least && t < to - least) kept.push_back(nodeAt(t));
+      if (t > from + margin && t < to - margin) kept.push_back(nodeAt(t));
     }
   }
   kept.push_back(nodeAt(to));

@@ -36,12 +36,14 @@
 namespace swept::step {
 namespace {
 
-constexpr double kKernelTolerance = 1e-7;  // mm, the kernel's own idea of "the same point"
+/// Mm, the distance below which the kernel treats two points as one.
+constexpr double kKernelTolerance = 1e-7;
 
 gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 
-// Stated tolerance: what was measured and a little for rounding, never below the kernel's own.
+// The tolerance to state: what was measured and a little for rounding, never below the kernel's
+// own.
 double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
 
 class BrepBuilder {
@@ -102,25 +104,25 @@ class BrepBuilder {
     return new Geom_BSplineCurve(poles, knots, multiplicities, 3);
   }
 
-  static Handle(Geom_Surface) surfaceOf(const Surface& s) {
+  static Handle(Geom_Surface) surfaceOf(const Carrier& s) {
     const gp_Dir x = dirOf(s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis));
-    const gp_Ax3 frame(pointOf(s.point), dirOf(s.axis), x);
+    const gp_Ax3 axes(pointOf(s.point), dirOf(s.axis), x);
     switch (s.kind) {
-      case SurfaceKind::Cylinder:
-        return new Geom_CylindricalSurface(frame, s.radius);
-      case SurfaceKind::Cone:
-        return new Geom_ConicalSurface(frame, s.halfAngle, s.radius);
-      case SurfaceKind::Sphere:
-        return new Geom_SphericalSurface(frame, s.radius);
-      case SurfaceKind::Torus:
-        return new Geom_ToroidalSurface(frame, s.radius, s.minor);
-      case SurfaceKind::Extrusion:
+      case CarrierKind::Cylinder:
+        return new Geom_CylindricalSurface(axes, s.radius);
+      case CarrierKind::Cone:
+        return new Geom_ConicalSurface(axes, s.halfAngle, s.radius);
+      case CarrierKind::Sphere:
+        return new Geom_SphericalSurface(axes, s.radius);
+      case CarrierKind::Torus:
+        return new Geom_ToroidalSurface(axes, s.radius, s.minor);
+      case CarrierKind::Extrusion:
         return new Geom_SurfaceOfLinearExtrusion(curveOf(profileOf(s)), dirOf(s.axis));
-      case SurfaceKind::Revolution:
+      case CarrierKind::Revolution:
         return new Geom_SurfaceOfRevolution(curveOf(profileOf(s)),
                                             gp_Ax1(pointOf(s.point), dirOf(s.axis)));
       default:
-        return new Geom_Plane(frame);
+        return new Geom_Plane(axes);
     }
   }
 
@@ -129,7 +131,7 @@ class BrepBuilder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const ModelEdge& edge = model_.edges[e];
       const Eigen::Vector3d a = model_.vertices[edge.start].point;
-      // An edge that has no length or no curve stays null; its faces are reported as failed.
+      // An edge without length or curve stays null; its faces are reported as failed.
       if (!((edge.curve.at(edge.curve.last / 2) - a).norm() > kKernelTolerance)) continue;
       try {
         TopoDS_Edge made;
@@ -158,14 +160,14 @@ class BrepBuilder {
         if (!face.surface.isPlanar()) addParameterCurve(use.edge, face.surface, made);
       }
       wire.Closed(true);
-      // In the face's own frame a bore is turned, its loops with it.
+      // The orientation of a bore's face is reversed, and its loops with it.
       builder_.Add(made, reversed ? wire.Reversed() : wire);
     }
     return reversed ? TopoDS::Face(made.Reversed()) : made;
   }
 
-  // The edge in the surface's parameters, in the period in which the face lies.
-  void addParameterCurve(std::int32_t e, const Surface& surface, const TopoDS_Face& face) {
+  // Adds the curve of an edge in the surface's parameters, in the period in which the face lies.
+  void addParameterCurve(std::int32_t e, const Carrier& surface, const TopoDS_Face& face) {
     const Curve& curve = model_.edges[e].curve;
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
     ShapeConstruct_ProjectCurveOnSurface projector;
@@ -178,11 +180,11 @@ class BrepBuilder {
     auto periods = [](double value, double wanted) {
       return std::round((wanted - value) / (2 * M_PI));
     };
-    // Only angles come round again.
+    // Only angles are periodic.
     const double u =
-        surface.kind == SurfaceKind::Extrusion ? 0 : 2 * M_PI * periods(middle.X(), M_PI);
+        surface.kind == CarrierKind::Extrusion ? 0 : 2 * M_PI * periods(middle.X(), M_PI);
     const double v =
-        surface.kind == SurfaceKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;
+        surface.kind == CarrierKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;
     if (u != 0 || v != 0) flat->Translate(gp_Vec2d(u, v));
     builder_.UpdateEdge(edges_[e], flat, face, stated(model_.edges[e].tolerance));
     ShapeFix_Edge().FixSameParameter(edges_[e]);

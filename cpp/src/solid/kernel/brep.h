@@ -1,4 +1,4 @@
-// Model -> kernel shape. It is assumed that the caller holds a KernelSession.
+// Model -> kernel shape. The caller must hold a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

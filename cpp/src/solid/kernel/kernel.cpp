@@ -28,7 +28,7 @@ std::mutex& kernelMutex() {
   return mutex;
 }
 
-// Keeps what this thread's kernel calls say; passes on what other threads say.
+// Collects the messages of this thread's kernel calls and passes on those of other threads.
 class Collector : public Message_Printer {
  public:
   explicit Collector(Message_SequenceOfPrinters others)
@@ -59,8 +59,9 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Leaves what this thread reads as it stands in the file; what other threads read is mended. Takes
-// whatever else the kernel's version of the call has behind the shape.
+// Leaves what this thread reads as it is in the file, and lets the kernel heal what other threads
+// read. The template accepts any further arguments that the kernel's version of the call has behind
+// the shape.
 class AsItStands : public XSAlgo_AlgoContainer {
   using Base = XSAlgo_AlgoContainer;
   using Real = Standard_Real;
@@ -169,8 +170,8 @@ void KernelProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
                     static_cast<std::uint64_t>(kScale * (from_ + (to_ - from_) * GetPosition())),
                     static_cast<std::uint64_t>(kScale));
   } catch (...) {
-    // Cancelled: the kernel asks UserBreak next and stops by itself; its frames must not be thrown
-    // through.
+    // On a cancel the kernel calls UserBreak next and stops by itself; no exception may pass
+    // through its frames.
   }
 }
 

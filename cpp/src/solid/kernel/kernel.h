@@ -1,6 +1,6 @@
-// One use of the OpenCASCADE kernel at a time: its STEP settings and messages are process-wide.
-// KernelSession holds the lock, sets what we need, collects the kernel's messages of this thread
-// (other threads' messages go where they went before), and puts everything back.
+// One use of the OpenCASCADE kernel at a time, because its STEP settings and messages are
+// process-wide. KernelSession holds the lock, makes the settings, collects the kernel's messages of
+// this thread (those of other threads go where they went before), and restores everything.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,13 +19,13 @@ class KernelSession {
   KernelSession(const KernelSession&) = delete;
   KernelSession& operator=(const KernelSession&) = delete;
 
-  /// A text setting of the STEP translators, until the end of the session.
+  /// Sets a text option of the STEP translators until the end of the session.
   void set(const char* name, const std::string& value);
   void setReal(const char* name, double value);
-  /// Whether what this thread reads is mended by the kernel, as is usual, or stays as it stands in
-  /// the file, until the end of the session. (Kernels from 7.9 on mend all the same.)
+  /// Whether the kernel heals what this thread reads (its default), or leaves it as it is in the
+  /// file, until the end of the session. (Kernels from 7.9 on always heal.)
   void setHealing(bool on);
-  /// Warnings and failures said since the session began, one line, at most a few hundred
+  /// Warnings and failures since the session began, in one line of at most a few hundred
   /// characters.
   std::string messages() const;
 
@@ -34,7 +34,7 @@ class KernelSession {
   std::unique_ptr<State> state_;
 };
 
-/// Lets long kernel calls be cancelled and shows them in the run's progress, from `from` to `to`
+/// Lets long kernel calls be cancelled and reports them as the run's progress, from `from` to `to`
 /// (0 to 1 of the export).
 class KernelProgress : public Message_ProgressIndicator {
  public:

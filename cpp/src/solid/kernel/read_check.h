@@ -1,6 +1,7 @@
-// Which curved faces does the kernel not read back as it was told them?
-// In: Model; the caller holds the KernelSession. Out: indices into Model::faces. The curved faces
-// are written as text and read again, in memory; they are few and cheap next to the facets.
+// Finds curved faces that the kernel does not read back as they were written.
+// In: Model; the caller holds the KernelSession. Out: indices into Model::faces. Cost: the curved
+// faces are written as text and read again in memory; they are few and cheap compared with the
+// facets.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,8 +28,8 @@ class ReadCheck {
   const StepOptions& options_;
   KernelSession& kernel_;
   RunContext& run_;
-  // The same faces are asked for again where only facets have changed.
-  std::string asked_;
+  // The last query, because the same faces are checked again when only facets have changed.
+  std::string lastText_;
   std::vector<std::int32_t> answer_;
 };
 

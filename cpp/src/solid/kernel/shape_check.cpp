@@ -32,7 +32,8 @@ namespace {
 
 using Corners = std::array<gp_Pnt, 3>;
 
-// The straight edge from vertex to vertex in its own direction, if its curve runs just there.
+// Whether the curve of the edge is the straight segment between its vertices, in the direction of
+// the edge.
 bool isStraight(const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
   double from = 0, to = 0;
   const Handle(Geom_Line) line = Handle(Geom_Line)::DownCast(BRep_Tool::Curve(edge, from, to));
@@ -65,7 +66,7 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
     ++count;
   }
   if (count != 3) return std::nullopt;
-  // The file may list the edges the other way round.
+  // The file may list the edges in the other order.
   if (!end[0].IsSame(start[1])) {
     std::swap(start[1], start[2]);
     std::swap(end[1], end[2]);
@@ -85,9 +86,9 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   return corners;
 }
 
-// The same for a profile that was pushed along a direction: the kernel's rule for the integral does
-// not follow the spans of a spline, half a percent would be missing. What a point of the profile
-// adds does not depend on how far it was pushed, so an integral along the border will do.
+// The same for the face of an extrusion. The kernel's quadrature does not follow the spans of a
+// spline and would miss half a percent. The contribution of a point of the profile does not depend
+// on how far it was extruded, so that an integral along the border is enough.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
   if (surface.IsNull()) return std::nullopt;
@@ -105,21 +106,21 @@ std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt
     const double half = (to - from) / kPanels / 2;
     for (int i = 0; i < kPanels; ++i) {
       for (int k = 0; k < 3; ++k) {
-        gp_Pnt2d place;
-        gp_Vec2d way;
-        flat->D1(from + half * (2 * i + 1 + nodes[k]), place, way);
+        gp_Pnt2d foot;
+        gp_Vec2d tangent;
+        flat->D1(from + half * (2 * i + 1 + nodes[k]), foot, tangent);
         gp_Pnt at;
         gp_Vec along;
-        profile->D1(place.X(), at, along);
+        profile->D1(foot.X(), at, along);
         const double height = gp_Vec(base, at).Dot(along.Crossed(direction)) / 3;
-        sum += side * half * weights[k] / 9 * place.Y() * height * way.X();
+        sum += side * half * weights[k] / 9 * foot.Y() * height * tangent.X();
       }
     }
   }
   return face.Orientation() == TopAbs_REVERSED ? -sum : sum;
 }
 
-// Volume of the cone from `base` over the face; over all faces of a solid they add up to its
+// Volume of the cone from `base` over the face; summed over all faces of a solid this gives its
 // volume.
 double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   if (const auto corners = triangleOf(face)) {
@@ -135,7 +136,7 @@ double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   return inertia.Mass();
 }
 
-// Runs `work` over [0, count) on all cores, with checkpoints on this thread's share.
+// Runs `work` over [0, count) on all cores, with checkpoints in this thread's part.
 template <class Work>
 void parallelFaces(std::size_t count, RunContext& run, double from, double to, const Work& work) {
   std::atomic<std::size_t> done{0};
@@ -147,8 +148,8 @@ void parallelFaces(std::size_t count, RunContext& run, double from, double to, c
   });
 }
 
-// Closed: every edge is used twice; oriented: once each way. Nothing if the shell is both. (The
-// kernel's own check of a shell asks the same, in ten times the time.)
+// Closed: every edge is used twice. Oriented: once in each direction. Returns an empty text if the
+// shell is both. (The kernel's own check of a shell tests the same and takes ten times as long.)
 std::string shellComplaint(const TopoDS_Shape& shell) {
   TopTools_IndexedMapOfShape edges;
   std::vector<std::array<std::int32_t, 2>> uses;
@@ -202,13 +203,13 @@ ShapeCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
     ++check.shells;
     const std::string complaint = shellComplaint(it.Current());
     if (!complaint.empty()) check.complaint = complaint;
-    // With the orientation it has in the solid, which the volume needs.
+    // With its orientation in the solid, which the volume needs.
     for (TopExp_Explorer f(it.Current(), TopAbs_FACE); f.More(); f.Next())
       faces.push_back(f.Current());
   }
   const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
   if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // About a point of the shape: volumes far from the origin would lose digits.
+  // Relative to a point of the shape: the volume of a shape far from the origin would lose digits.
   gp_Pnt base;
   if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));
   std::vector<double> volumes(faces.size());

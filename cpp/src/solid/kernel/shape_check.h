@@ -1,6 +1,7 @@
-// Is a kernel shape sound? Faces, shells, volume. The caller holds a KernelSession.
-// Triangles with straight edges, of which a faceted solid has many, are judged here; all other
-// faces by the kernel's checker, which takes a hundred times as long for one. Parallel over faces.
+// Checks whether a kernel shape is sound: faces, shells, volume. The caller holds a KernelSession.
+// Plane triangles with straight edges, of which a faceted solid has many, are tested here; all
+// other faces by the kernel's checker, which takes a hundred times as long per face. Parallel over
+// faces.
 // Units: mm. Cost: O(faces).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -15,18 +16,18 @@
 
 namespace swept::step {
 
-/// Indices of faces that the kernel's checker refuses. Parallel. from, to: share of the export's
-/// progress.
+/// Indices of the faces that the kernel's checker refuses. Parallel. from, to: the part of the
+/// export's progress.
 std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
                                        double from, double to);
 
-/// A sound plane triangle with straight edges.
+/// Whether the face is a sound plane triangle with straight edges.
 bool isPlaneTriangle(const TopoDS_Face& face);
 
 struct ShapeCheck {
   std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
   bool valid = false;     ///< every face valid, every shell closed and consistently oriented
-  std::string complaint;  ///< empty when valid
+  std::string complaint;  ///< empty if valid
   double volume = 0;      ///< mm^3
 };
 

@@ -11,14 +11,15 @@
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
+#include "solid/recognise/facets_saved.h"
 #include "solid/recognise/recognise.h"
 #include "solid/recognise/tidy_patches.h"
 
 namespace swept::step {
 namespace {
 
-// Of the tolerance: for surfaces, and for facets. Where facets and the thinning before them add up
-// to more than the tolerance, the mesh gets more corners in the end.
+// Fractions of the tolerance, for surfaces and for facets. Where facets and the thinning before
+// them add up to more than the tolerance, the mesh gets more corners at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
 
 Built describe(Model model, Brep brep, double deviation) {
@@ -38,8 +39,9 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
   return partition;
 }
 
-// Patches that the kernel refused become open ground again. Their borders may have moved on their
-// surfaces: what is to stay near the triangles are the vertices that the mesh had there at first.
+// Returns patches that the kernel refused to open ground. Their borders may have moved along their
+// surfaces; therefore the vertices that the mesh had there at first are what the new triangles must
+// stay near.
 void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
                    const Partition& first, Decimated& now) {
   now.attached.resize(now.mesh.triangles.size());
@@ -66,7 +68,7 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
   }
 }
 
-// The recognised patches in the fan of a half-edge's first vertex.
+// Adds the recognised patches in the fan of a half-edge's first vertex.
 void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
                     std::vector<std::int32_t>& patches) {
   std::int32_t h = first;
@@ -77,9 +79,9 @@ void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t kno
   } while (h != first);
 }
 
-// Faces that the kernel refuses, as patches: recognised ones lose their surface, flat regions fall
-// into facets. True if something was changed in `small` alone.
-bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
+// Converts faces that the kernel refuses to patches: recognised ones lose their surface, plane
+// regions are split into facets. Returns true if only `small` was changed.
+bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
               Decimated& small, std::vector<std::int32_t>& refused) {
   bool again = false;
   for (const std::int32_t face : bad) {
@@ -90,7 +92,7 @@ bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int
       dissolvePatch(small.mesh, patch, small.partition);
       again = true;
     } else {
-      // A facet fails because of what its neighbours made of its corners.
+      // A facet fails because a neighbouring surface has moved one of its corners.
       const std::int32_t t = small.partition.patches[patch].triangles[0];
       for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
     }
@@ -100,12 +102,13 @@ bool takeBack(const std::vector<std::int32_t>& bad, const Model& model, std::int
   return again;
 }
 
-// Edges of open ground that a patch may cost for each facet that it saves: of a free form it has a
-// long jagged border, and facets without it would be fewer.
+// How many border edges on open ground a patch may cost per facet that it saves. On a free form a
+// patch has a long jagged border, and without it there would be fewer facets.
 constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
-constexpr double kSmooth = 0.85;  // cosine
+constexpr double kSmooth = 0.85;  // cosine (32 degrees)
 
-// Patches whose border with open ground, as simplified, costs more facets than they save.
+// The patches whose border with open ground, after simplification, costs more facets than they
+// save.
 std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
                                      const Decimated& now, double tolerance) {
   const std::size_t count = first.patches.size();
@@ -113,7 +116,7 @@ std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition&
   for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
     const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
     if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // A crease needs its corners in any case.
+    // A crease needs its corners in any case, so its edges do not count.
     const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
     const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
     if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
@@ -149,7 +152,7 @@ class ShapeMaker {
     known_ = static_cast<std::int32_t>(first.patches.size());
     const double tolerance = kFaceFraction * options_.tolerance;
     Decimated start{dense_, first, {}, {}, 0};
-    if (known_ > 0 && worthTrial()) start = tryOut(first, tolerance);
+    if (known_ > 0 && worthTrial()) start = trial(first, tolerance);
     for (int round = 0; round <= kRounds; ++round) {
       const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
       if (tolerance > 0) start = decimate(std::move(start), tolerance, run_, effort);
@@ -167,9 +170,9 @@ class ShapeMaker {
  private:
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
-  // Patches that are not worth their border and those that the kernel refuses show in a rough
-  // simplification; without them the right one starts from ground that is open from the beginning.
-  Decimated tryOut(const Partition& first, double tolerance) {
+  // A rough simplification shows the patches that are not worth their border and those that the
+  // kernel refuses; without them the real simplification starts from more open ground.
+  Decimated trial(const Partition& first, double tolerance) {
     Decimated left = decimate({dense_, first, {}, {}, 0}, tolerance, run_, Effort::Rough);
     std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
     Decimated rough = left;
@@ -187,8 +190,8 @@ class ShapeMaker {
     return left;
   }
 
-  // Patches with faces that the kernel does not accept, or does not read back, fall apart into
-  // facets. False if a patch has to lose its surface from the beginning.
+  // Splits patches into facets if the kernel does not accept their faces, or does not read them
+  // back. Returns false if a patch has to lose its surface, so that everything starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
     for (int trial = 0; trial < 3; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
@@ -197,16 +200,16 @@ class ShapeMaker {
       if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
       if (bad.empty()) bad = reader_.findUnreadable(model);
       if (bad.empty()) return true;
-      if (!takeBack(bad, model, known_, small, refused_) || !refused_.empty()) break;
+      if (!withdraw(bad, model, known_, small, refused_) || !refused_.empty()) break;
     }
     return false;
   }
 
-  // Where the mesh is left by too much it gets more corners; then the kernel is asked.
+  // Adds corners where the mesh lies too far away, then tests the faces with the kernel.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
     const bool exact = options_.tolerance <= 0;
-    std::vector<Eigen::Vector3d> about;  // what the last mending may have changed
+    std::vector<Eigen::Vector3d> about;  // near what the last repair may have changed
     for (int mended = 0;; ++mended) {
       Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
       if (options_.mergeCoplanar)
@@ -215,32 +218,33 @@ class ShapeMaker {
       faces = countFaces(small.partition);
       if (!fits_(faces)) return std::nullopt;
       Model model = buildModel(small.mesh, small.partition, tolerance, run_);
-      Deviation off;
+      Deviation deviation;
       const auto mend = [&](const std::vector<Eigen::Vector3d>& points) {
-        off = measureDeviation(points, small, model.places, tolerance);
-        if (exact || off.beyond.empty() || mended == kMendings) return false;
-        about = pointsAbout(off.beyond, small, tolerance, whole_.points);
-        return putCorners(off.beyond, base, run_);
+        deviation = measureDeviation(points, small, model.positions, tolerance);
+        if (exact || deviation.beyond.empty() || mended == kMendings) return false;
+        about = pointsAbout(deviation.beyond, small, tolerance, whole_.points);
+        return putCorners(deviation.beyond, base, run_);
       };
       if (mended > 0 && mend(about)) continue;
       if (mend(whole_.points)) continue;
       Brep brep;
       if (!acceptFaces(small, tolerance, model, brep)) return std::nullopt;
       if (countFaces(small.partition) != faces && mend(whole_.points)) continue;
-      return describe(std::move(model), std::move(brep), off.largest);
+      return describe(std::move(model), std::move(brep), deviation.largest);
     }
   }
 
   static constexpr int kMendings = 16;
-  static constexpr std::size_t kWorthTrial = 20000;  // triangles
+  /// Triangles; below that a trial costs more than it saves.
+  static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;
   const StepOptions& options_;
   const std::function<bool(std::int64_t)>& fits_;
   ReadCheck reader_;
   RunContext& run_;
-  std::int32_t known_ = 0;             // patches below this one were recognised
-  std::vector<std::int32_t> refused_;  // patches that are to lose their surface
+  std::int32_t known_ = 0;             // patches below this number were recognised
+  std::vector<std::int32_t> refused_;  // patches that lose their surface
 };
 
 }  // namespace

@@ -1,8 +1,9 @@
-// From a mesh to the kernel's shape: surfaces, simplification, model, and again without what the
-// kernel refuses.
-// In: `dense`, the mesh to work on, and `whole`, the one that the deviation is measured from; the
+// From a mesh to the kernel's shape: recognise surfaces, simplify, build the model, and repeat
+// without what the kernel refuses.
+// In: `dense`, the mesh to work on; `whole`, the mesh that the deviation is measured from; the
 // options' tolerance. Out: a shape whose faces the kernel accepts, or nothing if it would have more
-// faces than fit. Units: mm. Throws Error(ExportFailed, "InvalidFaces"), Error(Cancelled).
+// faces than fit. Units: mm. Cost: a few simplifications of the mesh. Throws Error(ExportFailed,
+// "InvalidFaces"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,7 +27,7 @@ struct Built {
   double deviation = 0;  // mm, of the mesh's vertices from their faces
 };
 
-/// faces: their number, also where they do not fit.
+/// faces: receives their number, also if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,

@@ -43,7 +43,8 @@ Handle(TCollection_HAsciiString) text(const std::string& utf8) {
   return new TCollection_HAsciiString(utf8.c_str());
 }
 
-// Ends early when the run is cancelled. (The kernel's own way prints to the console then.)
+// Ends the input when the run is cancelled. (The kernel's own way of cancelling prints to the
+// console.)
 class CancellableInput : public std::filebuf {
  public:
   explicit CancellableInput(RunContext& run) : run_(run) {}
@@ -66,7 +67,7 @@ void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
   header.SetOriginatingSystem(text("Swept Volume for FreeCAD"));
   header.SetAuthorisation(text(""));
   header.SetDescriptionValue(1, text("Envelope of a moving body: " + options.productName));
-  // The kernel numbers its product names; ours is the whole name.
+  // The kernel appends a number to product names; use our name unchanged.
   const Handle(StepData_StepModel) model = writer.Model();
   for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
     const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
@@ -98,7 +99,7 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
   kernel.set("write.surfacecurve.mode", "1");
   kernel.set("write.precision.mode", "0");
   STEPControl_Writer writer;
-  // A fresh model: the schema is read when it is made.
+  // A new model, because the schema is read when the model is made.
   writer.Model(Standard_True);
   const Handle(KernelProgress) progress = new KernelProgress(run, 0.3, 0.45);
   const IFSelect_ReturnStatus transferred =
@@ -167,7 +168,7 @@ void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run) {
     BRepTools::Write(shape, out, Standard_False, Standard_False, TopTools_FormatVersion_VERSION_1,
                      progress->Start());
   } catch (const std::bad_cast&) {
-    // What the library's file buffer throws into the kernel when the disk is full.
+    // The kernel reports this when the library's file buffer throws because the disk is full.
     out.setstate(std::ios::badbit);
   }
   throwIfCancelled(run);

@@ -13,21 +13,22 @@
 
 namespace swept::step {
 
-/// By the kernel's own translator, which knows the parameter curves of curved faces. (Solids of
-/// plane faces only are written by step_text.h.)
+/// Writes with the kernel's own translator, which adds the parameter curves of curved faces.
+/// (text/step_text.h writes solids of plane faces only.)
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
-/// The shape as the kernel usually reads it: it finds parameter curves and tolerances by itself.
+/// The shape as the kernel reads it by default: it computes parameter curves and tolerances by
+/// itself.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run);
 /// The same from memory.
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
-/// The shape as it stands in a file of plane faces, with the tolerance (mm) that the file states;
+/// The shape of a file of plane faces, unchanged, with the tolerance (mm) that the file states;
 /// takes a fifth of the time.
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
                               RunContext& run);
-/// The same for a file with some other faces: only those the kernel mends as it usually does, plane
-/// triangles stay as they stand.
+/// The same for a file that also has some other faces: the kernel heals only these; plane triangles
+/// stay unchanged.
 TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
                                     RunContext& run);
 void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run);

@@ -128,7 +128,7 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
 // open ground rises beside it, the points of that ground do not see to it.
 bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   if (state_.kind[from] != VertexKind::Border) return true;
-  const Surface* surface = nullptr;
+  const Carrier* surface = nullptr;
   for (const std::int32_t t : state_.around[from]) {
     if (state_.label[t] >= 0) surface = &(*state_.patches)[state_.label[t]].surface;
   }
@@ -146,7 +146,7 @@ bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
 }
 
 // Seen along the surface's normal.
-bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const Surface& surface) const {
+bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const Carrier& surface) const {
   const Vector3d area = (next[1] - next[0]).cross(next[2] - next[0]);
   const double longest =
       std::sqrt(std::max({(next[1] - next[0]).squaredNorm(), (next[2] - next[1]).squaredNorm(),

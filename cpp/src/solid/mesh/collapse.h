@@ -82,7 +82,7 @@ class Collapser {
   void push(std::int32_t a, std::int32_t b);
   void pushAround(std::int32_t v, bool once);
   bool borderHolds(std::int32_t from, std::int32_t to);
-  bool turnsOver(const std::array<Eigen::Vector3d, 3>& next, const Surface& surface) const;
+  bool turnsOver(const std::array<Eigen::Vector3d, 3>& next, const Carrier& surface) const;
   bool linkIsSimple(std::int32_t from, std::int32_t to);
   void collapse(std::int32_t from, std::int32_t to);
   bool tryCollapse(std::int32_t from, std::int32_t to, const Eigen::Vector3d& place);

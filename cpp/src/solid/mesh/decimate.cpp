@@ -142,7 +142,7 @@ class Decimator {
   // Facets beside a patch will end on its surface: counted from here, that is part of what they may
   // be off.
   void putBordersOnSurfaces() {
-    std::vector<const Surface*> surfaces;
+    std::vector<const Carrier*> surfaces;
     for (std::size_t v = 0; v < state_.points.size(); ++v) {
       if (state_.kind[v] == VertexKind::Free) continue;
       surfaces.clear();
@@ -152,7 +152,7 @@ class Decimator {
           open = t;
           continue;
         }
-        const Surface* surface = &partition_.patches[state_.label[t]].surface;
+        const Carrier* surface = &partition_.patches[state_.label[t]].surface;
         if (std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end())
           surfaces.push_back(surface);
       }

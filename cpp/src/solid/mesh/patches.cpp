@@ -9,10 +9,11 @@
 namespace swept::step {
 namespace {
 
-// A triangle turned more than this from its region's plane is a fold, unless it is a sliver.
+// Cosine: a triangle turned by more than 45 degrees from its region's plane is a fold, unless it is
+// a sliver.
 constexpr double kMinCosine = 0.7;
 
-// Moments of a growing point set, relative to a fixed origin to keep the digits.
+// Moments of a growing point set, relative to a fixed origin so that no digits are lost.
 struct PlaneFit {
   Eigen::Vector3d base = Eigen::Vector3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -25,14 +26,14 @@ struct PlaneFit {
     products += d * d.transpose();
     count += 1;
   }
-  // `towards` picks the side.
-  bool solve(const Eigen::Vector3d& towards, Surface& plane) const {
+  // The plane's normal points to the side of `towards`.
+  bool solve(const Eigen::Vector3d& towards, Carrier& plane) const {
     if (count < 3) return false;
     const Eigen::Vector3d mean = sum / count;
     const Eigen::Matrix3d covariance = products / count - mean * mean.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
     const Eigen::Vector3d values = solver.eigenvalues();
-    if (values[1] < 1e-12 * values[2]) return false;  // points on a line
+    if (values[1] < 1e-12 * values[2]) return false;  // the points lie on a line
     plane.axis = solver.eigenvectors().col(0).normalized();
     if (plane.axis.dot(towards) < 0) plane.axis = -plane.axis;
     plane.point = base + mean;
@@ -50,7 +51,7 @@ struct PlaneGrower {
   std::vector<std::int32_t> pointSeen;  ///< stamp per vertex
   std::int32_t stamp = 0;
 
-  bool accepts(std::int32_t t, const Surface& plane) const {
+  bool accepts(std::int32_t t, const Carrier& plane) const {
     if (partition.patchOf[t] >= 0) return false;
     for (const std::int32_t v : mesh.triangles[t]) {
       if (std::abs(plane.distance(mesh.points[v])) > tolerance) return false;
@@ -58,8 +59,9 @@ struct PlaneGrower {
     return height[t] <= 2 * tolerance || normal[t].dot(plane.axis) >= kMinCosine;
   }
 
-  // Breadth first from the seed. refit: the plane follows the region each time it has doubled.
-  std::vector<std::int32_t> grow(std::int32_t seed, Surface& plane, bool refit) {
+  // Grows breadth first from the seed. refit: the plane is fitted again each time the region has
+  // doubled.
+  std::vector<std::int32_t> grow(std::int32_t seed, Carrier& plane, bool refit) {
     ++stamp;
     PlaneFit fit;
     fit.base = mesh.points[mesh.triangles[seed][0]];
@@ -92,7 +94,7 @@ struct PlaneGrower {
     return region;
   }
 
-  double deviation(const std::vector<std::int32_t>& region, const Surface& plane) const {
+  double deviation(const std::vector<std::int32_t>& region, const Carrier& plane) const {
     double worst = 0;
     for (const std::int32_t t : region) {
       for (const std::int32_t v : mesh.triangles[t]) {
@@ -103,14 +105,14 @@ struct PlaneGrower {
   }
 
   void fromSeed(std::int32_t seed) {
-    Surface plane;
-    plane.kind = SurfaceKind::Plane;
+    Carrier plane;
+    plane.kind = CarrierKind::Plane;
     plane.axis = normal[seed];
     plane.point = mesh.points[mesh.triangles[seed][0]];
     std::vector<std::int32_t> region = grow(seed, plane, true);
     if (region.size() < 2) return;
     if (deviation(region, plane) > tolerance) {
-      // The plane moved away from early members: keep those that the settled plane reaches.
+      // The plane has moved away from early members: keep those that the final plane still reaches.
       if (!accepts(seed, plane)) {
         plane.axis = normal[seed];
         plane.point = mesh.points[mesh.triangles[seed][0]];
@@ -164,8 +166,8 @@ void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition
 
 namespace {
 void setFacet(const HalfEdgeMesh& mesh, std::int32_t t, Patch& patch) {
-  patch.surface = Surface{};
-  patch.surface.kind = SurfaceKind::Facet;
+  patch.surface = Carrier{};
+  patch.surface.kind = CarrierKind::Facet;
   patch.surface.axis = mesh.areaVector(t).normalized();
   patch.surface.point = mesh.points[mesh.triangles[t][0]];
   patch.triangles.assign(1, t);

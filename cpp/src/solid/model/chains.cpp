@@ -8,7 +8,7 @@
 namespace swept::step {
 namespace {
 
-// Planes at less than about two degrees do not fix the line in which they meet.
+// Two planes at less than about two degrees do not fix their line of intersection.
 constexpr double kNearlyParallel = 0.9994;
 
 class Finder {
@@ -33,7 +33,7 @@ class Finder {
   }
 
  private:
-  // Where more than two border edges meet.
+  // Keeps the vertices in which more than two border edges meet.
   void keepBranches() {
     std::vector<std::int32_t> degree(mesh_.points.size(), 0);
     const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
@@ -79,17 +79,17 @@ class Finder {
     for (std::size_t i = from + 1; i < to; ++i) {
       const Eigen::Vector3d d = mesh_.points[vertexAt(chain, i)] - a;
       const double t = length2 > 0 ? std::clamp(d.dot(ab) / length2, 0.0, 1.0) : 0.0;
-      const double off = (d - t * ab).norm();
-      if (off > distance) {
-        distance = off;
+      const double here = (d - t * ab).norm();
+      if (here > distance) {
+        distance = here;
         best = i;
       }
     }
     return best;
   }
 
-  // Keeps the vertices that a polyline within the tolerance needs (iterative split at the
-  // farthest).
+  // Keeps the vertices that a polyline within the tolerance needs (split repeatedly at the farthest
+  // one, Douglas and Peucker 1973).
   void keepBends(const Chain& chain) {
     const std::size_t last = chain.halfEdges.size();
     std::vector<std::pair<std::size_t, std::size_t>> spans;
@@ -97,7 +97,7 @@ class Finder {
       double distance = 0;
       const std::size_t middle = farthest(chain, 0, last, distance);
       kept_[vertexAt(chain, 0)] = kept_[vertexAt(chain, middle)] = 1;
-      // A closed line needs three corners at least, whatever the tolerance.
+      // A closed line needs three corners, whatever the tolerance.
       const std::size_t third = middle > 1 ? farthest(chain, 0, middle, distance)
                                            : farthest(chain, middle, last, distance);
       kept_[vertexAt(chain, third)] = 1;
@@ -119,8 +119,8 @@ class Finder {
     }
   }
 
-  // Two straight edges between the same two vertices would enclose nothing: keep more of their
-  // chains.
+  // Two straight edges between the same two vertices would enclose nothing: keep more vertices of
+  // their chains.
   void separateTwins() {
     for (bool again = true; again;) {
       again = false;
@@ -144,7 +144,7 @@ class Finder {
     }
   }
 
-  // Keeps the farthest vertex between `from` and the next kept one; false if there is none.
+  // Keeps the farthest vertex between `from` and the next kept one; returns false if there is none.
   bool keepWithin(std::size_t c, std::size_t from) {
     std::size_t to = from + 1;
     while (!kept_[vertexAt(chains_[c], to)]) ++to;
@@ -154,13 +154,13 @@ class Finder {
     return true;
   }
 
-  // A chain between two recognised surfaces, one of them curved, runs on the curve in which they
-  // meet.
+  // A chain between two recognised surfaces, at least one of them curved, follows their curve of
+  // intersection.
   void classify(Chain& chain) {
     const Patch& left = partition_.patches[borders_.patchOf(chain.halfEdges[0])];
     const Patch& right = partition_.patches[borders_.patchOf(mesh_.opposite[chain.halfEdges[0]])];
     for (const Patch* patch : {&left, &right}) {
-      if (patch->surface.kind != SurfaceKind::Facet) chain.surfaces.push_back(&patch->surface);
+      if (patch->surface.kind != CarrierKind::Facet) chain.surfaces.push_back(&patch->surface);
     }
     chain.curved =
         chain.surfaces.size() == 2 && !(left.surface.isPlanar() && right.surface.isPlanar());
@@ -171,17 +171,17 @@ class Finder {
     }
   }
 
-  const Surface* nearestCut(const Chain& chain, std::int32_t surfaceId) const {
-    const Surface* best = nullptr;
-    double least = 1e300;
+  const Carrier* nearestCut(const Chain& chain, std::int32_t surfaceId) const {
+    const Carrier* best = nullptr;
+    double smallest = 1e300;
     for (const Cut& cut : partition_.cuts) {
       if (cut.surfaceId != surfaceId) continue;
       double sum = 0;
       for (const std::int32_t h : chain.halfEdges) {
         sum += std::abs(cut.plane.distance(mesh_.points[mesh_.origin(h)]));
       }
-      if (sum < least) {
-        least = sum;
+      if (sum < smallest) {
+        smallest = sum;
         best = &cut.plane;
       }
     }

@@ -1,14 +1,14 @@
 // The borders of patches as chains, and the vertices on them that a solid needs.
-// In: HalfEdgeMesh + Partition. Out: Chains; every border edge is in one chain, every chain runs
-// from kept vertex to kept vertex, or round once. Units: mm. Cost: O(n) but for the chains' bends,
-// O(length^2) at worst.
+// In: HalfEdgeMesh + Partition. Out: Chains; every border edge belongs to one chain, and every
+// chain runs from kept vertex to kept vertex, or is closed. Units: mm. Cost: O(n), plus O(length^2)
+// at worst for the bends of a chain.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "solid/carrier/surface.h"
+#include "solid/carrier/carrier.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/mesh/patches.h"
 
@@ -23,7 +23,7 @@ class Borders {
   std::int32_t patchOf(std::int32_t h) const { return partition_.patchOf[h / 3]; }
   bool isBorder(std::int32_t h) const { return patchOf(h) != patchOf(mesh_.opposite[h]); }
 
-  /// The border half-edge of the same patch that follows h, turning within the fan of h.
+  /// The border half-edge of the same patch that follows h, found by turning in the fan of h.
   std::int32_t next(std::int32_t h) const {
     std::int32_t n = HalfEdgeMesh::next(h);
     while (!isBorder(n)) n = HalfEdgeMesh::next(mesh_.opposite[n]);
@@ -36,13 +36,14 @@ class Borders {
 };
 
 struct Chain {
-  std::vector<std::int32_t> halfEdges;   ///< in order, all with the same patch on either side
-  std::vector<const Surface*> surfaces;  ///< those that fix its points: not facets; a cut last
+  std::vector<std::int32_t> halfEdges;  ///< in order; all have the same patches on their two sides
+  /// The surfaces that fix its points: no facets; a cutting plane last.
+  std::vector<const Carrier*> surfaces;
   bool closed = false;
-  bool curved = false;    ///< one edge on the curve in which two surfaces meet
-  bool straight = false;  ///< one edge on the line in which two planes meet
+  bool curved = false;    ///< one edge on the curve of intersection of two surfaces
+  bool straight = false;  ///< one edge on the line of intersection of two planes
 
-  /// Vertex i of the mesh along the chain, of halfEdges.size() + 1.
+  /// Mesh vertex number i along the chain; there are halfEdges.size() + 1 of them.
   std::int32_t vertex(const HalfEdgeMesh& mesh, std::size_t i) const {
     return i < halfEdges.size() ? mesh.origin(halfEdges[i]) : mesh.target(halfEdges.back());
   }
@@ -53,7 +54,8 @@ struct Chains {
   std::vector<char> kept;  ///< mesh vertices that become vertices of the solid
 };
 
-/// tolerance: mm, how far a vertex that is not kept may lie off the straight edge in its place.
+/// tolerance: mm, largest distance of a vertex that is not kept from the straight edge that
+/// replaces it.
 Chains findChains(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                   RunContext& run);
 

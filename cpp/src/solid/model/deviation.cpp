@@ -15,25 +15,27 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBlock = 2048;
-constexpr double kCommon = 0.6;    // of the limit: as far off lies something nearly always
-constexpr double kNearEdge = 0.1;  // of the height: a point so near an edge goes onto it
+constexpr double kCommonFraction =
+    0.6;  // of the limit: nearly every mesh has a vertex at this distance
+/// Of the height: a point this near to an edge is moved onto the edge.
+constexpr double kMaxEdgeFraction = 0.1;
 
 struct Beyond {
-  double off = 0;
+  double distance = 0;
   std::int32_t vertex = -1, triangle = -1;
 };
 
-// Where the foot of p lies, as shares of the corners.
-Vector3d sharesOf(const Vector3d& p, const std::array<Vector3d, 3>& c) {
+// Barycentric coordinates of the foot point of p.
+Vector3d barycentric(const Vector3d& p, const std::array<Vector3d, 3>& c) {
   const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
   const double twice = normal.squaredNorm();
-  Vector3d shares;
+  Vector3d weights;
   for (int k = 0; k < 3; ++k)
-    shares[k] = (c[(k + 1) % 3] - p).cross(c[(k + 2) % 3] - p).dot(normal) / twice;
-  return shares;
+    weights[k] = (c[(k + 1) % 3] - p).cross(c[(k + 2) % 3] - p).dot(normal) / twice;
+  return weights;
 }
 
-// Takes triangles out of the mesh and puts others in, with what must stay near them.
+// Replaces triangles of the mesh by others, together with the points that must stay near them.
 class Splitter {
  public:
   explicit Splitter(Decimated& small) : small_(small), taken_(small.mesh.triangles.size(), 0) {
@@ -50,13 +52,13 @@ class Splitter {
     const std::int32_t t = violation.triangle;
     if (taken_[t] || label_[t] >= 0) return false;
     const auto& tri = small_.mesh.triangles[t];
-    const Vector3d shares =
-        sharesOf(violation.point, {points_[tri[0]], points_[tri[1]], points_[tri[2]]});
+    const Vector3d weights =
+        barycentric(violation.point, {points_[tri[0]], points_[tri[1]], points_[tri[2]]});
     int corner = 0;
-    const double least = shares.minCoeff(&corner);
+    const double smallest = weights.minCoeff(&corner);
     const std::int32_t edge = 3 * t + (corner + 1) % 3;
     const std::int32_t back = small_.mesh.opposite[edge];
-    const bool onEdge = !(least > kNearEdge);
+    const bool onEdge = !(smallest > kMaxEdgeFraction);
     if (onEdge && (label_[back / 3] >= 0 || taken_[back / 3])) return false;
     const auto vertex = static_cast<std::int32_t>(points_.size());
     points_.push_back(violation.point);
@@ -78,7 +80,8 @@ class Splitter {
   }
 
  private:
-  // A triangle for each edge but `without`; the first takes the old one's place.
+  // Adds a triangle for each edge but `without`; the first one takes the number of the old
+  // triangle.
   void fan(std::int32_t t, std::int32_t without, std::int32_t vertex,
            std::vector<std::int32_t>& fresh) {
     bool first = true;
@@ -109,13 +112,13 @@ class Splitter {
       attached_[t].clear();
     }
     for (const Vector3d& p : points) {
-      double least = 1e300;
+      double smallest = 1e300;
       std::int32_t home = fresh.front();
       for (const std::int32_t t : fresh) {
         const auto& tri = triangles_[t];
         const double d = squaredDistance(p, points_[tri[0]], points_[tri[1]], points_[tri[2]]);
-        if (d >= least) continue;
-        least = d;
+        if (d >= smallest) continue;
+        smallest = d;
         home = t;
       }
       attached_[home].push_back(p);
@@ -123,7 +126,7 @@ class Splitter {
   }
 
   Decimated& small_;
-  std::vector<char> taken_;  // by triangle of the mesh before: changed already
+  std::vector<char> taken_;  // per triangle of the mesh before: already changed
   std::vector<Vector3d> points_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::vector<std::int32_t> label_;
@@ -134,39 +137,40 @@ class Splitter {
 }  // namespace
 
 Deviation measureDeviation(const std::vector<Vector3d>& points, const Decimated& small,
-                           const std::vector<Vector3d>& places, double limit) {
-  const NearestTriangle nearest(places, small.mesh.triangles);
+                           const std::vector<Vector3d>& positions, double limit) {
+  const NearestTriangle nearest(positions, small.mesh.triangles);
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Beyond>> found(blocks);
-  std::vector<double> most(blocks, 0);
-  // What is nearer than the farthest known, or than `least`, need not be known exactly.
-  const auto measure = [&](double least) {
+  std::vector<double> largestOf(blocks, 0);
+  // Distances below the largest known one, or below `smallest`, need not be exact.
+  const auto measure = [&](double smallest) {
     parallelBlocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      double& largest = most[begin / kBlock];
+      double& largest = largestOf[begin / kBlock];
       std::int32_t triangle = -1;
       for (std::size_t v = begin; v < end; ++v) {
         const Vector3d& p = points[v];
-        const double enough = std::min(std::max(largest, least), limit);
-        double off = std::sqrt(nearest.query(p, 1e300, enough * enough, triangle));
-        if (off <= enough) continue;
-        const Surface& surface = small.partition.patches[small.partition.patchOf[triangle]].surface;
-        if (surface.kind != SurfaceKind::Facet) off = std::min(off, std::abs(surface.distance(p)));
-        largest = std::max(largest, off);
-        if (off > limit)
-          found[begin / kBlock].push_back({off, static_cast<std::int32_t>(v), triangle});
+        const double enough = std::min(std::max(largest, smallest), limit);
+        double distance = std::sqrt(nearest.query(p, 1e300, enough * enough, triangle));
+        if (distance <= enough) continue;
+        const Carrier& surface = small.partition.patches[small.partition.patchOf[triangle]].surface;
+        if (surface.kind != CarrierKind::Facet)
+          distance = std::min(distance, std::abs(surface.distance(p)));
+        largest = std::max(largest, distance);
+        if (distance > limit)
+          found[begin / kBlock].push_back({distance, static_cast<std::int32_t>(v), triangle});
       }
     });
-    return *std::max_element(most.begin(), most.end());
+    return *std::max_element(largestOf.begin(), largestOf.end());
   };
   Deviation result;
   if (points.empty()) return result;
-  result.largest = measure(kCommon * limit);
-  if (result.largest <= kCommon * limit) result.largest = measure(0);
+  result.largest = measure(kCommonFraction * limit);
+  if (result.largest <= kCommonFraction * limit) result.largest = measure(0);
   std::vector<Beyond> all;
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
   std::sort(all.begin(), all.end(), [](const Beyond& a, const Beyond& b) {
     if (a.triangle != b.triangle) return a.triangle < b.triangle;
-    return a.off != b.off ? a.off > b.off : a.vertex < b.vertex;
+    return a.distance != b.distance ? a.distance > b.distance : a.vertex < b.vertex;
   });
   for (const Beyond& b : all) {
     if (result.beyond.empty() || result.beyond.back().triangle != b.triangle)
@@ -181,7 +185,7 @@ std::vector<Vector3d> pointsAbout(const std::vector<Violation>& corners, const D
   for (const Violation& corner : corners) {
     Eigen::AlignedBox3d box(corner.point);
     for (int k = 0; k < 3; ++k) {
-      // The triangle beyond an edge is cut as well where the corner goes onto the edge.
+      // Where the corner is moved onto an edge, the triangle beyond that edge is cut as well.
       const std::int32_t beyond = before.mesh.opposite[3 * corner.triangle + k] / 3;
       for (const std::int32_t v : before.mesh.triangles[beyond]) box.extend(before.mesh.points[v]);
     }

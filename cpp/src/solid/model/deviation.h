@@ -1,7 +1,8 @@
-// How far a mesh lies from the solid made of it, and corners put where that is too much.
-// In: the mesh as given, the small mesh with its partition, and where the model has put its
-// vertices. A vertex counts from the nearest triangle, or from the surface that stands for that
-// triangle. Units: mm. Cost: O(n log n), parallel; the result does not depend on the threads.
+// How far a mesh lies from the solid made of it, and new corners where that is too far.
+// In: the given mesh, the small mesh with its partition, and the positions that the model gave its
+// vertices. Out: the largest distance of a vertex from the nearest triangle, or from the surface
+// that replaces that triangle. Units: mm. Cost: O(n log n), parallel. Promise: the same for any
+// number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,18 +19,18 @@ struct Violation {
 
 struct Deviation {
   double largest = 0;             ///< mm
-  std::vector<Violation> beyond;  ///< by triangle: the vertex farthest beyond the limit
+  std::vector<Violation> beyond;  ///< per triangle: the vertex farthest beyond the limit
 };
 
 Deviation measureDeviation(const std::vector<Eigen::Vector3d>& points, const Decimated& small,
-                           const std::vector<Eigen::Vector3d>& places, double limit);
+                           const std::vector<Eigen::Vector3d>& positions, double limit);
 
-/// Those of the points that new corners at these places can bring nearer or farther.
+/// Those of the points whose distance new corners at these positions can change.
 std::vector<Eigen::Vector3d> pointsAbout(const std::vector<Violation>& corners,
                                          const Decimated& before, double limit,
                                          const std::vector<Eigen::Vector3d>& points);
 
-/// Open ground gets each of the points as a corner. False if none could be put in.
+/// Makes each of the points a corner of open ground. Returns false if none could be added.
 bool putCorners(const std::vector<Violation>& points, Decimated& small, RunContext& run);
 
 }  // namespace swept::step

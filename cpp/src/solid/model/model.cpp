@@ -28,7 +28,7 @@ class Builder {
   }
 
   Model build() {
-    placeVertices();
+    moveVertices();
     run_.checkpoint(Phase::Export);
     dropShrunkChains();
     makeEdges();
@@ -36,25 +36,26 @@ class Builder {
     makeFaces();
     fitFacets();
     setTolerances();
-    model_.places = std::move(place_);
+    model_.positions = std::move(position_);
     return std::move(model_);
   }
 
  private:
   std::int32_t vertexAt(const Chain& chain, std::size_t i) const { return chain.vertex(mesh_, i); }
 
-  // Each kept vertex goes where the surfaces of its chains meet, if that is near. Beside a facet it
-  // takes the facet's corner along, so there it may go only as far as the facets have left.
-  void placeVertices() {
-    place_ = mesh_.points;
+  // Each kept vertex moves to where the surfaces of its chains intersect, if that is near. Beside a
+  // facet it takes a corner of the facet along, so that it may only move by what the facets' part
+  // of the tolerance leaves.
+  void moveVertices() {
+    position_ = mesh_.points;
     findFacetCorners();
-    std::vector<std::vector<const Surface*>> at(mesh_.points.size());
+    std::vector<std::vector<const Carrier*>> at(mesh_.points.size());
     std::vector<double> reach(mesh_.points.size(), 0);
     for (const Chain& chain : chains_) {
       for (std::size_t i = 0; i <= chain.halfEdges.size(); ++i) {
         const std::int32_t v = vertexAt(chain, i);
         if (!kept_[v]) continue;
-        for (const Surface* surface : chain.surfaces) {
+        for (const Carrier* surface : chain.surfaces) {
           if (std::find(at[v].begin(), at[v].end(), surface) == at[v].end())
             at[v].push_back(surface);
         }
@@ -66,11 +67,11 @@ class Builder {
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (at[v].empty()) continue;
       if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
-      // Elsewhere it slides along its surfaces, from a jagged border to the line where they meet.
+      // Elsewhere it slides along its surfaces, from a jagged border to their line of intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
       const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
-      if ((moved - mesh_.points[v]).norm() <= limit) place_[v] = moved;
+      if ((moved - mesh_.points[v]).norm() <= limit) position_[v] = moved;
     }
   }
 
@@ -78,7 +79,7 @@ class Builder {
     isFacetCorner_.assign(mesh_.points.size(), 0);
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
       const auto half = static_cast<std::int32_t>(h);
-      if (partition_.patches[borders_.patchOf(half)].surface.kind == SurfaceKind::Facet)
+      if (partition_.patches[borders_.patchOf(half)].surface.kind == CarrierKind::Facet)
         isFacetCorner_[mesh_.origin(half)] = 1;
     }
   }
@@ -88,14 +89,14 @@ class Builder {
     return v;
   }
 
-  // Jagged borders meet in several vertices that belong to one corner: their chains shrink to a
-  // point.
+  // Jagged borders meet in several vertices that belong to one corner of the solid: the chains
+  // between them shrink to a point.
   void dropShrunkChains() {
     same_.resize(mesh_.points.size());
     for (std::size_t v = 0; v < same_.size(); ++v) same_[v] = static_cast<std::int32_t>(v);
     const double eps = std::max(1e-6, 0.02 * tolerance_);
     auto coincide = [&](std::int32_t a, std::int32_t b) {
-      return a != b && (place_[a] - place_[b]).norm() <= eps;
+      return a != b && (position_[a] - position_[b]).norm() <= eps;
     };
     std::erase_if(chains_, [&](const Chain& chain) {
       const std::int32_t a = vertexAt(chain, 0), b = vertexAt(chain, chain.halfEdges.size());
@@ -105,7 +106,7 @@ class Builder {
       same_[root(a)] = root(b);
       return true;
     });
-    // What is left needs its corners apart: these stay where the mesh has them.
+    // The remaining chains need distinct corners: these stay at the positions of the mesh.
     for (int round = 0; round < 3; ++round) {
       for (const Chain& chain : chains_) {
         std::int32_t last = vertexAt(chain, 0);
@@ -113,8 +114,8 @@ class Builder {
           const std::int32_t v = vertexAt(chain, i);
           if (!kept_[v]) continue;
           if (coincide(root(last), root(v))) {
-            place_[root(last)] = mesh_.points[last];
-            place_[root(v)] = mesh_.points[v];
+            position_[root(last)] = mesh_.points[last];
+            position_[root(v)] = mesh_.points[v];
           }
           last = v;
         }
@@ -127,21 +128,22 @@ class Builder {
     if (vertexId_.empty()) vertexId_.assign(mesh_.points.size(), -1);
     if (vertexId_[v] < 0) {
       vertexId_[v] = static_cast<std::int32_t>(model_.vertices.size());
-      model_.vertices.push_back({place_[v], 0});
+      model_.vertices.push_back({position_[v], 0});
     }
     return vertexId_[v];
   }
 
-  // The curve in which the surfaces of the chain meet; where they meet too flatly for that, a curve
-  // along the mesh.
+  // The curve of intersection of the chain's surfaces; where these are too nearly parallel for
+  // that, a curve along the mesh.
   Curve curveOf(const Chain& chain) {
     const std::size_t count = chain.halfEdges.size();
-    const Vector3d first = place_[root(vertexAt(chain, 0))],
-                   last = place_[root(vertexAt(chain, count))];
+    const Vector3d first = position_[root(vertexAt(chain, 0))],
+                   last = position_[root(vertexAt(chain, count))];
     std::vector<Vector3d> along{first}, points{first};
     const bool profiled = std::any_of(chain.surfaces.begin(), chain.surfaces.end(),
-                                      [](const Surface* s) { return s->hasProfile(); });
-    // A profile bends as it likes between the few vertices that its border has kept.
+                                      [](const Carrier* s) { return s->hasProfile(); });
+    // A profile may bend freely between the few vertices that its border has kept, so that more
+    // points are needed.
     const int between = profiled ? 1 + static_cast<int>(60 / count) : count < 8 ? 4 : 1;
     double reach = 0, moved = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -166,7 +168,7 @@ class Builder {
     return curveAlong(along, chain.closed, tolerance_);
   }
 
-  // Within the tolerance of its surfaces, and nowhere far from the mesh.
+  // Whether the curve is within the tolerance of its surfaces, and nowhere far from the mesh.
   bool isNear(const Curve& curve, const std::vector<Vector3d>& along, const Chain& chain,
               double limit) const {
     constexpr int kSteps = 32;
@@ -176,7 +178,7 @@ class Builder {
       const Vector3d p = curve.at(curve.last * i / kSteps);
       length += (p - before).norm();
       before = p;
-      for (const Surface* surface : chain.surfaces) {
+      for (const Carrier* surface : chain.surfaces) {
         if (std::abs(surface->distance(p)) > tolerance_) return false;
       }
       double nearest = 1e300;
@@ -268,10 +270,10 @@ class Builder {
                      [](const ModelFace& a, const ModelFace& b) { return a.shell < b.shell; });
   }
 
-  // Facets follow their corners, which may have been moved onto other surfaces.
+  // The planes of facets follow their corners, which may have moved onto other surfaces.
   void fitFacets() {
     for (ModelFace& face : model_.faces) {
-      if (face.surface.kind != SurfaceKind::Facet) continue;
+      if (face.surface.kind != CarrierKind::Facet) continue;
       const auto& loop = face.loops.front();
       Vector3d area = Vector3d::Zero();
       const Vector3d base = model_.vertices[startOf(loop[0])].point;
@@ -289,7 +291,7 @@ class Builder {
       for (const auto& loop : face.loops) {
         for (const ModelUse& use : loop) {
           ModelEdge& edge = model_.edges[use.edge];
-          // A straight edge in a plane is nowhere farther off than at its ends.
+          // A straight edge is farthest from a plane at its ends.
           const int steps = edge.curve.kind == CurveKind::Line && face.surface.isPlanar() ? 1 : 16;
           for (int i = 0; i <= steps; ++i) {
             const Vector3d p = edge.curve.at(edge.curve.last * i / steps);
@@ -318,10 +320,11 @@ class Builder {
   std::vector<char> isFacetCorner_;     // mesh vertices that a facet uses
   std::vector<std::int32_t> vertexId_;  // mesh vertex -> model vertex
   std::vector<std::int32_t> edgeOf_;    // half-edge -> model edge
-  std::vector<char> isForward_;         // half-edge runs along its edge
-  std::vector<char> startsEdge_;        // half-edge is the first of its edge in its own direction
-  std::vector<Vector3d> place_;         // mesh vertex -> where it goes
-  std::vector<std::int32_t> same_;      // union-find over mesh vertices that fall together
+  std::vector<char> isForward_;         // whether the half-edge runs along its edge
+  // Whether the half-edge is the first of its edge in its own direction.
+  std::vector<char> startsEdge_;
+  std::vector<Vector3d> position_;  // mesh vertex -> new position
+  std::vector<std::int32_t> same_;  // union-find over mesh vertices that coincide
 };
 
 }  // namespace

@@ -1,15 +1,15 @@
 // The solid before any kernel sees it: vertices, edges, faces, shells.
-// In: HalfEdgeMesh + Partition. Out: Model; edges are shared by exactly two faces (a seam: twice by
-// one), loops are simple, counter-clockwise seen from outside for outer loops.
-// Units: mm. Cost: O(n).
+// In: HalfEdgeMesh + Partition. Out: Model. Units: mm. Cost: O(n).
+// Promise: every edge is shared by exactly two faces (a seam: used twice by one face); loops are
+// simple, and outer loops are counter-clockwise seen from outside.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "solid/carrier/carrier.h"
 #include "solid/carrier/curve.h"
-#include "solid/carrier/surface.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/mesh/patches.h"
 
@@ -32,7 +32,7 @@ struct ModelUse {
 };
 
 struct ModelFace {
-  Surface surface;
+  Carrier surface;
   std::vector<std::vector<ModelUse>> loops;
   std::int32_t shell = 0;
   std::int32_t patch = 0;
@@ -41,12 +41,14 @@ struct ModelFace {
 struct Model {
   std::vector<ModelVertex> vertices;
   std::vector<ModelEdge> edges;
-  std::vector<ModelFace> faces;          ///< grouped by shell
-  std::vector<Eigen::Vector3d> places;   ///< of the mesh's vertices, those moved onto surfaces too
-  std::vector<std::int32_t> shellOwner;  ///< as HalfEdgeMesh
+  std::vector<ModelFace> faces;  ///< grouped by shell
+  /// Of the mesh's vertices, including those moved onto surfaces.
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<std::int32_t> shellOwner;  ///< as in HalfEdgeMesh
 };
 
-/// tolerance: mm, how far a dropped boundary vertex may lie off its straight edge.
+/// tolerance: mm, largest distance of a dropped border vertex from the straight edge that replaces
+/// it.
 Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run);
 

@@ -16,7 +16,7 @@ Vector3d centreOf(const HalfEdgeMesh& mesh, std::int32_t t) {
   return (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
 }
 
-// Largest free range of an angle, and the middle of it.
+// The largest free range of an angle, and its middle.
 double largestGap(std::vector<double> angles, double& middle) {
   std::sort(angles.begin(), angles.end());
   double gap = 2 * M_PI - angles.back() + angles.front();
@@ -37,11 +37,11 @@ class Cutter {
   Cutter(const HalfEdgeMesh& mesh, Partition& partition) : mesh_(mesh), partition_(partition) {}
 
   void cutAll() {
-    // Spheres may be cut in any direction: last, when the corners around them are known.
+    // Spheres may be cut in any direction; they come last, when the corners around them are known.
     const auto count = static_cast<std::int32_t>(partition_.patches.size());
     for (const bool spheres : {false, true}) {
       for (std::int32_t p = 0; p < count; ++p) {
-        if ((partition_.patches[p].surface.kind == SurfaceKind::Sphere) == spheres) cut(p);
+        if ((partition_.patches[p].surface.kind == CarrierKind::Sphere) == spheres) cut(p);
       }
     }
   }
@@ -52,14 +52,14 @@ class Cutter {
   }
 
   // Turns the surface's reference direction, or opens its profile, so that its seam lies in the
-  // largest gap. True if it fits.
-  bool placeSeam(Patch& patch) const {
-    Surface& s = patch.surface;
+  // largest gap. Returns true if there is room.
+  bool turnSeam(Patch& patch) const {
+    Carrier& s = patch.surface;
     if (s.isPlanar()) return true;
-    if (s.kind == SurfaceKind::Sphere) return placePoles(patch);
+    if (s.kind == CarrierKind::Sphere) return placePoles(patch);
     if (s.hasProfile() && s.profile->isClosed() && !openProfile(patch)) return false;
-    // The reference direction of an extrusion is its profile's.
-    if (s.kind == SurfaceKind::Extrusion) return true;
+    // The reference direction of an extrusion belongs to its profile.
+    if (s.kind == CarrierKind::Extrusion) return true;
     const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
     std::vector<double> turn, tube;
     for (const std::int32_t t : patch.triangles) {
@@ -73,16 +73,17 @@ class Cutter {
     double middle = 0;
     bool fits = largestGap(turn, middle) > kWantedGap;
     s.xdir = std::cos(middle) * x + std::sin(middle) * y;
-    if (s.kind == SurfaceKind::Torus) {
+    if (s.kind == CarrierKind::Torus) {
       fits = fits && largestGap(tube, middle) > kWantedGap;
       s.tubeMid = middle + M_PI;
     }
     return fits;
   }
 
-  // The part of a closed profile that the patch uses, and some room. False if there is no gap.
+  // The part of a closed profile that the patch uses, with some room at its ends. Returns false if
+  // there is no gap.
   bool openProfile(Patch& patch) const {
-    Surface& s = patch.surface;
+    Carrier& s = patch.surface;
     const double period = s.profile->length(), from = s.profile->nodes().front().knot;
     std::vector<double> turn;
     for (const std::int32_t t : patch.triangles) {
@@ -94,11 +95,11 @@ class Cutter {
     double middle = 0;
     const double gap = largestGap(turn, middle);
     if (gap <= kWantedGap) return false;
-    // Some of the gap is left out, or the ends would meet.
+    // Leave out some of the gap, or the ends would meet.
     const double left = std::max(0.15 * gap, gap / 2 - kWantedGap / 2);
     const auto inPeriod = [&](double angle) {
-      const double share = angle / (2 * M_PI);
-      return from + period * (share - std::floor(share));
+      const double turns = angle / (2 * M_PI);
+      return from + period * (turns - std::floor(turns));
     };
     s.profile = std::make_shared<const Profile>(
         s.profile->opened(inPeriod(middle + left), inPeriod(middle - left)));
@@ -106,7 +107,7 @@ class Cutter {
   }
 
   bool placePoles(Patch& patch) const {
-    Surface& s = patch.surface;
+    Carrier& s = patch.surface;
     std::vector<Vector3d> directions;
     for (const std::int32_t t : patch.triangles) {
       for (const std::int32_t v : mesh_.triangles[t]) {
@@ -138,34 +139,34 @@ class Cutter {
     return fits;
   }
 
-  // The planes by which a patch of this surface may be cut, in the order in which they are used.
-  std::vector<Surface> planesFor(std::int32_t p) const {
+  // The planes by which a patch on this surface may be cut, in the order of use.
+  std::vector<Carrier> planesFor(std::int32_t p) const {
     const Patch& patch = partition_.patches[p];
-    const Surface& s = patch.surface;
+    const Carrier& s = patch.surface;
     Vector3d mean = Vector3d::Zero();
     for (const std::int32_t t : patch.triangles) mean += mesh_.areaVector(t);
     Vector3d axis = s.axis;
-    if (s.kind == SurfaceKind::Sphere && mean.norm() > 1e-6 * mesh_.area) axis = mean.normalized();
-    Surface plane;
-    plane.kind = SurfaceKind::Plane;
+    if (s.kind == CarrierKind::Sphere && mean.norm() > 1e-6 * mesh_.area) axis = mean.normalized();
+    Carrier plane;
+    plane.kind = CarrierKind::Plane;
     plane.point = s.point;
-    std::vector<Surface> planes;
+    std::vector<Carrier> planes;
     const Vector3d x = directionAwayFrom(cornersOf(p), s.point, axis);
     plane.axis = x;
     planes.push_back(plane);
-    if (s.kind == SurfaceKind::Sphere) {
+    if (s.kind == CarrierKind::Sphere) {
       plane.axis = axis.cross(x);
       planes.push_back(plane);
     }
-    const bool closedBothWays = s.kind == SurfaceKind::Revolution && s.profile->isClosed();
-    if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus || closedBothWays) {
+    const bool closedBothWays = s.kind == CarrierKind::Revolution && s.profile->isClosed();
+    if (s.kind == CarrierKind::Sphere || s.kind == CarrierKind::Torus || closedBothWays) {
       plane.axis = axis;
       planes.push_back(plane);
     }
     return planes;
   }
 
-  // Vertices on the border of a patch where two others meet.
+  // Vertices on the border of a patch where two other patches meet.
   std::vector<Vector3d> cornersOf(std::int32_t p) const {
     std::vector<std::pair<std::int32_t, std::int32_t>> beside;  // vertex, patch beyond
     for (const std::int32_t t : partition_.patches[p].triangles) {
@@ -186,8 +187,9 @@ class Cutter {
   }
 
   // The direction about the axis for which the plane through `point` passes farthest from the
-  // corners: two corners that nearly fall together make edges shorter than their tolerance. Odd
-  // angles, so that the cut does not run along rows of vertices lying on both sides of it.
+  // corners: two corners that nearly coincide make edges shorter than their tolerance. The tried
+  // angles are odd fractions, so that the cut does not run along rows of vertices that lie on both
+  // sides of it.
   static Vector3d directionAwayFrom(const std::vector<Vector3d>& corners, const Vector3d& point,
                                     const Vector3d& axis) {
     constexpr int kDirections = 12;
@@ -208,10 +210,10 @@ class Cutter {
   }
 
   void cut(std::int32_t first) {
-    if (placeSeam(partition_.patches[first])) return;
+    if (turnSeam(partition_.patches[first])) return;
     const std::int32_t surfaceId = partition_.patches[first].surfaceId;
     std::vector<std::int32_t> pieces{first};
-    for (const Surface& plane : planesFor(first)) {
+    for (const Carrier& plane : planesFor(first)) {
       std::vector<std::int32_t> next;
       for (const std::int32_t p : pieces) {
         for (const std::int32_t q : halve(p, plane)) next.push_back(q);
@@ -219,13 +221,14 @@ class Cutter {
       partition_.cuts.push_back({surfaceId, plane});
       pieces.swap(next);
       bool fits = true;
-      for (const std::int32_t p : pieces) fits = placeSeam(partition_.patches[p]) && fits;
+      for (const std::int32_t p : pieces) fits = turnSeam(partition_.patches[p]) && fits;
       if (fits) return;
     }
   }
 
-  // Connected pieces on either side. A piece of a few triangles goes to the side around it.
-  std::vector<std::int32_t> halve(std::int32_t p, const Surface& plane) {
+  // Connected pieces on either side of the plane. A piece of a few triangles goes to the side
+  // around it.
+  std::vector<std::int32_t> halve(std::int32_t p, const Carrier& plane) {
     const std::vector<std::int32_t> members = partition_.patches[p].triangles;
     std::vector<char> side(members.size());
     local_.resize(mesh_.triangles.size(), -1);

@@ -1,7 +1,7 @@
-// Cuts patches that go round their surface, so that no face needs a seam.
-// In, out: Partition; the reference direction of each surface is turned so that its seam lies
-// outside the face, and where there is no room for it, the patch is halved. The cutting planes are
-// kept in Partition::cuts. Cost: O(triangles).
+// Cuts patches that close on themselves round their surface, so that no face needs a seam.
+// In, out: Partition. The reference direction of each surface is turned so that its seam lies
+// outside the face; where there is no room for the seam, the patch is cut in halves.
+// Partition::cuts keeps the cutting planes. Units: mm, rad. Cost: O(triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

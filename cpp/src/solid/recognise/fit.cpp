@@ -12,21 +12,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct Frame {
+struct PointSpread {
   Vector3d mean = Vector3d::Zero();
   double size = 0;  // root mean square distance from the mean
 };
 
-Frame frameOf(const Samples& samples) {
-  Frame frame;
+PointSpread spreadOf(const Samples& samples) {
+  PointSpread spread;
   const auto count = static_cast<double>(samples.points.size());
-  for (const Vector3d& p : samples.points) frame.mean += p / count;
-  for (const Vector3d& p : samples.points) frame.size += (p - frame.mean).squaredNorm() / count;
-  frame.size = std::sqrt(frame.size);
-  return frame;
+  for (const Vector3d& p : samples.points) spread.mean += p / count;
+  for (const Vector3d& p : samples.points) spread.size += (p - spread.mean).squaredNorm() / count;
+  spread.size = std::sqrt(spread.size);
+  return spread;
 }
 
-void orient(const Samples& samples, Surface& surface) {
+void orient(const Samples& samples, Carrier& surface) {
   surface.reversed = false;
   double sum = 0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
@@ -39,21 +39,21 @@ void orient(const Samples& samples, Surface& surface) {
   }
 }
 
-std::optional<Surface> guessPlane(const Samples& samples, const Frame& frame) {
+std::optional<Carrier> guessPlane(const Samples& samples, const PointSpread& spread) {
   Matrix3d covariance = Matrix3d::Zero();
   for (const Vector3d& p : samples.points) {
-    covariance += (p - frame.mean) * (p - frame.mean).transpose();
+    covariance += (p - spread.mean) * (p - spread.mean).transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(covariance);
   if (!(solver.eigenvalues()[1] > 1e-12 * solver.eigenvalues()[2])) return std::nullopt;
-  Surface surface;
-  surface.kind = SurfaceKind::Plane;
-  surface.point = frame.mean;
+  Carrier surface;
+  surface.kind = CarrierKind::Plane;
+  surface.point = spread.mean;
   surface.axis = solver.eigenvectors().col(0).normalized();
   return surface;
 }
 
-// p = centre + s n, least squares in (centre, s), with points and normals already projected.
+// p = centre + s n: least squares in (centre, s), with points and normals already projected.
 bool centreAlongNormals(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
                         Vector3d& centre, double& s) {
   const auto count = static_cast<double>(points.size());
@@ -73,37 +73,37 @@ bool centreAlongNormals(const std::vector<Vector3d>& points, const std::vector<V
   return true;
 }
 
-std::optional<Surface> guessSphere(const Samples& samples) {
-  Surface surface;
-  surface.kind = SurfaceKind::Sphere;
+std::optional<Carrier> guessSphere(const Samples& samples) {
+  Carrier surface;
+  surface.kind = CarrierKind::Sphere;
   double s = 0;
   if (!centreAlongNormals(samples.points, samples.normals, surface.point, s)) return std::nullopt;
   surface.radius = std::abs(s);
   return surface;
 }
 
-std::optional<Surface> guessCylinder(const Samples& samples, const Frame& frame) {
+std::optional<Carrier> guessCylinder(const Samples& samples, const PointSpread& spread) {
   Matrix3d moments = Matrix3d::Zero();
   for (const Vector3d& n : samples.normals) moments += n * n.transpose();
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(moments);
-  Surface surface;
-  surface.kind = SurfaceKind::Cylinder;
+  Carrier surface;
+  surface.kind = CarrierKind::Cylinder;
   surface.axis = solver.eigenvectors().col(0).normalized();
   std::vector<Vector3d> points, normals;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    const Vector3d d = samples.points[i] - frame.mean;
+    const Vector3d d = samples.points[i] - spread.mean;
     points.push_back(d - d.dot(surface.axis) * surface.axis);
     const Vector3d& n = samples.normals[i];
     normals.push_back(n - n.dot(surface.axis) * surface.axis);
   }
   double s = 0;
   if (!centreAlongNormals(points, normals, surface.point, s)) return std::nullopt;
-  surface.point += frame.mean;
+  surface.point += spread.mean;
   surface.radius = std::abs(s);
   return surface;
 }
 
-std::optional<Surface> guessCone(const Samples& samples, const Frame& frame) {
+std::optional<Carrier> guessCone(const Samples& samples, const PointSpread& spread) {
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& n : samples.normals) mean += n;
   mean /= static_cast<double>(samples.normals.size());
@@ -113,16 +113,16 @@ std::optional<Surface> guessCone(const Samples& samples, const Frame& frame) {
     const Vector3d& n = samples.normals[i];
     covariance += (n - mean) * (n - mean).transpose();
     planes += n * n.transpose();
-    right += n * n.dot(samples.points[i] - frame.mean);
+    right += n * n.dot(samples.points[i] - spread.mean);
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(covariance);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> conditioned(planes);
   if (!(conditioned.eigenvalues()[0] > 1e-6 * conditioned.eigenvalues()[2])) return std::nullopt;
-  Surface surface;
-  surface.kind = SurfaceKind::Cone;
+  Carrier surface;
+  surface.kind = CarrierKind::Cone;
   surface.axis = solver.eigenvectors().col(0).normalized();
-  const Vector3d apex = frame.mean + planes.ldlt().solve(right);
-  double along = (frame.mean - apex).dot(surface.axis);
+  const Vector3d apex = spread.mean + planes.ldlt().solve(right);
+  double along = (spread.mean - apex).dot(surface.axis);
   if (along < 0) {
     surface.axis = -surface.axis;
     along = -along;
@@ -134,12 +134,13 @@ std::optional<Surface> guessCone(const Samples& samples, const Frame& frame) {
   return surface;
 }
 
-// The axis is the line that all normals meet: smallest eigenvector of the line complex.
-std::optional<Surface> guessTorus(const Samples& samples, const Frame& frame) {
+// The axis is the line that all normals meet: the eigenvector of the line complex with the smallest
+// eigenvalue (Pottmann and Randrup 1998).
+std::optional<Carrier> guessTorus(const Samples& samples, const PointSpread& spread) {
   Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     Eigen::Matrix<double, 6, 1> line;
-    line << ((samples.points[i] - frame.mean) / frame.size).cross(samples.normals[i]),
+    line << ((samples.points[i] - spread.mean) / spread.size).cross(samples.normals[i]),
         samples.normals[i];
     moments += line * line.transpose();
   }
@@ -147,11 +148,12 @@ std::optional<Surface> guessTorus(const Samples& samples, const Frame& frame) {
   const Vector3d direction = solver.eigenvectors().col(0).head<3>();
   const Vector3d moment = solver.eigenvectors().col(0).tail<3>();
   if (!(direction.norm() > 1e-3)) return std::nullopt;
-  Surface surface;
-  surface.kind = SurfaceKind::Torus;
+  Carrier surface;
+  surface.kind = CarrierKind::Torus;
   surface.axis = direction.normalized();
-  const Vector3d foot = frame.mean + frame.size * direction.cross(moment) / direction.squaredNorm();
-  // Circle through the profile (rho, height), again from points and normals.
+  const Vector3d foot =
+      spread.mean + spread.size * direction.cross(moment) / direction.squaredNorm();
+  // The circle through the profile (rho, height), again from points and normals.
   std::vector<Vector3d> points, normals;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const Vector3d d = samples.points[i] - foot;
@@ -166,51 +168,53 @@ std::optional<Surface> guessTorus(const Samples& samples, const Frame& frame) {
   surface.point = foot + centre.y() * surface.axis;
   surface.radius = centre.x();
   surface.minor = std::abs(s);
-  // Spindle tori are left to the simpler surfaces.
+  // Spindle tori are left to simpler surfaces.
   if (!(surface.radius > 1.02 * surface.minor)) return std::nullopt;
   return surface;
 }
 
-bool isSane(const Surface& s, const Frame& frame) {
-  const double limit = 200 * frame.size;
+bool isSane(const Carrier& s, const PointSpread& spread) {
+  const double limit = 200 * spread.size;
   switch (s.kind) {
-    case SurfaceKind::Sphere:
-    case SurfaceKind::Cylinder:
+    case CarrierKind::Sphere:
+    case CarrierKind::Cylinder:
       return s.radius > 1e-6 && s.radius < limit;
-    case SurfaceKind::Cone:
+    case CarrierKind::Cone:
       return s.radius > 0 && s.radius < limit && std::abs(s.halfAngle) > 0.01 &&
              std::abs(s.halfAngle) < 1.5;
-    case SurfaceKind::Torus:
+    case CarrierKind::Torus:
       return s.minor > 1e-6 && s.radius < limit && s.radius > 1.02 * s.minor;
     default:
       return true;
   }
 }
 
-// The surface moved by small parameters: shifts along two normals and the axis, two tilts, sizes.
-Surface moved(const Surface& from, const Vector3d& e1, const Vector3d& e2, const double delta[7],
+// The surface after a small change of its parameters: shifts along two normals and the axis, two
+// tilts, sizes.
+Carrier moved(const Carrier& from, const Vector3d& e1, const Vector3d& e2, const double delta[7],
               double size) {
-  Surface s = from;
+  Carrier s = from;
   s.point += delta[0] * e1 + delta[1] * e2 + delta[2] * from.axis;
   s.axis = (from.axis + (delta[3] * e1 + delta[4] * e2) / size).normalized();
   s.radius += delta[5];
-  if (s.kind == SurfaceKind::Torus) s.minor += delta[6];
-  if (s.kind == SurfaceKind::Cone) s.setHalfAngle(s.halfAngle + delta[6] / size);
+  if (s.kind == CarrierKind::Torus) s.minor += delta[6];
+  if (s.kind == CarrierKind::Cone) s.setHalfAngle(s.halfAngle + delta[6] / size);
   return s;
 }
 
 // How the distance of p changes with each of the parameters of moved().
 using Gradient = Eigen::Matrix<double, 7, 1>;
-// Of as many parameters as are free, without memory from the heap.
+// As many rows as there are free parameters, without memory from the heap.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
-Gradient gradientOf(const Surface& s, const Vector3d& p, const Vector3d& e1, const Vector3d& e2,
+Gradient gradientOf(const Carrier& s, const Vector3d& p, const Vector3d& e1, const Vector3d& e2,
                     double size) {
   const Vector3d d = p - s.point, outward = s.normal(p);
   const double along = d.dot(s.axis), side = s.reversed ? -1 : 1;
   const Vector3d radial = d - along * s.axis;
   const double rho = radial.norm();
-  // In the plane through the axis: how much of the normal points away from it, and along it.
+  // In the plane through the axis: the parts of the normal that point away from the axis, and along
+  // it.
   const double away = rho > 0 ? outward.dot(radial) / rho : 0, up = outward.dot(s.axis);
   Gradient g = Gradient::Zero();
   g[0] = -outward.dot(e1);
@@ -221,25 +225,25 @@ Gradient gradientOf(const Surface& s, const Vector3d& p, const Vector3d& e1, con
     g[4] = (up * d.dot(e2) - away * along * radial.dot(e2) / rho) / size;
   }
   g[5] = -side;
-  if (s.kind == SurfaceKind::Torus) {
+  if (s.kind == CarrierKind::Torus) {
     g[5] = -away;
     g[6] = -side;
-  } else if (s.kind == SurfaceKind::Cone) {
+  } else if (s.kind == CarrierKind::Cone) {
     g[5] = -side * s.cosine;
     g[6] = -side * ((rho - s.radius) * s.sine + along * s.cosine) / size;
   }
   return g;
 }
 
-std::vector<int> freeParameters(SurfaceKind kind) {
+std::vector<int> freeParameters(CarrierKind kind) {
   switch (kind) {
-    case SurfaceKind::Sphere:
+    case CarrierKind::Sphere:
       return {0, 1, 2, 5};
-    case SurfaceKind::Cylinder:
+    case CarrierKind::Cylinder:
       return {0, 1, 3, 4, 5};
-    case SurfaceKind::Cone:
+    case CarrierKind::Cone:
       return {0, 1, 3, 4, 5, 6};
-    case SurfaceKind::Torus:
+    case CarrierKind::Torus:
       return {0, 1, 2, 3, 4, 5, 6};
     default:
       return {2, 3, 4};
@@ -248,46 +252,46 @@ std::vector<int> freeParameters(SurfaceKind kind) {
 
 }  // namespace
 
-std::optional<Surface> guessSurface(SurfaceKind kind, const Samples& samples) {
+std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples) {
   if (samples.points.size() < 6) return std::nullopt;
-  const Frame frame = frameOf(samples);
-  std::optional<Surface> surface;
+  const PointSpread spread = spreadOf(samples);
+  std::optional<Carrier> surface;
   switch (kind) {
-    case SurfaceKind::Sphere:
+    case CarrierKind::Sphere:
       surface = guessSphere(samples);
       break;
-    case SurfaceKind::Cylinder:
-      surface = guessCylinder(samples, frame);
+    case CarrierKind::Cylinder:
+      surface = guessCylinder(samples, spread);
       break;
-    case SurfaceKind::Cone:
-      surface = guessCone(samples, frame);
+    case CarrierKind::Cone:
+      surface = guessCone(samples, spread);
       break;
-    case SurfaceKind::Torus:
-      surface = guessTorus(samples, frame);
+    case CarrierKind::Torus:
+      surface = guessTorus(samples, spread);
       break;
     default:
-      surface = guessPlane(samples, frame);
+      surface = guessPlane(samples, spread);
       break;
   }
-  if (!surface || !isSane(*surface, frame)) return std::nullopt;
+  if (!surface || !isSane(*surface, spread)) return std::nullopt;
   orient(samples, *surface);
   return surface;
 }
 
-void refineSurface(const Samples& samples, Surface& surface, std::size_t most) {
+void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCount) {
   if (surface.hasProfile()) return;  // see fit_profile.h
-  const Frame frame = frameOf(samples);
+  const PointSpread spread = spreadOf(samples);
   if (surface.isPlanar()) {
-    if (auto plane = guessPlane(samples, frame)) {
+    if (auto plane = guessPlane(samples, spread)) {
       orient(samples, *plane);
       surface = *plane;
     }
     return;
   }
-  const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / most);
+  const std::size_t stride = std::max<std::size_t>(1, samples.points.size() / maxCount);
   const std::vector<int> parameters = freeParameters(surface.kind);
   const auto count = static_cast<int>(parameters.size());
-  auto cost = [&](const Surface& s) {
+  auto cost = [&](const Carrier& s) {
     double sum = 0;
     for (std::size_t i = 0; i < samples.points.size(); i += stride) {
       const double d = s.distance(samples.points[i]);
@@ -297,17 +301,18 @@ void refineSurface(const Samples& samples, Surface& surface, std::size_t most) {
   };
   double best = cost(surface), damping = 1e-6;
   for (int round = 0; round < 8; ++round) {
-    // A point on the axis near the samples, or tilts would throw far parts about.
-    if (surface.kind == SurfaceKind::Cylinder || surface.kind == SurfaceKind::Cone) {
-      const double along = (frame.mean - surface.point).dot(surface.axis);
+    // Choose a point on the axis near the samples; otherwise a small tilt would move far parts a
+    // long way.
+    if (surface.kind == CarrierKind::Cylinder || surface.kind == CarrierKind::Cone) {
+      const double along = (spread.mean - surface.point).dot(surface.axis);
       surface.point += along * surface.axis;
-      if (surface.kind == SurfaceKind::Cone) surface.radius += along * std::tan(surface.halfAngle);
+      if (surface.kind == CarrierKind::Cone) surface.radius += along * std::tan(surface.halfAngle);
     }
     const Vector3d e1 = anyOrthogonal(surface.axis), e2 = surface.axis.cross(e1);
     SmallMatrix normal = SmallMatrix::Zero(count, count);
     SmallVector right = SmallVector::Zero(count), row(count);
     for (std::size_t i = 0; i < samples.points.size(); i += stride) {
-      const Gradient all = gradientOf(surface, samples.points[i], e1, e2, frame.size);
+      const Gradient all = gradientOf(surface, samples.points[i], e1, e2, spread.size);
       for (int k = 0; k < count; ++k) row[k] = all[parameters[k]];
       normal.noalias() += row * row.transpose();
       right.noalias() -= row * surface.distance(samples.points[i]);
@@ -320,8 +325,8 @@ void refineSurface(const Samples& samples, Surface& surface, std::size_t most) {
       const SmallVector solution = damped.ldlt().solve(right);
       double delta[7] = {};
       for (int k = 0; k < count; ++k) delta[parameters[k]] = solution[k];
-      const Surface next = moved(surface, e1, e2, delta, frame.size);
-      const double value = isSane(next, frame) ? cost(next) : best;
+      const Carrier next = moved(surface, e1, e2, delta, spread.size);
+      const double value = isSane(next, spread) ? cost(next) : best;
       if (value < best) {
         better = value < 0.9999 * best;
         surface = next;
@@ -336,7 +341,7 @@ void refineSurface(const Samples& samples, Surface& surface, std::size_t most) {
   }
 }
 
-Residuals residuals(const Samples& samples, const Surface& surface) {
+Residuals residuals(const Samples& samples, const Carrier& surface) {
   std::vector<double> values;
   values.reserve(samples.points.size());
   for (const Vector3d& p : samples.points) values.push_back(std::abs(surface.distance(p)));

@@ -1,7 +1,9 @@
-// Elementary surface through points with normals: a linear first guess, then least squares on the
-// true distances.
-// In: points (mm), outward unit normals. Out: Surface with `reversed` set from the normals.
-// Cost: O(points).
+// Fits an elementary surface to points with normals: a linear first guess, then least squares on
+// the true distances.
+// In: points (mm), outward unit normals. Out: surface, with `reversed` set from the normals. Units:
+// mm. Cost: O(points).
+// Source: axes from the linear complex of the normals (Pottmann and Randrup 1998); Gauss-Newton on
+// distances (Lukacs, Martin and Marshall 1998).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "solid/carrier/surface.h"
+#include "solid/carrier/carrier.h"
 
 namespace swept::step {
 
@@ -18,16 +20,16 @@ struct Samples {
   std::vector<Eigen::Vector3d> normals;
 };
 
-/// First guess; nothing where the samples do not determine the surface.
-std::optional<Surface> guessSurface(SurfaceKind kind, const Samples& samples);
+/// First guess; nothing if the samples do not determine the surface.
+std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples);
 
-/// Least squares on the distances of the points (at most about `most` of them are used).
-void refineSurface(const Samples& samples, Surface& surface, std::size_t most = 240);
+/// Least squares on the distances of the points; at most about `maxCount` of them are used.
+void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCount = 240);
 
 /// Largest and median absolute distance of the points.
 struct Residuals {
   double largest = 0, median = 0;
 };
-Residuals residuals(const Samples& samples, const Surface& surface);
+Residuals residuals(const Samples& samples, const Carrier& surface);
 
 }  // namespace swept::step

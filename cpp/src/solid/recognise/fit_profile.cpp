@@ -16,13 +16,14 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
-constexpr double kWorthHalving = 0.6;  // of the sum of squares before
+/// Of the sum of squares before: more spans must reduce it to this.
+constexpr double kMaxRemaining = 0.6;
 constexpr double kSmoothing = 1e-7;
-constexpr double kBeyond = 0.08;  // of the length: straight ends
+constexpr double kEndFraction = 0.08;  // of the length: straight end pieces
 constexpr double kTurnPerSpan = 0.6;
 constexpr int kAxisRounds = 4;
 
-struct Placed {
+struct CurvePoint {
   double t = 0;
   Vector2d at;
 };
@@ -33,9 +34,9 @@ std::array<double, 4> basis(double w, double h) {
   return {m * m * (1 + 2 * w), w * w * (1 + 2 * m), h * w * m * m, -h * w * w * m};
 }
 
-// Points and slopes at the knots, least squares; bends count a little, so that spans without points
-// stay smooth.
-std::vector<Profile::Node> solveNodes(const std::vector<Placed>& placed,
+// Points and slopes at the knots by least squares. Curvature has a small weight, so that spans
+// without points stay smooth.
+std::vector<Profile::Node> solveNodes(const std::vector<CurvePoint>& points,
                                       const std::vector<double>& knots, bool closed) {
   const auto spans = static_cast<int>(knots.size()) - 1;
   const int count = closed ? spans : spans + 1;
@@ -46,7 +47,7 @@ std::vector<Profile::Node> solveNodes(const std::vector<Placed>& placed,
     return std::array<int, 4>{span, next, count + span, count + next};
   };
   std::size_t span = 0;
-  for (const Placed& p : placed) {  // in order of t
+  for (const CurvePoint& p : points) {  // in the order of t
     while (static_cast<int>(span) + 1 < spans && p.t > knots[span + 1]) ++span;
     const double h = knots[span + 1] - knots[span];
     const std::array<double, 4> row = basis((p.t - knots[span]) / h, h);
@@ -56,11 +57,11 @@ std::vector<Profile::Node> solveNodes(const std::vector<Placed>& placed,
       right.row(at[i]) += row[i] * p.at.transpose();
     }
   }
-  const double weight = kSmoothing * static_cast<double>(placed.size()) / spans;
+  const double weight = kSmoothing * static_cast<double>(points.size()) / spans;
   for (int s = 0; s < spans; ++s) {
     const double h = knots[s + 1] - knots[s];
     const std::array<int, 4> at = indices(s);
-    // Second derivative, times h squared, at both ends.
+    // Second derivatives, times h squared, at both ends.
     const std::array<std::array<double, 4>, 2> bends{
         {{-6, 6, -4 * h, -2 * h}, {6, -6, 2 * h, 4 * h}}};
     for (const auto& bend : bends) {
@@ -87,12 +88,12 @@ bool isSound(const std::vector<Profile::Node>& nodes) {
   });
 }
 
-std::vector<double> firstKnots(const Trace& trace, const std::vector<Placed>& placed) {
+std::vector<double> firstKnots(const Trace& trace, const std::vector<CurvePoint>& points) {
   double from = 0, length = trace.along.back();
   if (!trace.closed) {
-    const auto byPlace = [](const Placed& a, const Placed& b) { return a.t < b.t; };
-    from = std::min_element(placed.begin(), placed.end(), byPlace)->t;
-    length = std::max_element(placed.begin(), placed.end(), byPlace)->t - from;
+    const auto byParameter = [](const CurvePoint& a, const CurvePoint& b) { return a.t < b.t; };
+    from = std::min_element(points.begin(), points.end(), byParameter)->t;
+    length = std::max_element(points.begin(), points.end(), byParameter)->t - from;
   }
   const int spans = std::clamp(static_cast<int>(std::ceil(trace.turn / kTurnPerSpan)),
                                trace.closed ? 8 : 2, kMaxSpans / 2);
@@ -101,20 +102,20 @@ std::vector<double> firstKnots(const Trace& trace, const std::vector<Placed>& pl
   return knots;
 }
 
-// Halves the spans whose points lie too far off; false if there are none.
-bool halveSpans(const std::vector<Placed>& placed, const Profile& profile, double exact,
+// Halves the spans whose points are too far away; returns false if there are none.
+bool halveSpans(const std::vector<CurvePoint>& points, const Profile& profile, double exact,
                 std::vector<double>& knots) {
   constexpr std::size_t kMinPoints = 8;
   std::vector<double> next{knots.front()};
-  auto from = placed.begin();
+  auto from = points.begin();
   for (std::size_t s = 0; s + 1 < knots.size(); ++s) {
     double sum = 0;
-    std::size_t points = 0;
-    for (; from != placed.end() && (from->t <= knots[s + 1] || s + 2 == knots.size());
-         ++from, ++points)
+    std::size_t count = 0;
+    for (; from != points.end() && (from->t <= knots[s + 1] || s + 2 == knots.size());
+         ++from, ++count)
       sum += (profile.at(from->t) - from->at).squaredNorm();
-    const bool rough = sum > exact * exact * static_cast<double>(points);
-    if (rough && points >= 2 * kMinPoints) next.push_back((knots[s] + knots[s + 1]) / 2);
+    const bool rough = sum > exact * exact * static_cast<double>(count);
+    if (rough && count >= 2 * kMinPoints) next.push_back((knots[s] + knots[s + 1]) / 2);
     next.push_back(knots[s + 1]);
   }
   const bool changed = next.size() > knots.size();
@@ -127,9 +128,9 @@ struct Moments {
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
 };
 
-// The axis moved and tilted so that the points come nearer to the profile as it stands; the largest
-// way of a point.
-double improveAxis(const Samples& samples, const Vector3d& mean, double size, Surface& s) {
+// Moves and tilts the axis so that the points come nearer to the profile as it is; returns the
+// largest movement of a point.
+double improveAxis(const Samples& samples, const Vector3d& mean, double size, Carrier& s) {
   const Vector3d e1 = s.xdir, e2 = s.axis.cross(e1);
   const double middle = (mean - s.point).dot(s.axis);
   Moments moments;
@@ -137,7 +138,7 @@ double improveAxis(const Samples& samples, const Vector3d& mean, double size, Su
     const Vector3d outward = s.normal(p), d = p - s.point;
     const double along = d.dot(s.axis) - middle, up = outward.dot(s.axis);
     const Vector3d radial = d - d.dot(s.axis) * s.axis;
-    const bool pushed = s.kind == SurfaceKind::Extrusion;
+    const bool pushed = s.kind == CarrierKind::Extrusion;
     Eigen::Vector4d row;
     row[0] = -outward.dot(e1);
     row[1] = -outward.dot(e2);
@@ -156,13 +157,13 @@ double improveAxis(const Samples& samples, const Vector3d& mean, double size, Su
   return step.norm();
 }
 
-Cloud cloudOf(const Samples& samples, const Surface& s) {
+Cloud cloudOf(const Samples& samples, const Carrier& s) {
   Cloud cloud;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const Vector3d &p = samples.points[i], &n = samples.normals[i];
     const Vector3d d = p - s.point, radial = d - d.dot(s.axis) * s.axis;
-    const Vector3d x = s.kind == SurfaceKind::Extrusion ? s.xdir : Vector3d(radial.normalized());
-    const Vector3d y = s.kind == SurfaceKind::Extrusion ? s.axis.cross(s.xdir) : s.axis;
+    const Vector3d x = s.kind == CarrierKind::Extrusion ? s.xdir : Vector3d(radial.normalized());
+    const Vector3d y = s.kind == CarrierKind::Extrusion ? s.axis.cross(s.xdir) : s.axis;
     const Vector2d flat(n.dot(x), n.dot(y));
     if (!(flat.norm() > 0.5)) continue;
     cloud.points.push_back(s.inProfile(p));
@@ -176,55 +177,55 @@ Cloud cloudOf(const Samples& samples, const Surface& s) {
 std::optional<Profile> fitProfile(const Cloud& cloud, double exact) {
   const std::optional<Trace> trace = tracePoints(cloud.points, cloud.normals);
   if (!trace) return std::nullopt;
-  std::vector<Placed> placed;
+  std::vector<CurvePoint> points;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const double t = trace->placeOf(cloud.points[i], cloud.normals[i]);
-    if (t >= 0) placed.push_back({t, cloud.points[i]});
+    const double t = trace->parameterOf(cloud.points[i], cloud.normals[i]);
+    if (t >= 0) points.push_back({t, cloud.points[i]});
   }
-  if (placed.size() < 12) return std::nullopt;
-  const auto byPlace = [](const Placed& a, const Placed& b) {
+  if (points.size() < 12) return std::nullopt;
+  const auto byParameter = [](const CurvePoint& a, const CurvePoint& b) {
     return a.t != b.t ? a.t < b.t : a.at.x() < b.at.x();
   };
-  std::vector<double> knots = firstKnots(*trace, placed);
-  const double beyond = trace->closed ? 0 : kBeyond * trace->along.back();
+  std::vector<double> knots = firstKnots(*trace, points);
+  const double beyond = trace->closed ? 0 : kEndFraction * trace->along.back();
   std::optional<Profile> result;
   double before = 1e300;
   for (int round = 0; round <= kHalvings; ++round) {
-    std::sort(placed.begin(), placed.end(), byPlace);
-    std::vector<Profile::Node> nodes = solveNodes(placed, knots, trace->closed);
+    std::sort(points.begin(), points.end(), byParameter);
+    std::vector<Profile::Node> nodes = solveNodes(points, knots, trace->closed);
     if (!isSound(nodes)) return result;
-    // Without its straight ends the parameters stay within the knots.
+    // Without its straight end pieces the parameters stay within the knots.
     const Profile bare(nodes, trace->closed, 0);
-    double off = 0;
-    for (Placed& p : placed) {
+    double squares = 0;
+    for (CurvePoint& p : points) {
       const Profile::Foot foot = bare.foot(p.at);
       p.t = foot.t;
-      off += (foot.at - p.at).squaredNorm();
+      squares += (foot.at - p.at).squaredNorm();
     }
-    // More spans than help follow the scatter of the points.
-    if (off > kWorthHalving * before) break;
-    before = off;
+    // More spans than that would only follow the scatter of the points.
+    if (squares > kMaxRemaining * before) break;
+    before = squares;
     result.emplace(std::move(nodes), trace->closed, beyond);
-    std::sort(placed.begin(), placed.end(), byPlace);
-    if (knots.size() > kMaxSpans || !halveSpans(placed, bare, exact, knots)) break;
+    std::sort(points.begin(), points.end(), byParameter);
+    if (knots.size() > kMaxSpans || !halveSpans(points, bare, exact, knots)) break;
   }
   return result;
 }
 
-std::optional<Surface> guessAxis(SurfaceKind kind, const Samples& samples, double& spread) {
+std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, double& spread) {
   const auto count = static_cast<double>(samples.points.size());
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& p : samples.points) mean += p / count;
   double size = 0;
   for (const Vector3d& p : samples.points) size += (p - mean).squaredNorm() / count;
   size = std::sqrt(size);
-  Surface surface;
+  Carrier surface;
   surface.kind = kind;
-  if (kind == SurfaceKind::Extrusion) {
+  if (kind == CarrierKind::Extrusion) {
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (const Vector3d& n : samples.normals) moments += n * n.transpose() / count;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-    // On a nearly flat region every direction in it would do.
+    // On a nearly plane region every direction in it would do.
     if (!(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-3)) return std::nullopt;
     spread = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
     surface.axis = solver.eigenvectors().col(0).normalized();
@@ -243,7 +244,7 @@ std::optional<Surface> guessAxis(SurfaceKind kind, const Samples& samples, doubl
     if (!(direction.norm() > 0.05) ||
         !(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-6))
       return std::nullopt;
-    // A screw is no axis.
+    // A helix has no axis of revolution.
     if (std::abs(direction.dot(moment)) > 0.02 * direction.squaredNorm()) return std::nullopt;
     surface.axis = direction.normalized();
     surface.point = mean + size * direction.cross(moment) / direction.squaredNorm();
@@ -258,7 +259,7 @@ std::optional<Surface> guessAxis(SurfaceKind kind, const Samples& samples, doubl
   return surface;
 }
 
-bool fitAlong(const Samples& samples, double exact, Surface& surface) {
+bool fitAlong(const Samples& samples, double exact, Carrier& surface) {
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& p : samples.points) mean += p / static_cast<double>(samples.points.size());
   double size = 0;
@@ -273,7 +274,7 @@ bool fitAlong(const Samples& samples, double exact, Surface& surface) {
       sum += surface.normal(samples.points[i]).dot(samples.normals[i]);
     surface.reversed = sum < 0;
     if (round == kAxisRounds) break;
-    const Surface before = surface;
+    const Carrier before = surface;
     const double step = improveAxis(samples, mean, size, surface);
     if (step > 1e299) surface = before;
     if (step > 1e299 || step < 0.02 * exact) break;

@@ -1,8 +1,9 @@
-// A curve through points of a plane in no order, and the direction or axis that makes points in
-// space such a curve.
-// In: points (mm), outward unit normals. Out: Surface of kind Extrusion or Revolution with its
-// profile and `reversed`; nothing where no smooth curve carries the points. Cost: O(points x nodes
-// of the profile).
+// Fits a smooth curve to unordered points of a plane, and finds the direction or axis that maps
+// points in space to such a curve.
+// In: points (mm), outward unit normals. Out: surface of kind Extrusion or Revolution with its
+// profile and `reversed`; nothing if no smooth curve fits the points. Units: mm. Cost: O(points x
+// nodes of the profile).
+// Source: axes as in fit.h (Pottmann and Randrup 1998); cubic splines by least squares.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,14 +19,14 @@ struct Cloud {
   std::vector<Eigen::Vector2d> points, normals;
 };
 
-/// exact: mm, spans are halved until their points lie so near, or no nearer by it.
+/// exact: mm; spans are halved until their points are this near, or until halving does not help.
 std::optional<Profile> fitProfile(const Cloud& cloud, double exact);
 
-/// Direction or axis alone, from the normals: across all of them, or meeting all their lines.
-/// `spread` says how far the normals are from that (sine, root mean square).
-std::optional<Surface> guessAxis(SurfaceKind kind, const Samples& samples, double& spread);
+/// Direction or axis alone, from the normals: perpendicular to all of them, or meeting all their
+/// lines. `spread` receives how far the normals are from that (sine, root mean square).
+std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, double& spread);
 
-/// Profile, and axis made better with it in turns.
-bool fitAlong(const Samples& samples, double exact, Surface& surface);
+/// Fits the profile and improves the axis in turns.
+bool fitAlong(const Samples& samples, double exact, Carrier& surface);
 
 }  // namespace swept::step

@@ -16,7 +16,8 @@
 namespace swept::step {
 namespace {
 
-// Seeds that are asked at the same time, whatever the number of threads.
+// Number of seeds that are tried at the same time, whatever the number of threads, so that the
+// result does not depend on it.
 constexpr std::size_t kBatch = 16;
 
 class Recogniser {
@@ -31,7 +32,7 @@ class Recogniser {
 
   void recognise() {
     const auto count = static_cast<std::int32_t>(tried_.size());
-    // Seeds in a fixed scattered order: neighbours in the list are neighbours on the mesh.
+    // Seeds in a fixed scattered order, because neighbours in the list are neighbours on the mesh.
     std::int32_t stride = static_cast<std::int32_t>(0.618 * count) | 1;
     while (std::gcd(stride, count) != 1) stride += 2;
     std::int64_t at = 0;
@@ -40,7 +41,7 @@ class Recogniser {
       if ((i & 255) == 0) run_.checkpoint(Phase::Export, i, 12ULL * count);
       if (isOpen(static_cast<std::int32_t>(at))) seeds.push_back(static_cast<std::int32_t>(at));
       if (seeds.size() == kBatch || i + 1 == count) {
-        ask(seeds);
+        trySeeds(seeds);
         seeds.clear();
       }
     }
@@ -51,8 +52,8 @@ class Recogniser {
     return tried_[t] != kAllTried && partition_.patchOf[t] < 0 && !thin_[t];
   }
 
-  // All seeds see the patches as they were before; the first to claim a triangle gets it.
-  void ask(const std::vector<std::int32_t>& seeds) {
+  // All seeds see the patches as they were before; the first one to claim a triangle gets it.
+  void trySeeds(const std::vector<std::int32_t>& seeds) {
     std::vector<Found> found(seeds.size());
     parallelFor(seeds.size(),
                 [&](std::size_t i) { found[i] = seekers_[i].seek(seeds[i], tried_[seeds[i]]); });
@@ -83,7 +84,7 @@ class Recogniser {
   const std::vector<char>& thin_;
   Partition& partition_;
   RunContext& run_;
-  std::vector<char> tried_;  // by triangle: kinds that were tried there, as bits
+  std::vector<char> tried_;  // per triangle: the kinds that were tried there, as bits
   std::vector<SurfaceSeeker> seekers_;
 };
 
@@ -99,39 +100,41 @@ void setDeviations(const HalfEdgeMesh& mesh, Partition& partition) {
   }
 }
 
-constexpr double kScattered = 0.03;  // of the height of triangles: vertices on the surface itself
-constexpr double kMaxMoved = 0.2;    // of the tolerance
+/// Of the height of triangles: vertices that lie on the surface itself.
+constexpr double kMinScatter = 0.03;
+constexpr double kMaxMoved = 0.2;  // of the tolerance
 constexpr std::size_t kMaxSamples = 5000;
-constexpr double kFarOff = 5;  // medians: what the patch took in beyond its surface
+/// Times the median: vertices of a neighbour that the patch has taken in.
+constexpr double kMaxMedians = 5;
 
-void offsetSurface(Surface& surface, double outward) {
+void offsetSurface(Carrier& surface, double outward) {
   const double grow = surface.reversed ? -outward : outward;
   if (surface.hasProfile()) {
     surface.profile = std::make_shared<const Profile>(surface.profile->offset(grow));
     return;
   }
-  if (surface.kind == SurfaceKind::Torus) {
+  if (surface.kind == CarrierKind::Torus) {
     surface.minor += grow;
   } else {
-    surface.radius += surface.kind == SurfaceKind::Cone ? grow / surface.cosine : grow;
+    surface.radius += surface.kind == CarrierKind::Cone ? grow / surface.cosine : grow;
   }
 }
 
-// The surface once more, without the vertices far off: a sphere takes in a ring of the cylinder
-// that it runs into.
+// Fits the surface again without outliers: a sphere may have taken in a ring of the cylinder that
+// it joins.
 void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
   for (int round = 0; round < 2; ++round) {
-    std::vector<std::pair<double, std::int32_t>> off;
+    std::vector<std::pair<double, std::int32_t>> distances;
     for (const std::int32_t t : patch.triangles) {
       const std::int32_t v = mesh.triangles[t][0];
-      off.emplace_back(std::abs(patch.surface.distance(mesh.points[v])), v);
+      distances.emplace_back(std::abs(patch.surface.distance(mesh.points[v])), v);
     }
     std::vector<double> values;
-    for (const auto& entry : off) values.push_back(entry.first);
+    for (const auto& entry : distances) values.push_back(entry.first);
     std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    const double limit = kFarOff * values[values.size() / 2];
+    const double limit = kMaxMedians * values[values.size() / 2];
     Samples samples;
-    for (const auto& [distance, v] : off) {
+    for (const auto& [distance, v] : distances) {
       if (distance <= limit) samples.points.push_back(mesh.points[v]);
     }
     refineSurface(samples, patch.surface, kMaxSamples);
@@ -139,9 +142,9 @@ void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
 }
 
 struct Bend {
-  double height = 0;   // mm: middles of triangles above their corners, along the normal
+  double height = 0;   // mm: height of triangle centres above their corners, along the normal
   double scatter = 0;  // mm: root mean square distance of the corners from the surface
-  double size = 0;     // mm^2: mean squared distance of corners from the middle
+  double size = 0;     // mm^2: mean squared distance of corners from the centre
 };
 
 double sizeOf(const HalfEdgeMesh& mesh, std::int32_t t, Eigen::Vector3d& middle) {
@@ -168,18 +171,18 @@ Bend bendOf(const HalfEdgeMesh& mesh, const Patch& patch) {
     bend.size += sizeOf(mesh, t, middle);
     bend.height += patch.surface.distance(middle);
     for (const std::int32_t v : mesh.triangles[t]) {
-      const double off = patch.surface.distance(mesh.points[v]);
-      bend.height -= off / 3;
-      bend.scatter += off * off / 3;
+      const double distance = patch.surface.distance(mesh.points[v]);
+      bend.height -= distance / 3;
+      bend.scatter += distance * distance / 3;
     }
   }
   const auto count = static_cast<double>(patch.triangles.size());
   return {bend.height / count, std::sqrt(bend.scatter / count), bend.size / count};
 }
 
-// Moves curved surfaces that were found through the vertices of a contoured mesh to where the
-// surface itself ran: through the middles of the triangles, as contoured vertices lie outside of
-// what bends. Leaves surfaces on which the vertices lie exactly.
+// Vertices of a contoured mesh lie outside of a curved surface. Moves curved surfaces that were
+// fitted to them to where the true surface is: through the centres of the triangles. Surfaces on
+// which the vertices lie exactly stay.
 void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
                     Partition& partition) {
   const double size = meanSize(whole);
@@ -188,9 +191,9 @@ void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double 
     if (patch.surface.isPlanar() || patch.triangles.empty()) return;
     fitToMost(mesh, patch);
     const Bend bend = bendOf(mesh, patch);
-    // Where the mesh was thinned its triangles are higher, but the vertices lie as they did.
+    // Thinning made the triangles higher, but the vertices lie where they were.
     const double move = bend.height * std::min(1.0, size / bend.size);
-    if (bend.scatter > kScattered * std::abs(move) && std::abs(move) <= kMaxMoved * tolerance)
+    if (bend.scatter > kMinScatter * std::abs(move) && std::abs(move) <= kMaxMoved * tolerance)
       offsetSurface(patch.surface, move);
   });
 }

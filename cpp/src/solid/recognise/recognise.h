@@ -1,8 +1,10 @@
-// Finds the elementary surfaces a mesh was made of.
+// Recognises the surfaces that a mesh was made of.
 // In: HalfEdgeMesh, tolerance in mm. Out: patches in a Partition: planes, cylinders, cones,
-// spheres, tori, extrusions, revolutions, each edge-connected with every mesh vertex within the
-// tolerance; what fits nothing stays unassigned. Patches that go round their surface are cut
-// (cut_patches.h). Cost: O(triangles x surfaces tried).
+// spheres, tori, extrusions and revolutions, each edge-connected and with every mesh vertex within
+// the tolerance; triangles that fit nothing stay unassigned. Patches that close on themselves are
+// cut (cut_patches.h). Cost: O(triangles x surfaces tried).
+// Source: region growing with refitting (Besl and Jain 1988); surveys in Varady, Martin and Cox
+// 1997.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +12,7 @@
 
 namespace swept::step {
 
-/// whole: the mesh before it was thinned, or the same.
+/// whole: the mesh before it was thinned, or the same mesh.
 void recogniseSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
                        Partition& partition, RunContext& run);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "solid/recognise/facets_saved.h"
 #include "solid/recognise/fit_profile.h"
 
 namespace swept::step {
@@ -13,23 +14,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kSeed = 600, kWide = 1200;  // triangles
+constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;  // triangles
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
 constexpr double kMaxSpread = 0.03;      // sine: normals about a direction or an axis
 constexpr double kMaxLean = 0.08;        // sine: a single normal
-constexpr double kSmoothCosine = 0.88;   // as seeds of simpler surfaces
-constexpr double kSurfaceCosine = 0.90;  // a triangle may lean this much from its surface
-constexpr double kExactFraction = 0.1;   // of the tolerance: how closely half of the vertices lie
-constexpr double kRoughFraction = 0.2;   // of the tolerance: at a quick look
-constexpr double kFitFraction = 0.02;    // of the tolerance: spans are halved until then
-constexpr double kLoose = 0.02;          // of the tolerance: a patch so far off may be taken over
-constexpr double kCloser = 3;            // and is, if it comes so much closer
-constexpr double kMinSaved = 8;          // facets
-constexpr double kMinTurn = 0.98;        // cosine: flatter regions are planes
-constexpr double kFromAxis = 6;          // edges: nearer to the axis a revolution has its pole
+constexpr double kSmoothCosine = 0.88;   // as for seeds of simpler surfaces (seek_surface.cpp)
+constexpr double kSurfaceCosine = 0.90;  // a triangle may lean by this much from its surface
+constexpr double kExactFraction = 0.1;   // of the tolerance: half of the vertices must be this near
+constexpr double kRoughFraction = 0.2;   // of the tolerance: the same in a quick first test
+/// Of the tolerance: spans are halved until their points are this near.
+constexpr double kFitFraction = 0.02;
+/// Of the tolerance: a patch with a larger median distance may be taken over.
+constexpr double kMinLoose = 0.02;
+constexpr double kMinGain = 3;     // ... if the profile fits this much better
+constexpr double kMinSaved = 8;    // facets
+constexpr double kMinTurn = 0.98;  // cosine: flatter regions are planes
+/// Edges: a surface nearer to the axis than this has its pole inside.
+constexpr double kMinAxisDistance = 6;
 
 struct Candidate {
-  Surface surface;
+  Carrier surface;
   std::vector<std::int32_t> region;
   double area = 0, saved = 0;
 };
@@ -49,7 +53,8 @@ class ProfileSeeker {
 
   bool seek() {
     for (std::size_t p = 0; p < partition_.patches.size(); ++p)
-      off_.push_back(offOf(partition_.patches[p].surface, partition_.patches[p].triangles));
+      median_.push_back(
+          medianDistance(partition_.patches[p].surface, partition_.patches[p].triangles));
     const auto count = static_cast<std::int32_t>(mesh_.triangles.size());
     std::int32_t stride = static_cast<std::int32_t>(0.618 * count) | 1;
     while (std::gcd(stride, count) != 1) stride += 2;
@@ -59,36 +64,37 @@ class ProfileSeeker {
       const auto t = static_cast<std::int32_t>(at);
       if (tried_[t] || shapes_.thin[t] || !isFree(t)) continue;
       run_.checkpoint(Phase::Export);
-      any = ask(t) || any;
+      any = trySeed(t) || any;
     }
     return any;
   }
 
  private:
-  // Open, or of a patch that fits loosely.
+  // Whether the triangle is open ground, or belongs to a patch that fits loosely.
   bool isFree(std::int32_t t) const {
     const std::int32_t p = partition_.patchOf[t];
-    return p < 0 || (off_[p] > kLoose * tolerance_ && !partition_.patches[p].surface.hasProfile());
+    return p < 0 ||
+           (median_[p] > kMinLoose * tolerance_ && !partition_.patches[p].surface.hasProfile());
   }
 
-  // How far half of the corners lie off: a surface may have taken in some of its neighbour.
-  double offOf(const Surface& surface, const std::vector<std::int32_t>& triangles) const {
+  // The median distance of the corners: a surface may have taken in some of its neighbour.
+  double medianDistance(const Carrier& surface, const std::vector<std::int32_t>& triangles) const {
     if (triangles.empty()) return 0;
-    std::vector<double> off;
-    off.reserve(triangles.size());
+    std::vector<double> distances;
+    distances.reserve(triangles.size());
     for (const std::int32_t t : triangles)
-      off.push_back(std::abs(surface.distance(mesh_.points[mesh_.triangles[t][0]])));
-    std::nth_element(off.begin(), off.begin() + off.size() / 2, off.end());
-    return off[off.size() / 2];
+      distances.push_back(std::abs(surface.distance(mesh_.points[mesh_.triangles[t][0]])));
+    std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
+    return distances[distances.size() / 2];
   }
 
-  // Breadth first over free ground, not across creases, as far as `accepts` says.
+  // Grows breadth first over free ground, not across creases, as far as `accepts` allows.
   template <class Accepts>
-  std::vector<std::int32_t> flood(std::int32_t seed, std::size_t most, const Accepts& accepts) {
+  std::vector<std::int32_t> flood(std::int32_t seed, std::size_t maxCount, const Accepts& accepts) {
     ++stamp_;
     std::vector<std::int32_t> region{seed};
     stampOf_[seed] = stamp_;
-    for (std::size_t i = 0; i < region.size() && region.size() < most; ++i) {
+    for (std::size_t i = 0; i < region.size() && region.size() < maxCount; ++i) {
       for (int k = 0; k < 3; ++k) {
         const std::int32_t other = mesh_.opposite[3 * region[i] + k] / 3;
         if (stampOf_[other] == stamp_ || !isFree(other)) continue;
@@ -103,11 +109,11 @@ class ProfileSeeker {
     return region;
   }
 
-  // Needles say little about normals; but a body may be made of them.
-  Samples samplesOf(const std::vector<std::int32_t>& region, std::size_t most, bool needles) {
+  // Normals of needles are unreliable, but a body may consist of needles.
+  Samples samplesOf(const std::vector<std::int32_t>& region, std::size_t maxCount, bool needles) {
     ++pointMark_;
     Samples samples;
-    const std::size_t stride = std::max<std::size_t>(1, region.size() / most);
+    const std::size_t stride = std::max<std::size_t>(1, region.size() / maxCount);
     for (std::size_t i = 0; i < region.size(); i += stride) {
       if (shapes_.thin[region[i]] && !needles) continue;
       for (const std::int32_t v : mesh_.triangles[region[i]]) {
@@ -120,13 +126,13 @@ class ProfileSeeker {
     return samples;
   }
 
-  bool ask(std::int32_t seed) {
+  bool trySeed(std::int32_t seed) {
     const auto all = [](std::int32_t) { return true; };
-    const std::vector<std::int32_t> wide = flood(seed, kWide, all);
-    for (std::size_t i = 0; i < std::min(kSeed, wide.size()); ++i) tried_[wide[i]] = 1;
+    const std::vector<std::int32_t> wide = flood(seed, kMaxWide, all);
+    for (std::size_t i = 0; i < std::min(kMaxSeed, wide.size()); ++i) tried_[wide[i]] = 1;
     if (wide.size() < kMinTriangles || !bends(wide)) return false;
     std::optional<Candidate> best;
-    for (const SurfaceKind kind : {SurfaceKind::Extrusion, SurfaceKind::Revolution}) {
+    for (const CarrierKind kind : {CarrierKind::Extrusion, CarrierKind::Revolution}) {
       std::optional<Candidate> candidate = tryKind(kind, seed, wide);
       if (candidate && (!best || candidate->area > 1.2 * best->area)) best = std::move(candidate);
     }
@@ -142,24 +148,24 @@ class ProfileSeeker {
     });
   }
 
-  std::optional<Candidate> tryKind(SurfaceKind kind, std::int32_t seed,
+  std::optional<Candidate> tryKind(CarrierKind kind, std::int32_t seed,
                                    const std::vector<std::int32_t>& wide) {
     double spread = 0;
-    std::optional<Surface> surface = guessAxis(kind, samplesOf(wide, kFewSamples, false), spread);
+    std::optional<Carrier> surface = guessAxis(kind, samplesOf(wide, kFewSamples, false), spread);
     if (!surface || spread > kMaxSpread) return std::nullopt;
     std::vector<std::int32_t> region = withinLean(*surface, seed);
-    // Once more with what lies farther along the axis.
+    // Once more with the triangles that lie farther along the axis.
     surface = guessAxis(kind, samplesOf(region, kMaxSamples, true), spread);
     if (!surface || spread > kMaxSpread) return std::nullopt;
     region = withinLean(*surface, seed);
     if (region.size() < kMinTriangles) return std::nullopt;
     Candidate candidate;
     candidate.surface = *surface;
-    // A quick look first: where a region is not such a surface, no fit of many points is needed.
+    // A quick test first: most regions are not such a surface, and no fit of many points is needed.
     const Samples few = samplesOf(region, kFewSamples, true);
     if (!fitAlong(few, kRoughFraction * tolerance_, candidate.surface) ||
         residuals(few, candidate.surface).median > kRoughFraction * tolerance_) {
-      region.resize(std::min(region.size(), 2 * kWide));
+      region.resize(std::min(region.size(), 2 * kMaxWide));
       markTried(region);
       return std::nullopt;
     }
@@ -177,32 +183,32 @@ class ProfileSeeker {
     return isWorthIt(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
   }
 
-  // Asking from there would find the same.
+  // Seeds in this region would find the same.
   void markTried(const std::vector<std::int32_t>& region) {
     for (const std::int32_t t : region) tried_[t] = 1;
   }
 
-  // Edges about a triangle, mm.
+  // Typical length of the edges at a triangle, mm.
   double edgeAt(std::int32_t t) const { return 1.5 * std::sqrt(shapes_.area[t]); }
 
-  bool isByThePole(const Surface& surface, std::int32_t t) const {
-    return surface.kind == SurfaceKind::Revolution &&
+  bool isByThePole(const Carrier& surface, std::int32_t t) const {
+    return surface.kind == CarrierKind::Revolution &&
            surface.inProfile(mesh_.points[mesh_.triangles[t][0]]).x() <
-               std::max(kFromAxis * edgeAt(t), 5 * tolerance_);
+               std::max(kMinAxisDistance * edgeAt(t), 5 * tolerance_);
   }
 
-  std::vector<std::int32_t> withinLean(const Surface& surface, std::int32_t seed) {
+  std::vector<std::int32_t> withinLean(const Carrier& surface, std::int32_t seed) {
     return flood(seed, mesh_.triangles.size(), [&](std::int32_t t) {
       if (isByThePole(surface, t)) return false;
-      const double most = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
+      const double maxCount = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
       const Vector3d& n = shapes_.normal[t];
-      if (surface.kind == SurfaceKind::Extrusion) return std::abs(n.dot(surface.axis)) < most;
+      if (surface.kind == CarrierKind::Extrusion) return std::abs(n.dot(surface.axis)) < maxCount;
       const Vector3d out = mesh_.points[mesh_.triangles[t][0]] - surface.point;
-      return std::abs(surface.axis.cross(out).normalized().dot(n)) < most;
+      return std::abs(surface.axis.cross(out).normalized().dot(n)) < maxCount;
     });
   }
 
-  bool liesOn(const Surface& surface, std::int32_t t, double tolerance) const {
+  bool liesOn(const Carrier& surface, std::int32_t t, double tolerance) const {
     Vector3d centre = Vector3d::Zero();
     for (const std::int32_t v : mesh_.triangles[t]) {
       const Vector3d& p = mesh_.points[v];
@@ -213,16 +219,16 @@ class ProfileSeeker {
     return shapes_.thin[t] || surface.normal(centre).dot(shapes_.normal[t]) >= kSurfaceCosine;
   }
 
-  std::vector<std::int32_t> grow(const Surface& surface, std::int32_t seed, double tolerance) {
+  std::vector<std::int32_t> grow(const Carrier& surface, std::int32_t seed, double tolerance) {
     if (!liesOn(surface, seed, tolerance)) return {};
     return flood(seed, mesh_.triangles.size(), [&](std::int32_t t) {
       return !isByThePole(surface, t) && liesOn(surface, t, tolerance);
     });
   }
 
-  // Without the triangles of patches that stay: those not all of which lie here, and those whose
-  // own surface fits as well.
-  std::vector<std::int32_t> settle(const Surface& surface,
+  // Leaves out the triangles of patches that stay: patches that do not lie in the region as a
+  // whole, and patches whose own surface fits as well.
+  std::vector<std::int32_t> settle(const Carrier& surface,
                                    const std::vector<std::int32_t>& region) {
     std::vector<std::int32_t> patches;
     for (const std::int32_t t : region) {
@@ -236,7 +242,7 @@ class ProfileSeeker {
       const bool here = std::all_of(triangles.begin(), triangles.end(), [&](std::int32_t t) {
         return !isByThePole(surface, t) && liesOn(surface, t, tolerance_);
       });
-      if (here && off_[p] > kCloser * offOf(surface, triangles)) taken.push_back(p);
+      if (here && median_[p] > kMinGain * medianDistance(surface, triangles)) taken.push_back(p);
     }
     std::vector<std::int32_t> kept;
     for (const std::int32_t t : region) {
@@ -292,7 +298,7 @@ class ProfileSeeker {
       partition_.patchOf[t] = id;
       tried_[t] = 1;
     }
-    off_.push_back(0);
+    median_.push_back(0);
     partition_.patches.push_back({candidate.surface, std::move(candidate.region), 0, id});
   }
 
@@ -301,7 +307,7 @@ class ProfileSeeker {
   double tolerance_;
   Partition& partition_;
   RunContext& run_;
-  std::vector<double> off_;  // by patch, mm
+  std::vector<double> median_;  // per patch, mm
   std::vector<std::int32_t> stampOf_, pointStamp_;
   std::int32_t stamp_ = 0, pointMark_ = 0;
   std::vector<char> tried_;

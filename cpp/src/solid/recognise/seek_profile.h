@@ -1,7 +1,8 @@
-// Regions that a curve pushed along a direction or turned about an axis explains, where no simpler
-// surface does.
-// In, out: Partition of a mesh in which planes, cylinders, cones, spheres and tori were found;
-// tolerance in mm. Open ground, and patches that a simpler surface fits worse by far, become
+// Finds regions on an extrusion or a revolution, where no simpler surface fits.
+// In, out: Partition of a mesh in which planes, cylinders, cones, spheres and tori were recognised;
+// tolerance in mm. Open ground, and patches whose simpler surface fits much worse, become
+// extrusions and revolutions. Returns true if there are any. Cost: O(open triangles) if there are
+// none.
 // extrusions and revolutions. True if there are any. Cost: O(open triangles) where there are none.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

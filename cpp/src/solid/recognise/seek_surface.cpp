@@ -10,27 +10,27 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSeedTriangles = 60;      // size of the first guess
-constexpr int kLargestSeed = 4000;      // and of the largest
-constexpr double kCreaseCosine = 0.88;  // seeds do not cross edges sharper than about 28 degrees
+constexpr int kSeedTriangles = 60;       // size of the first guess
+constexpr int kMaxSeedTriangles = 4000;  // and of the largest
+constexpr double kCreaseCosine = 0.88;   // seeds do not cross edges sharper than about 28 degrees
 constexpr double kSurfaceCosine =
     0.90;                             // a triangle may lean this much (26 degrees) from its surface
-constexpr double kMinFraction = 0.1;  // of the tolerance, that is always allowed
+constexpr double kMinFraction = 0.1;  // of the tolerance; this much is always allowed
 constexpr double kExactFraction =
     0.1;  // of the tolerance: how closely half of the vertices must lie
 constexpr int kRimRings = 3;
-constexpr std::size_t kFewSamples = 80;  // for a guess: most of them come to nothing
-constexpr double kWorthMore = 1.25;      // a more complicated surface must cover this much more
-constexpr double kWorthMuchMore = 4;     // and this much more if it fits less exactly
+constexpr std::size_t kFewSamples = 80;  // for a first guess; most guesses fail
+constexpr double kMinMore = 1.25;        // a more complicated surface must cover this much more
+constexpr double kMinMuchMore = 4;       // and this much more if it fits less exactly
 
-constexpr std::array<SurfaceKind, 5> kKinds{SurfaceKind::Plane, SurfaceKind::Cylinder,
-                                            SurfaceKind::Sphere, SurfaceKind::Cone,
-                                            SurfaceKind::Torus};
+constexpr std::array<CarrierKind, 5> kKinds{CarrierKind::Plane, CarrierKind::Cylinder,
+                                            CarrierKind::Sphere, CarrierKind::Cone,
+                                            CarrierKind::Torus};
 
-// A later candidate must cover more; much more if it fits less exactly.
+// A later candidate must cover more area; much more if it fits less exactly.
 bool isBetter(const Candidate& next, const Candidate& best, double tolerance) {
   const bool exact = next.median <= 3 * best.median + 0.02 * tolerance;
-  return next.area > (exact ? kWorthMore : kWorthMuchMore) * best.area;
+  return next.area > (exact ? kMinMore : kMinMuchMore) * best.area;
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ SurfaceSeeker::SurfaceSeeker(const HalfEdgeMesh& mesh, const TriangleShapes& sha
 
 Found SurfaceSeeker::seek(std::int32_t seed, char tried) {
   found_ = {};
-  asked_ = seed;
-  asks_ = tried;
+  seed_ = seed;
+  triedAtSeed_ = tried;
   found_.best = bestSurface(seed, seedRegion(seed, kSeedTriangles));
   if (!found_.best) {
     const auto size = std::clamp<std::size_t>(mesh_.triangles.size() / 150, kSeedTriangles, 1600);
@@ -74,7 +74,7 @@ std::vector<std::int32_t> SurfaceSeeker::seedRegion(std::int32_t seed, std::size
   return region;
 }
 
-// One sample a vertex, with the mean normal of the region's triangles there.
+// One sample per vertex, with the mean normal of the region's triangles there.
 Samples SurfaceSeeker::samplesOf(const std::vector<std::int32_t>& region) {
   ++pointMark_;
   Samples samples;
@@ -93,7 +93,7 @@ Samples SurfaceSeeker::samplesOf(const std::vector<std::int32_t>& region) {
   return samples;
 }
 
-bool SurfaceSeeker::accepts(std::int32_t t, const Surface& surface, double tolerance) const {
+bool SurfaceSeeker::accepts(std::int32_t t, const Carrier& surface, double tolerance) const {
   if (partition_.patchOf[t] >= 0) return false;
   Vector3d centre = Vector3d::Zero();
   for (const std::int32_t v : mesh_.triangles[t]) {
@@ -103,9 +103,9 @@ bool SurfaceSeeker::accepts(std::int32_t t, const Surface& surface, double toler
   return thin_[t] || surface.normal(centre).dot(normal_[t]) >= kSurfaceCosine;
 }
 
-// Breadth first; the surface follows when the region has reached refitAt, and each time it has
-// doubled.
-std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Surface& surface, double tolerance,
+// Grows breadth first; the surface is fitted again when the region has reached refitAt, and each
+// time it has doubled.
+std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Carrier& surface, double tolerance,
                                               std::size_t refitAt) {
   ++stamp_;
   std::vector<std::int32_t> region;
@@ -122,7 +122,7 @@ std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Surface& surfac
     if (region.size() >= refitAt) {
       const Samples samples = samplesOf(region);
       refineSurface(samples, surface);
-      // Not this surface after all: no use in following it further.
+      // It is not this kind of surface; stop growing.
       if (residuals(samples, surface).median > 2 * kExactFraction * tolerance_) return region;
       refitAt = 2 * region.size();
     }
@@ -136,9 +136,9 @@ double SurfaceSeeker::areaOf(const std::vector<std::int32_t>& region) const {
   return sum;
 }
 
-std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t seed,
+std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t seed,
                                                 const Samples& first) {
-  std::optional<Surface> surface = guessSurface(kind, first);
+  std::optional<Carrier> surface = guessSurface(kind, first);
   if (!surface) return std::nullopt;
   refineSurface(first, *surface, kFewSamples);
   const Residuals start = residuals(first, *surface);
@@ -147,7 +147,8 @@ std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t s
   Candidate candidate;
   candidate.surface = *surface;
   candidate.region = grow(seed, candidate.surface, tolerance_, 2 * first.points.size());
-  // Tighten to what the surface really reaches, so that it does not run on into its neighbours.
+  // Reduce the tolerance to what the surface really needs, so that it does not run on into its
+  // neighbours.
   std::size_t before = 0;
   for (int round = 0; round < 8; ++round) {
     if (candidate.region.size() < 4) return std::nullopt;
@@ -160,11 +161,11 @@ std::optional<Candidate> SurfaceSeeker::tryKind(SurfaceKind kind, std::int32_t s
     candidate.region =
         grow(seed, candidate.surface, tightOf(candidate.median), candidate.region.size() * 5 / 4);
   }
-  // The same surface need not be tried again from anywhere in here.
+  // The same surface need not be tried again from any seed in this region.
   found_.tried.emplace_back(kind, candidate.region);
-  if (std::find(candidate.region.begin(), candidate.region.end(), asked_) !=
+  if (std::find(candidate.region.begin(), candidate.region.end(), seed_) !=
       candidate.region.end()) {
-    asks_ = static_cast<char>(asks_ | bitOf(kind));
+    triedAtSeed_ = static_cast<char>(triedAtSeed_ | bitOf(kind));
   }
   if (!isWorthIt(candidate)) return std::nullopt;
   addRim(candidate);
@@ -176,7 +177,8 @@ double SurfaceSeeker::tightOf(double median) const {
   return std::clamp(8 * median, kMinFraction * tolerance_, tolerance_);
 }
 
-// A few rings at the full tolerance: near creases the mesh is less exact than inside the region.
+// Adds a few rings at the full tolerance: near creases the mesh is less exact than inside the
+// region.
 void SurfaceSeeker::addRim(Candidate& candidate) {
   std::size_t from = 0;
   for (int ring = 0; ring < kRimRings; ++ring) {
@@ -194,20 +196,20 @@ void SurfaceSeeker::addRim(Candidate& candidate) {
 }
 
 bool SurfaceSeeker::isWorthIt(const Candidate& candidate) const {
-  if (candidate.surface.kind == SurfaceKind::Plane) {
+  if (candidate.surface.kind == CarrierKind::Plane) {
     return candidate.region.size() >= 4 && candidate.median <= kExactFraction * tolerance_;
   }
   if (candidate.region.size() < kMinTriangles) return false;
-  // Many a free form comes within the tolerance of something; only what fits far better is
+  // Many free forms come within the tolerance of some surface; only one that fits much better is
   // recognised.
   if (candidate.median > kExactFraction * tolerance_) return false;
-  // Enough turn of the normals to tell the surface from a plane.
+  // The normals must turn enough to distinguish the surface from a plane.
   const Vector3d first = normal_[candidate.region.front()];
-  double least = 1;
+  double smallest = 1;
   for (const std::int32_t t : candidate.region) {
-    if (!thin_[t]) least = std::min(least, first.dot(normal_[t]));
+    if (!thin_[t]) smallest = std::min(smallest, first.dot(normal_[t]));
   }
-  return least < 0.98;
+  return smallest < 0.98;
 }
 
 std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,
@@ -215,35 +217,35 @@ std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,
   if (around.size() < 4) return std::nullopt;
   std::optional<Candidate> best;
   auto tryAll = [&](const Samples& samples) {
-    for (const SurfaceKind kind : kKinds) {
-      if ((asks_ & bitOf(kind)) != 0) continue;
+    for (const CarrierKind kind : kKinds) {
+      if ((triedAtSeed_ & bitOf(kind)) != 0) continue;
       std::optional<Candidate> candidate = tryKind(kind, seed, samples);
       if (!candidate) continue;
       if (!best || isBetter(*candidate, *best, tolerance_)) best = std::move(candidate);
     }
   };
   tryAll(samplesOf(around));
-  // A round body made of flats shows its curvature only in a wider view.
+  // A round body made of plane strips shows its curvature only in a wider region.
   for (int scale = 0; scale < 2; ++scale) {
-    if (best && best->surface.kind != SurfaceKind::Plane) break;
+    if (best && best->surface.kind != CarrierKind::Plane) break;
     const std::size_t size =
         std::max<std::size_t>(6 * around.size() << (2 * scale), best ? 3 * best->region.size() : 0);
-    if (size > kLargestSeed) break;
+    if (size > kMaxSeedTriangles) break;
     const std::vector<std::int32_t> wider = seedRegion(seed, size);
     if (wider.size() < size / 2) break;
     tryAll(samplesOf(wider));
   }
-  if (best && best->surface.kind != SurfaceKind::Plane) preferFlats(*best);
+  if (best && best->surface.kind != CarrierKind::Plane) preferFlats(*best);
   return best;
 }
 
-// Large flats at small angles also fit a wide curved surface; where they fit far better, they
-// win.
+// Large plane areas at small angles also fit a wide curved surface; if the planes fit much better,
+// they are preferred.
 void SurfaceSeeker::preferFlats(Candidate& best) {
   for (int i = 1; i < 6; ++i) {
     const std::int32_t seed = best.region[best.region.size() * i / 6];
     std::optional<Candidate> flat =
-        tryKind(SurfaceKind::Plane, seed, samplesOf(seedRegion(seed, 16)));
+        tryKind(CarrierKind::Plane, seed, samplesOf(seedRegion(seed, 16)));
     if (!flat || flat->median > 0.1 * best.median || flat->area < 0.1 * best.area) continue;
     best = std::move(*flat);
     return;

@@ -1,8 +1,8 @@
-// The surface that a mesh was made of about one triangle.
-// In: HalfEdgeMesh, the shapes of its triangles, a partition (triangles of patches are not
-// touched), tolerance in mm. Out: the best of plane, cylinder, sphere, cone, torus and the
-// triangles it covers. Reads only what is shared, so several can seek at the same time. Cost:
-// O(triangles covered x surfaces tried).
+// Finds the surface that a mesh was made of near one triangle.
+// In: HalfEdgeMesh, the shapes of its triangles, a partition (triangles of its patches are not
+// touched), tolerance in mm. Out: the best of plane, cylinder, sphere, cone and torus, and the
+// triangles that it covers. Cost: O(triangles covered x surfaces tried).
+// Reads only shared data that does not change, so that several seekers can work at the same time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,13 +16,13 @@
 
 namespace swept::step {
 
-constexpr char bitOf(SurfaceKind kind) { return static_cast<char>(1 << static_cast<int>(kind)); }
+constexpr char bitOf(CarrierKind kind) { return static_cast<char>(1 << static_cast<int>(kind)); }
 constexpr char kAllTried = static_cast<char>(
-    bitOf(SurfaceKind::Plane) | bitOf(SurfaceKind::Cylinder) | bitOf(SurfaceKind::Cone) |
-    bitOf(SurfaceKind::Sphere) | bitOf(SurfaceKind::Torus));
+    bitOf(CarrierKind::Plane) | bitOf(CarrierKind::Cylinder) | bitOf(CarrierKind::Cone) |
+    bitOf(CarrierKind::Sphere) | bitOf(CarrierKind::Torus));
 
 struct Candidate {
-  Surface surface;
+  Carrier surface;
   std::vector<std::int32_t> region;
   double area = 0;
   double median = 0;  ///< mm, of the distances of its vertices
@@ -30,9 +30,10 @@ struct Candidate {
 
 struct Found {
   std::optional<Candidate> best;
-  /// The same kind of surface need not be tried again from anywhere in here.
-  std::vector<std::pair<SurfaceKind, std::vector<std::int32_t>>> tried;
-  std::vector<std::int32_t> fruitless;  ///< nothing found, and no use in asking here again
+  /// This kind of surface need not be tried again from any seed in the region.
+  std::vector<std::pair<CarrierKind, std::vector<std::int32_t>>> tried;
+  /// Nothing was found, and no seed here needs to be tried again.
+  std::vector<std::int32_t> fruitless;
 };
 
 class SurfaceSeeker {
@@ -45,11 +46,11 @@ class SurfaceSeeker {
  private:
   std::vector<std::int32_t> seedRegion(std::int32_t seed, std::size_t size);
   Samples samplesOf(const std::vector<std::int32_t>& region);
-  bool accepts(std::int32_t t, const Surface& surface, double tolerance) const;
-  std::vector<std::int32_t> grow(std::int32_t seed, Surface& surface, double tolerance,
+  bool accepts(std::int32_t t, const Carrier& surface, double tolerance) const;
+  std::vector<std::int32_t> grow(std::int32_t seed, Carrier& surface, double tolerance,
                                  std::size_t refitAt);
   double areaOf(const std::vector<std::int32_t>& region) const;
-  std::optional<Candidate> tryKind(SurfaceKind kind, std::int32_t seed, const Samples& first);
+  std::optional<Candidate> tryKind(CarrierKind kind, std::int32_t seed, const Samples& first);
   double tightOf(double median) const;
   void addRim(Candidate& candidate);
   bool isWorthIt(const Candidate& candidate) const;
@@ -63,8 +64,8 @@ class SurfaceSeeker {
   double tolerance_;
   const Partition& partition_;
   Found found_;
-  std::int32_t asked_ = -1;  // the seed asked for
-  char asks_ = 0;            // kinds that were tried there
+  std::int32_t seed_ = -1;  // the current seed
+  char triedAtSeed_ = 0;    // kinds that were tried there before
   std::vector<std::int32_t> stampOf_, pointStamp_;
   std::int32_t stamp_ = 0, pointMark_ = 0;
 };

@@ -6,51 +6,26 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "solid/recognise/facets_saved.h"
 
 namespace swept::step {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFacetsOfPlane = 3;    // that a plane saves, whatever its size
-constexpr double kAreaPerFacet = 5.2;   // of tolerance times radius, on a sphere
-constexpr double kMinArea = 1.0 / 400;  // of the whole: a smaller patch has to save this many
+/// Of the whole: a smaller patch has to save this many facets.
+constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSaved = 8;
-constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make a facet outside
-constexpr std::size_t kSpeck = 6;      // triangles
-constexpr double kSpeckArea = 30;      // of the squared tolerance
-constexpr double kSpeckReach = 6;      // tolerances
+constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make one facet outside
+constexpr std::size_t kMaxSpeck = 6;   // triangles
+constexpr double kMaxSpeckArea = 30;   // of the squared tolerance
+constexpr double kMaxSpeckReach = 6;   // tolerances
 constexpr int kStepsBeyond = 6;        // triangles
-constexpr double kSteep = 0.12;        // about 7 degrees
-constexpr double kSteepFrom = 0.25;    // of the tolerance: how far a patch may be off at its border
+constexpr double kMinSteep = 0.12;     // sine, about 7 degrees
+/// Of the tolerance: distance of a patch at its border from which this counts.
+constexpr double kSteepFrom = 0.25;
 
-double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles) {
-  double area = 0;
-  for (const std::int32_t t : triangles) area += 0.5 * mesh.areaVector(t).norm();
-  return area;
-}
-
-// The angle about the surface's axis that the corners of a patch take up, as positions say it: the
-// normals of small triangles would say far more.
-double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
-  const Surface& s = patch.surface;
-  const auto outward = [&](std::int32_t v) {
-    const Vector3d d = mesh.points[v] - s.point;
-    return Vector3d(d - d.dot(s.axis) * s.axis).normalized();
-  };
-  Vector3d mean = Vector3d::Zero();
-  for (const std::int32_t t : patch.triangles) {
-    for (const std::int32_t v : mesh.triangles[t]) mean += outward(v);
-  }
-  mean.normalize();
-  double least = 1;
-  for (const std::int32_t t : patch.triangles) {
-    for (const std::int32_t v : mesh.triangles[t]) least = std::min(least, outward(v).dot(mean));
-  }
-  return 2 * std::acos(std::max(-1.0, least));
-}
-
+// Makes the patches of a partition ready to become faces, step by step.
 class Tidier {
  public:
   Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
@@ -66,13 +41,13 @@ class Tidier {
     mergePatches();
     absorbLeftovers();
     fillHoles();
-    giveSpecksAway();
+    assignSpecks();
     dropCostly();
   }
 
  private:
-  // Unassigned triangles beside a patch go to it while their corners lie on its surface; repeated,
-  // so that strips along creases close. Thin ones may lean as they like.
+  // Unassigned triangles beside a patch join it while their corners lie on its surface; repeated,
+  // so that strips along creases close. Needles may have any normal.
   void absorbLeftovers() {
     std::vector<std::int32_t> front, next;
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
@@ -100,11 +75,11 @@ class Tidier {
   // tolerances.
   std::int32_t hostOf(std::int32_t t, double tolerances) const {
     std::int32_t best = -1;
-    double least = tolerances * tolerance_;
+    double smallest = tolerances * tolerance_;
     for (int k = 0; k < 3; ++k) {
       const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
       if (patch < 0) continue;
-      const Surface& surface = partition_.patches[patch].surface;
+      const Carrier& surface = partition_.patches[patch].surface;
       double worst = 0;
       Vector3d centre = Vector3d::Zero();
       for (const std::int32_t v : mesh_.triangles[t]) {
@@ -112,14 +87,15 @@ class Tidier {
         centre += mesh_.points[v] / 3;
       }
       if (tolerances <= 1 && !thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
-      if (worst > least) continue;
-      least = worst;
+      if (worst > smallest) continue;
+      smallest = worst;
       best = patch;
     }
     return best;
   }
 
-  // Small islands inside one patch go to it if their corners lie on its surface, however they lean.
+  // Small islands inside one patch join it if their corners lie on its surface, whatever their
+  // normals.
   void fillHoles() {
     std::vector<char> seen(mesh_.triangles.size(), 0);
     for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
@@ -136,7 +112,7 @@ class Tidier {
         return false;
       });
       if (mixed || around < 0 || island.size() > kMinTriangles) continue;
-      const Surface& surface = partition_.patches[around].surface;
+      const Carrier& surface = partition_.patches[around].surface;
       const bool near = std::all_of(island.begin(), island.end(), [&](std::int32_t t) {
         return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
                            [&](std::int32_t v) {
@@ -150,21 +126,22 @@ class Tidier {
     dropEmptyPatches();
   }
 
-  // A few small triangles left between patches: a contoured crease or corner that came out blunt.
-  // Each goes to a patch beside it, which then ends where the surfaces meet. Their corners all lie
-  // on patches already.
-  void giveSpecksAway() {
+  // A few small triangles may be left between patches, where a contoured crease or corner came out
+  // blunt. Each joins a patch beside it, which then ends where the surfaces intersect; all their
+  // corners are corners of patches already.
+  void assignSpecks() {
     std::vector<char> seen(mesh_.triangles.size(), 0);
     for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
       if (seen[first] || partition_.patchOf[first] >= 0) continue;
       const auto speck = flood(static_cast<std::int32_t>(first), seen,
                                [&](std::int32_t t) { return partition_.patchOf[t] < 0; });
-      if (speck.size() > kSpeck || areaOf(mesh_, speck) > kSpeckArea * tolerance_ * tolerance_)
+      if (speck.size() > kMaxSpeck ||
+          areaOf(mesh_, speck) > kMaxSpeckArea * tolerance_ * tolerance_)
         continue;
       for (std::size_t left = speck.size(), before = 0; left != before;) {
         before = left;
         for (const std::int32_t t : speck) {
-          const std::int32_t host = partition_.patchOf[t] < 0 ? hostOf(t, kSpeckReach) : -1;
+          const std::int32_t host = partition_.patchOf[t] < 0 ? hostOf(t, kMaxSpeckReach) : -1;
           if (host < 0) continue;
           join(t, host);
           --left;
@@ -173,7 +150,7 @@ class Tidier {
     }
   }
 
-  // Triangles from `first` on that are asked for beside each other, all seen afterwards.
+  // The connected triangles that `accepts` allows, starting with `first`; all are marked as seen.
   template <class Accepts>
   std::vector<std::int32_t> flood(std::int32_t first, std::vector<char>& seen,
                                   const Accepts& accepts) const {
@@ -195,7 +172,7 @@ class Tidier {
     partition_.patches[patch].triangles.push_back(t);
   }
 
-  bool liesOn(const std::vector<std::int32_t>& triangles, const Surface& surface) const {
+  bool liesOn(const std::vector<std::int32_t>& triangles, const Carrier& surface) const {
     for (const std::int32_t t : triangles) {
       Vector3d centre = Vector3d::Zero();
       for (const std::int32_t v : mesh_.triangles[t]) {
@@ -207,7 +184,8 @@ class Tidier {
     return true;
   }
 
-  // Pieces of one surface that were found apart become one patch, the smaller joining the larger.
+  // Pieces of one surface that were found separately become one patch; the smaller joins the
+  // larger.
   void mergePatches() {
     std::vector<std::int32_t> order(partition_.patches.size());
     std::iota(order.begin(), order.end(), 0);
@@ -241,9 +219,10 @@ class Tidier {
     dropEmptyPatches();
   }
 
-  // Many a free form comes near enough to a plane or cylinder here and there. Such a patch ends
-  // where the body goes on smoothly, along a jagged line; its vertices make more facets outside
-  // than the surface saves inside. What the body was made of ends at creases or at other patches.
+  // Many free forms come near enough to a plane or cylinder in places. Such a patch ends along a
+  // jagged line where the body continues smoothly; the vertices of that line make more facets
+  // outside than the surface saves inside. A surface that the body was made of ends at creases or
+  // at other patches.
   void dropCostly() {
     const std::vector<char> turns = turningBorders();
     std::vector<double> saved;
@@ -275,7 +254,8 @@ class Tidier {
     patch.triangles.clear();
   }
 
-  // By half-edge: whether the mesh leaves the patch's surface steeply just beyond its border.
+  // Per half-edge: whether the mesh turns away steeply from the patch's surface just beyond its
+  // border.
   std::vector<char> turningBorders() const {
     std::vector<char> turns(mesh_.opposite.size(), 0);
     parallelBlocks(turns.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -288,14 +268,14 @@ class Tidier {
     return turns;
   }
 
-  bool turnsAway(std::int32_t border, const Surface& surface) const {
+  bool turnsAway(std::int32_t border, const Carrier& surface) const {
     const Vector3d from =
         (mesh_.points[mesh_.origin(border)] + mesh_.points[mesh_.target(border)]) / 2;
     std::int32_t h = mesh_.opposite[border];
     for (int step = 0; step < kStepsBeyond; ++step) {
       const Vector3d& p = mesh_.points[mesh_.origin(HalfEdgeMesh::previous(h))];
-      const double off = std::abs(surface.distance(p));
-      if (off > kSteep * (p - from).norm() + kSteepFrom * tolerance_) return true;
+      const double distance = std::abs(surface.distance(p));
+      if (distance > kMinSteep * (p - from).norm() + kSteepFrom * tolerance_) return true;
       h = mesh_.opposite[step % 2 == 0 ? HalfEdgeMesh::next(h) : HalfEdgeMesh::previous(h)];
     }
     return false;
@@ -322,35 +302,6 @@ class Tidier {
 
 }  // namespace
 
-namespace {
-
-double bendAt(const Profile& profile, double t) {
-  Vector2d first, second;
-  profile.derivatives(t, first, second);
-  return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
-}
-
-// Strips along the direction; where the surface bends both ways, as on a torus.
-double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
-  constexpr int kSteps = 200;
-  const Profile& profile = *patch.surface.profile;
-  const double from = profile.nodes().front().knot, step = profile.length() / kSteps;
-  double strips = 0, facets = 0;
-  for (int i = 0; i < kSteps; ++i)
-    strips += step * std::sqrt(bendAt(profile, from + (i + 0.5) * step) / tolerance);
-  if (patch.surface.kind == SurfaceKind::Extrusion) return strips;
-  for (const std::int32_t t : patch.triangles) {
-    const Vector2d q = patch.surface.inProfile(mesh.points[mesh.triangles[t][0]]);
-    const Profile::Foot foot = profile.foot(q);
-    const double across = std::abs(foot.tangent.y()) / std::max(q.x(), tolerance);
-    const double area = 0.5 * mesh.areaVector(t).norm();
-    facets += area * std::sqrt(bendAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
-  }
-  return std::max(strips, facets);
-}
-
-}  // namespace
-
 TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   TriangleShapes shapes{std::vector<Vector3d>(count), std::vector<double>(count),
@@ -371,19 +322,6 @@ TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
     }
   });
   return shapes;
-}
-
-double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
-  const Surface& s = patch.surface;
-  if (s.isPlanar()) return kFacetsOfPlane;
-  if (s.hasProfile()) return savedByProfile(mesh, patch, tolerance);
-  if (s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) {
-    const double radius =
-        s.kind == SurfaceKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));
-    return areaOf(mesh, patch.triangles) / (kAreaPerFacet * tolerance * radius);
-  }
-  // Strips along the axis, two facets each.
-  return angleOf(mesh, patch) / std::sqrt(4 * tolerance / s.radius);
 }
 
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,

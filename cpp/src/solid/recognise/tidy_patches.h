@@ -1,8 +1,9 @@
-// Patches as they were grown, made ready to become faces.
-// In, out: Partition of a mesh; every vertex of a patch stays within the tolerance (mm) of its
-// surface, but for a speck of triangles where patches meet. Leftovers beside a patch join it,
-// pieces of one surface become one patch, islands inside a patch are filled. Cost: O(triangles x
-// rounds).
+// Makes grown patches ready to become faces.
+// In, out: Partition of a mesh. Units: mm. Cost: O(triangles x rounds). Promise: every vertex of a
+// patch stays within the tolerance of its surface, except for a few small triangles where patches
+// meet.
+// Leftover triangles beside a patch join it, pieces of one surface become one patch, islands inside
+// a patch are filled, and patches that cost more facets than they save are dropped.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,19 +13,16 @@
 
 namespace swept::step {
 
-/// What is asked of every triangle again and again.
+/// Properties of every triangle that are needed again and again.
 struct TriangleShapes {
-  std::vector<Eigen::Vector3d> normal;  ///< unit; zero without area
+  std::vector<Eigen::Vector3d> normal;  ///< unit; zero for a triangle without area
   std::vector<double> area;             ///< mm^2
-  std::vector<char> thin;               ///< a needle: its normal says little
+  std::vector<char> thin;               ///< a needle, whose normal is unreliable
 };
 TriangleShapes shapesOf(const HalfEdgeMesh& mesh);
 
-/// A curved patch smaller than this stays facets.
+/// A curved patch smaller than this becomes facets.
 constexpr int kMinTriangles = 24;
-
-/// How many facets the best triangulation of the patch within the tolerance would need, about.
-double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance);
 
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
                  Partition& partition);

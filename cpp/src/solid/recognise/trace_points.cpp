@@ -13,11 +13,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kReach = 1.0 / 80;  // of the box: how far a step looks
-constexpr double kWidest = 1.0 / 6;  // of the box: and how far where points are few
-constexpr double kSameSide = 0.7;    // cosine
+constexpr double kReach = 1.0 / 80;    // of the box: how far a step looks
+constexpr double kMaxReach = 1.0 / 6;  // of the box: how far it looks at most, where points are few
+constexpr double kMinSameCosine = 0.7;  // cosine
 constexpr int kMaxSteps = 1500;
-constexpr double kFine = 1.0 / 800;  // of the box: points nearer to each other are one
+/// Of the box: points nearer than this to each other count as one.
+constexpr double kMinSpacing = 1.0 / 800;
 constexpr int kCells = 80;
 
 class Tracer {
@@ -41,19 +42,19 @@ class Tracer {
     if (points_.size() < 12 || !(size_ > 0)) return std::nullopt;
     State start{points_.front(), normals_.front(), 0};
     if (!settle(start)) return std::nullopt;
-    std::deque<State> way{start};
-    const bool closed = follow(1, way);
-    if (!closed) follow(-1, way);
-    if (way.size() < 4) return std::nullopt;
+    std::deque<State> path{start};
+    const bool closed = follow(1, path);
+    if (!closed) follow(-1, path);
+    if (path.size() < 4) return std::nullopt;
     Trace result;
     result.closed = closed;
     if (closed) {
-      way.push_back(way.front());
+      path.push_back(path.front());
     } else {
-      way.push_back(beyond(way.back(), 1));
-      way.push_front(beyond(way.front(), -1));
+      path.push_back(beyond(path.back(), 1));
+      path.push_front(beyond(path.front(), -1));
     }
-    for (const State& state : way) {
+    for (const State& state : path) {
       if (!result.points.empty()) {
         const double step = (state.at - result.points.back()).norm();
         result.along.push_back(result.along.back() + step);
@@ -64,7 +65,7 @@ class Tracer {
       result.points.push_back(state.at);
       result.normals.push_back(state.normal);
     }
-    result.reach = 0.5 * kWidest * size_;
+    result.reach = 0.5 * kMaxReach * size_;
     return result;
   }
 
@@ -93,28 +94,28 @@ class Tracer {
     }
   }
 
-  // Onto a parabola through the points about it. The radius grows until there are points on both
-  // sides, or enough on one.
+  // Moves the state onto a parabola through the points about it. The radius grows until there are
+  // points on both sides, or enough on one.
   bool settle(State& state) {
-    for (radius_ = kReach * size_; radius_ <= kWidest * size_; radius_ *= 1.6) {
+    for (radius_ = kReach * size_; radius_ <= kMaxReach * size_; radius_ *= 1.6) {
       const Vector2d tangent(-state.normal.y(), state.normal.x());
       Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
       Eigen::Vector3d right = Eigen::Vector3d::Zero();
-      double least = 0, most = 0;
+      double smallest = 0, largest = 0;
       int count = 0;
       around(state.at, radius_, [&](std::int32_t i) {
-        if (normals_[i].dot(state.normal) < kSameSide) return;
+        if (normals_[i].dot(state.normal) < kMinSameCosine) return;
         const Vector2d d = points_[i] - state.at;
         const double s = d.dot(tangent) / radius_;
         const double weight = 1.01 - d.squaredNorm() / (radius_ * radius_);
         const Eigen::Vector3d row(1, s, s * s);
         moments += weight * row * row.transpose();
         right += weight * row * d.dot(state.normal);
-        least = std::min(least, s);
-        most = std::max(most, s);
+        smallest = std::min(smallest, s);
+        largest = std::max(largest, s);
         ++count;
       });
-      if (count < 6 || most - least < 0.5) continue;
+      if (count < 6 || largest - smallest < 0.5) continue;
       moments(2, 2) += 1e-3 * moments(0, 0);
       moments.diagonal().array() += 1e-12 * moments(0, 0);
       const Eigen::Vector3d fit = moments.ldlt().solve(right);
@@ -129,14 +130,14 @@ class Tracer {
     return false;
   }
 
-  // Appends states to one end of the way; true if it comes back to the other.
-  bool follow(double sense, std::deque<State>& way) {
-    const State first = sense > 0 ? way.front() : way.back();
-    State here = sense > 0 ? way.back() : way.front();
-    if (!settle(here)) return false;  // for the radius
+  // Appends states to one end of the path; returns true if it comes back to the other end.
+  bool follow(double sense, std::deque<State>& path) {
+    const State first = sense > 0 ? path.front() : path.back();
+    State here = sense > 0 ? path.back() : path.front();
+    if (!settle(here)) return false;  // sets the radius
     double walked = 0;
     for (int i = 0; i < kMaxSteps; ++i) {
-      State state = sense > 0 ? way.back() : way.front();
+      State state = sense > 0 ? path.back() : path.front();
       const Vector2d tangent = sense * Vector2d(-state.normal.y(), state.normal.x());
       if (!goesOn(state, tangent)) return false;
       const double step = 0.5 * radius_;
@@ -144,19 +145,19 @@ class Tracer {
       state.at += step * (tangent + 0.5 * turned * state.normal);
       state.normal = (state.normal - turned * tangent).normalized();
       if (!settle(state)) return false;
-      const State& before = sense > 0 ? way.back() : way.front();
+      const State& before = sense > 0 ? path.back() : path.front();
       const double moved = (state.at - before.at).dot(tangent);
       if (!(moved > 0.1 * step)) return false;
       walked += moved;
       if (walked > 6 * radius_ && (state.at - first.at).norm() < 0.8 * radius_ &&
-          state.normal.dot(first.normal) > kSameSide)
+          state.normal.dot(first.normal) > kMinSameCosine)
         return true;
-      sense > 0 ? way.push_back(state) : way.push_front(state);
+      sense > 0 ? path.push_back(state) : path.push_front(state);
     }
     return false;
   }
 
-  // The way ends before the last points.
+  // The path ends a little before the last points; this state continues it.
   State beyond(const State& end, double sense) {
     State next = end;
     settle(next);
@@ -167,13 +168,13 @@ class Tracer {
 
   // Whether there are points ahead; the radius grows where they are few.
   bool goesOn(const State& state, const Vector2d& tangent) {
-    for (; radius_ <= kWidest * size_; radius_ *= 1.6) {
-      double most = 0;
+    for (; radius_ <= kMaxReach * size_; radius_ *= 1.6) {
+      double largest = 0;
       around(state.at, radius_, [&](std::int32_t i) {
-        if (normals_[i].dot(state.normal) >= kSameSide)
-          most = std::max(most, (points_[i] - state.at).dot(tangent));
+        if (normals_[i].dot(state.normal) >= kMinSameCosine)
+          largest = std::max(largest, (points_[i] - state.at).dot(tangent));
       });
-      if (most > 0.3 * radius_) return true;
+      if (largest > 0.3 * radius_) return true;
     }
     return false;
   }
@@ -187,37 +188,37 @@ class Tracer {
 
 }  // namespace
 
-double Trace::placeOf(const Vector2d& p, const Vector2d& normal) const {
-  double least = reach * reach, place = -1;
+double Trace::parameterOf(const Vector2d& p, const Vector2d& normal) const {
+  double smallest = reach * reach, position = -1;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if (normals[i].dot(normal) < 0.5 * kSameSide) continue;
+    if (normals[i].dot(normal) < 0.5 * kMinSameCosine) continue;
     const Vector2d ab = points[i + 1] - points[i];
     const double length2 = std::max(1e-300, ab.squaredNorm());
     const double w = std::clamp((p - points[i]).dot(ab) / length2, 0.0, 1.0);
-    const double off = (p - points[i] - w * ab).squaredNorm();
-    if (off >= least) continue;
-    least = off;
-    place = along[i] + w * std::sqrt(length2);
+    const double distance2 = (p - points[i] - w * ab).squaredNorm();
+    if (distance2 >= smallest) continue;
+    smallest = distance2;
+    position = along[i] + w * std::sqrt(length2);
   }
-  return place;
+  return position;
 }
 
 std::optional<Trace> tracePoints(const std::vector<Vector2d>& points,
                                  const std::vector<Vector2d>& normals) {
-  // Points that fall together, as those along one line of an extrusion do, count once.
+  // Points that coincide, such as those along one line of an extrusion, count once.
   Vector2d low = Vector2d::Constant(1e300), high = -low;
   for (const Vector2d& p : points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double fine = kFine * (high - low).norm();
+  const double fine = kMinSpacing * (high - low).norm();
   if (!(fine > 0)) return std::nullopt;
   std::set<std::array<int, 3>> seen;
   std::vector<Vector2d> left, leftNormals;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector2d place = (points[i] - low) / fine;
+    const Vector2d position = (points[i] - low) / fine;
     const int side = (normals[i].x() > 0 ? 1 : 0) + (normals[i].y() > 0 ? 2 : 0);
-    if (!seen.insert({static_cast<int>(place.x()), static_cast<int>(place.y()), side}).second)
+    if (!seen.insert({static_cast<int>(position.x()), static_cast<int>(position.y()), side}).second)
       continue;
     left.push_back(points[i]);
     leftNormals.push_back(normals[i]);

@@ -1,7 +1,8 @@
-// A way along points of a plane that lie about a smooth curve, in no order.
-// In: points (mm) with unit normals to one side. Out: a polyline in small steps, closed where it
-// comes back to its start; nothing where the points lie about no curve. Units: mm.
-// Cost: O(points x points within a step).
+// Traces a path along unordered points of a plane that lie about a smooth curve.
+// In: points (mm) with unit normals to one side. Out: a polyline in small steps, closed if it comes
+// back to its start; nothing if the points do not lie about a curve. Units: mm, rad. Cost: O(points
+// x points within a step).
+// Source: moving least squares (Levin 1998), curve reconstruction as in Lee 2000.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,11 +16,11 @@ struct Trace {
   std::vector<Eigen::Vector2d> points, normals;
   std::vector<double> along;  ///< mm, from the first point
   double turn = 0;            ///< rad, without sign
-  double reach = 0;           ///< mm: how far from it points may lie
-  bool closed = false;        ///< the first point stands once more at the end
+  double reach = 0;           ///< mm: how far from the path a point may lie
+  bool closed = false;        ///< the first point is repeated at the end
 
-  /// Where a point with this normal lies along it; -1: it does not.
-  double placeOf(const Eigen::Vector2d& p, const Eigen::Vector2d& normal) const;
+  /// Position along the path of a point with this normal; -1: it does not lie on the path.
+  double parameterOf(const Eigen::Vector2d& p, const Eigen::Vector2d& normal) const;
 };
 
 std::optional<Trace> tracePoints(const std::vector<Eigen::Vector2d>& points,

@@ -15,7 +15,7 @@ std::string ref(Id id) {
   return text;
 }
 
-// The code point at `at`, which moves on; a byte that is not UTF-8 stands for itself.
+// Returns the code point at `at` and advances `at`; a byte that is not UTF-8 stands for itself.
 char32_t codePoint(const std::string& text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -29,7 +29,7 @@ char32_t codePoint(const std::string& text, std::size_t& at) {
 
 }  // namespace
 
-void Frame::header(const std::string& fileName) {
+void FileSections::header(const std::string& fileName) {
   std::array<char, 32> date{};
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
@@ -46,31 +46,31 @@ void Frame::header(const std::string& fileName) {
   lines_.raw("'));\nENDSEC;\nDATA;\n");
 }
 
-Id Frame::point(const Vector3d& p) {
+Id FileSections::point(const Vector3d& p) {
   const Id id = lines_.begin("CARTESIAN_POINT");
   lines_.raw("'',").triple(p, true).end();
   return id;
 }
-Id Frame::direction(const Vector3d& d) {
+Id FileSections::direction(const Vector3d& d) {
   const Id id = lines_.begin("DIRECTION");
   lines_.raw("'',").triple(d, false).end();
   return id;
 }
-Id Frame::placement(const Vector3d& origin, const Vector3d& axis, const Vector3d& x) {
+Id FileSections::placement(const Vector3d& origin, const Vector3d& axis, const Vector3d& x) {
   const Id at = point(origin), up = direction(axis), across = direction(x);
   const Id id = lines_.begin("AXIS2_PLACEMENT_3D");
   lines_.raw("'',").id(at).raw(",").id(up).raw(",").id(across).end();
   return id;
 }
 
-Id Frame::plain(const char* keyword, Words arguments) {
+Id FileSections::plain(const char* keyword, Words arguments) {
   const Id id = lines_.begin(keyword);
   for (const std::string& word : arguments) lines_.raw(word);
   lines_.end();
   return id;
 }
-// An entity of several types at once has its keywords inside the brackets.
-Id Frame::context(double exact) {
+// An entity of several types has its keywords inside the brackets.
+Id FileSections::context(double exact) {
   const Id mm = plain("", {"LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)"});
   const Id radian = plain("", {"NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.)"});
   const Id steradian = plain("", {"NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT()"});
@@ -83,8 +83,8 @@ Id Frame::context(double exact) {
                     "'3D Context with UNIT and UNCERTAINTY')"});
 }
 
-void Frame::product(const char* representation, const std::vector<Id>& items,
-                    const std::vector<Id>& coloured, Id where) {
+void FileSections::product(const char* representation, const std::vector<Id>& items,
+                           const std::vector<Id>& coloured, Id where) {
   const std::string name = stepString(options_.productName);
   const Id shape = lines_.begin(representation);
   lines_.raw(name).raw(",").ids(items).raw(",").id(where).end();
@@ -109,7 +109,7 @@ void Frame::product(const char* representation, const std::vector<Id>& items,
   colour(coloured, where);
 }
 
-void Frame::colour(const std::vector<Id>& items, Id where) {
+void FileSections::colour(const std::vector<Id>& items, Id where) {
   const Id paint = lines_.begin("COLOUR_RGB");
   lines_.raw("''");
   for (const double part : options_.colour) lines_.raw(",").ratio(part);
@@ -128,7 +128,7 @@ void Frame::colour(const std::vector<Id>& items, Id where) {
   lines_.raw("'',").ids(styled).raw(",").id(where).end();
 }
 
-void Frame::end() { lines_.raw("ENDSEC;\nEND-ISO-10303-21;\n").flush(); }
+void FileSections::end() { lines_.raw("ENDSEC;\nEND-ISO-10303-21;\n").flush(); }
 
 std::string stepString(const std::string& utf8) {
   std::string result = "'";

@@ -1,6 +1,7 @@
-// Text of the data section of a STEP file (ISO 10303-21), and what every file of ours has around
-// its geometry: header, units, product, colour. Units: mm; points to 1e-9 mm, directions to 13
-// digits. Throws Error(Cancelled); a full disk shows in the stream.
+// Text of the data section of a STEP file (ISO 10303-21), and the parts around the geometry that
+// all our files share: header, units, product, colour.
+// Units: mm; points to 1e-9 mm, directions to 13 digits. Cost: O(text), written in blocks. Throws
+// Error(Cancelled); a full disk shows in the state of the stream.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,12 +25,12 @@ constexpr std::size_t kFlushAt = 1U << 20U;  // characters
 
 using Id = std::int64_t;
 
-// One line of the data section after another, numbered as they come.
+// Writes the lines of the data section one after another; entities are numbered in this order.
 class Lines {
  public:
   Lines(std::ostream& out, RunContext& run) : out_(out), run_(run) { text_.reserve(2 * kFlushAt); }
 
-  /// Starts `#n=`; what follows is appended, end() closes the line.
+  /// Starts `#n=`; the text that follows is appended, and end() closes the line.
   Id begin(const char* keyword) {
     text_ += '#';
     integer(++last_);
@@ -80,7 +81,7 @@ class Lines {
     text_ += ')';
     return *this;
   }
-  /// Within a long line.
+  /// To be called within a long line.
   void flushIfLong() {
     if (text_.size() > kFlushAt) flush();
   }
@@ -92,7 +93,7 @@ class Lines {
   Id last() const { return last_; }
 
  private:
-  // A real of STEP has a point, and a capital E.
+  // A real of STEP has a point and a capital E.
   Lines& real(double value, std::chars_format format, int precision) {
     std::array<char, 400> buffer;
     char* end =
@@ -125,17 +126,17 @@ class Lines {
   Id last_ = 0;
 };
 
-/// What stands around the geometry.
-class Frame {
+/// The parts of the file around the geometry.
+class FileSections {
  public:
-  Frame(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}
+  FileSections(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}
 
   void header(const std::string& fileName);
   Id point(const Eigen::Vector3d& p);
   Id direction(const Eigen::Vector3d& d);
   Id placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
                const Eigen::Vector3d& x);
-  /// Units, and how exact points are (mm).
+  /// Units, and the accuracy of points (mm).
   Id context(double exact);
   /// The product whose shape is a representation of this keyword with these items; `coloured` get
   /// the options' colour.
@@ -153,7 +154,7 @@ class Frame {
   const StepOptions& options_;
 };
 
-/// A text as STEP writes it, with its quotes: other letters than ASCII become \X2\....\X0\.
+/// A string as STEP writes it, with its quotes: characters outside ASCII become \X2\....\X0\.
 std::string stepString(const std::string& utf8);
 
 }  // namespace swept::step

@@ -10,7 +10,7 @@ namespace swept::step {
 namespace {
 
 constexpr int kDeepest = 200;              // brackets within brackets
-constexpr std::size_t kWordsKept = 64;     // characters of a statement that are looked at
+constexpr std::size_t kWordsKept = 64;     // characters of a statement that are examined
 constexpr std::size_t kLongest = 1 << 26;  // characters of one statement
 
 class Scanner {
@@ -33,7 +33,7 @@ class Scanner {
     return "line " + std::to_string(line_) + ": " + what;
   }
 
-  // False at the end of the file.
+  // Returns false at the end of the file.
   bool next() {
     const int c = in_.sbumpc();
     if (c == kEnd) return false;

@@ -1,8 +1,8 @@
-// Does a file have the structure of a STEP file? Asked before a kernel reads one from elsewhere,
-// as kernels may end the whole program over a damaged one.
-// In: the text. Out: what is wrong and in which line, empty if nothing: the frame of header and
-// data, closed strings, comments and brackets, numbers of entities. What entities mean is left to
-// the kernel. Cost: one pass.
+// Tests whether a file has the structure of a STEP file, before the kernel reads it: kernels may
+// end the whole program on a damaged file.
+// In: the text. Out: what is wrong and in which line; empty if nothing is. Cost: one pass.
+// Tested are the frame of header and data, closed strings, comments and brackets, and the numbers
+// of entities. What the entities mean is left to the kernel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -18,14 +18,14 @@ class Writer {
       : model_(model),
         options_(options),
         lines_(out, run),
-        frame_(lines_, options),
+        sections_(lines_, options),
         faceted_(isFaceted(model)) {}
 
   void write(const std::string& fileName) {
-    frame_.header(fileName);
+    sections_.header(fileName);
     vertexPoint_.reserve(model_.vertices.size());
     for (const ModelVertex& vertex : model_.vertices)
-      vertexPoint_.push_back(frame_.point(vertex.point));
+      vertexPoint_.push_back(sections_.point(vertex.point));
     if (!faceted_) {
       for (const Id p : vertexPoint_) {
         vertex_.push_back(lines_.begin("VERTEX_POINT"));
@@ -37,18 +37,19 @@ class Writer {
     for (const ModelFace& face : model_.faces)
       shellFaces[face.shell].push_back(faceted_ ? writeFacet(face) : writeFace(face));
     const std::vector<Id> made = solids(shellFaces);
-    const Id context = frame_.context(statedAccuracy(model_));
-    std::vector<Id> items{frame_.placement(Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitX())};
+    const Id context = sections_.context(statedAccuracy(model_));
+    std::vector<Id> items{
+        sections_.placement(Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitX())};
     items.insert(items.end(), made.begin(), made.end());
-    frame_.product(
+    sections_.product(
         faceted_ ? "FACETED_BREP_SHAPE_REPRESENTATION" : "ADVANCED_BREP_SHAPE_REPRESENTATION",
         items, made, context);
-    frame_.end();
+    sections_.end();
   }
 
  private:
   Id line(const ModelEdge& edge) {
-    const Id along = frame_.direction(edge.curve.axis);
+    const Id along = sections_.direction(edge.curve.axis);
     const Id vector = lines_.begin("VECTOR");
     lines_.raw("'',").id(along).raw(",1.").end();
     const Id id = lines_.begin("LINE");
@@ -57,15 +58,15 @@ class Writer {
   }
 
   Id circle(const Curve& curve) {
-    const Id frame = frame_.placement(curve.start, curve.axis, curve.xdir);
+    const Id axes = sections_.placement(curve.start, curve.axis, curve.xdir);
     const Id id = lines_.begin("CIRCLE");
-    lines_.raw("'',").id(frame).raw(",").length(curve.radius).end();
+    lines_.raw("'',").id(axes).raw(",").length(curve.radius).end();
     return id;
   }
 
   Id spline(const Curve& curve) {
     std::vector<Id> poles;
-    for (const Vector3d& pole : curve.poles) poles.push_back(frame_.point(pole));
+    for (const Vector3d& pole : curve.poles) poles.push_back(sections_.point(pole));
     const Id id = lines_.begin("B_SPLINE_CURVE_WITH_KNOTS");
     lines_.raw("'',3,").ids(poles).raw(",.UNSPECIFIED.,.F.,.F.,(");
     for (std::size_t i = 0; i < curve.knots.size(); ++i) {
@@ -99,59 +100,59 @@ class Writer {
   }
 
   Id surface(const ModelFace& face) {
-    const Surface& s = face.surface;
-    if (s.kind == SurfaceKind::Facet) {
-      // Its corners are written already, and where its own x direction lies is nobody's concern.
+    const Carrier& s = face.surface;
+    if (s.kind == CarrierKind::Facet) {
+      // Its corners are written already, and nobody needs its own x direction.
       const ModelUse& first = face.loops.front().front();
       const ModelEdge& edge = model_.edges[first.edge];
-      const Id up = frame_.direction(s.axis);
-      const Id frame = lines_.begin("AXIS2_PLACEMENT_3D");
+      const Id up = sections_.direction(s.axis);
+      const Id axes = lines_.begin("AXIS2_PLACEMENT_3D");
       lines_.raw("'',").id(vertexPoint_[first.forward ? edge.start : edge.end]).raw(",").id(up);
       lines_.raw(",$").end();
-      return plane(frame);
+      return plane(axes);
     }
     const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
-    if (s.kind == SurfaceKind::Plane) return plane(frame_.placement(s.point, s.axis, x));
+    if (s.kind == CarrierKind::Plane) return plane(sections_.placement(s.point, s.axis, x));
     if (s.hasProfile()) return pushedOrTurned(s);
-    // The angle of a cone is positive: the radius grows along its axis.
-    const bool turned = s.kind == SurfaceKind::Cone && s.halfAngle < 0;
-    const Id frame = frame_.placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);
+    // The angle of a cone must be positive: the radius grows along its axis.
+    const bool turned = s.kind == CarrierKind::Cone && s.halfAngle < 0;
+    const Id axes = sections_.placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);
     const Id id = lines_.begin(keywordOf(s.kind));
-    lines_.raw("'',").id(frame).raw(",").length(s.radius);
-    if (s.kind == SurfaceKind::Cone) lines_.raw(",").ratio(std::abs(s.halfAngle));
-    if (s.kind == SurfaceKind::Torus) lines_.raw(",").length(s.minor);
+    lines_.raw("'',").id(axes).raw(",").length(s.radius);
+    if (s.kind == CarrierKind::Cone) lines_.raw(",").ratio(std::abs(s.halfAngle));
+    if (s.kind == CarrierKind::Torus) lines_.raw(",").length(s.minor);
     lines_.end();
     return id;
   }
-  Id pushedOrTurned(const Surface& s) {
-    const Id profile = spline(profileOf(s)), along = frame_.direction(s.axis);
-    const bool pushed = s.kind == SurfaceKind::Extrusion;
-    const Id origin = pushed ? 0 : frame_.point(s.point);
-    const Id way = lines_.begin(pushed ? "VECTOR" : "AXIS1_PLACEMENT");
+  Id pushedOrTurned(const Carrier& s) {
+    const Id profile = spline(profileOf(s)), along = sections_.direction(s.axis);
+    const bool pushed = s.kind == CarrierKind::Extrusion;
+    const Id origin = pushed ? 0 : sections_.point(s.point);
+    const Id direction = lines_.begin(pushed ? "VECTOR" : "AXIS1_PLACEMENT");
     if (pushed) {
       lines_.raw("'',").id(along).raw(",1.").end();
     } else {
       lines_.raw("'',").id(origin).raw(",").id(along).end();
     }
     const Id id = lines_.begin(pushed ? "SURFACE_OF_LINEAR_EXTRUSION" : "SURFACE_OF_REVOLUTION");
-    lines_.raw("'',").id(profile).raw(",").id(way).end();
+    lines_.raw("'',").id(profile).raw(",").id(direction).end();
     return id;
   }
-  static const char* keywordOf(SurfaceKind kind) {
+  static const char* keywordOf(CarrierKind kind) {
     switch (kind) {
-      case SurfaceKind::Cylinder:
+      case CarrierKind::Cylinder:
         return "CYLINDRICAL_SURFACE";
-      case SurfaceKind::Cone:
+      case CarrierKind::Cone:
         return "CONICAL_SURFACE";
-      case SurfaceKind::Sphere:
+      case CarrierKind::Sphere:
         return "SPHERICAL_SURFACE";
       default:
         return "TOROIDAL_SURFACE";
     }
   }
-  Id plane(Id frame) {
+  Id plane(Id axes) {
     const Id id = lines_.begin("PLANE");
-    lines_.raw("'',").id(frame).end();
+    lines_.raw("'',").id(axes).end();
     return id;
   }
 
@@ -169,14 +170,14 @@ class Writer {
       lines_.raw("'',").id(ring).raw(",.T.").end();
     }
     const Id geometry = surface(face);
-    // A bore's surface looks into the material; loops run as its face sees them.
+    // The surface of a bore faces into the material; the loops run as the face sees them.
     const bool against = !face.surface.isPlanar() && face.surface.reversed;
     const Id id = lines_.begin("ADVANCED_FACE");
     lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(against ? ",.F." : ",.T.").end();
     return id;
   }
 
-  // The corners alone; the edges between them follow.
+  // Writes the corners alone; the edges between them follow.
   Id writeFacet(const ModelFace& face) {
     std::vector<Id> bounds, corners;
     for (const auto& loop : face.loops) {
@@ -206,7 +207,7 @@ class Writer {
     for (std::size_t s = 0; s < shells.size(); ++s) {
       const std::int32_t owner = model_.shellOwner[s];
       if (owner == static_cast<std::int32_t>(s)) continue;
-      // The faces of a void already look away from the material.
+      // The faces of a void already face away from the material.
       voids[owner].push_back(lines_.begin("ORIENTED_CLOSED_SHELL"));
       lines_.raw("'',*,").id(shells[s]).raw(",.T.").end();
     }
@@ -226,7 +227,7 @@ class Writer {
   const Model& model_;
   const StepOptions& options_;
   Lines lines_;
-  Frame frame_;
+  FileSections sections_;
   bool faceted_;
   std::vector<Id> vertexPoint_, vertex_, edge_;
 };
@@ -247,12 +248,12 @@ bool isFaceted(const Model& model) {
 }
 
 double statedAccuracy(const Model& model) {
-  // Between surfaces readers find the gaps themselves; a wide figure would let them drop short
+  // Readers compute the gaps between surfaces themselves; a large value would let them drop short
   // edges.
   if (!isFlat(model)) return 1e-6;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
-  // A little more than was measured: the file rounds points and directions.
+  // A little more than was measured, because the file rounds points and directions.
   return 1.02 * largest + 1e-8;
 }
 

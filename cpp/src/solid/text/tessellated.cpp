@@ -17,15 +17,15 @@ namespace {
 
 constexpr double kBytesPerTriangle = 45;
 constexpr double kSameVolume = 1e-9;  // of the area times its root: points are rounded
-constexpr double kExact = 1e-7;       // mm, stated
+constexpr double kExact = 1e-7;       // mm, as stated in the file
 
 class Writer {
  public:
   Writer(const HalfEdgeMesh& mesh, std::ostream& out, const StepOptions& options, RunContext& run)
-      : mesh_(mesh), options_(options), lines_(out, run), frame_(lines_, options) {}
+      : mesh_(mesh), options_(options), lines_(out, run), sections_(lines_, options) {}
 
   void write(const std::string& fileName) {
-    frame_.header(fileName);
+    sections_.header(fileName);
     std::vector<std::vector<Id>> faces(mesh_.shellOwner.size());
     const std::vector<std::vector<std::int32_t>> shells = trianglesOfShells();
     for (std::size_t s = 0; s < shells.size(); ++s)
@@ -36,9 +36,9 @@ class Writer {
       solids.push_back(lines_.begin("TESSELLATED_SOLID"));
       lines_.raw(stepString(options_.productName)).raw(",").ids(items).raw(",$").end();
     }
-    const Id context = frame_.context(kExact);
-    frame_.product("TESSELLATED_SHAPE_REPRESENTATION", solids, solids, context);
-    frame_.end();
+    const Id context = sections_.context(kExact);
+    sections_.product("TESSELLATED_SHAPE_REPRESENTATION", solids, solids, context);
+    sections_.end();
   }
 
  private:
@@ -49,7 +49,7 @@ class Writer {
     return shells;
   }
 
-  // Points of one shell, numbered from 1, and its triangles.
+  // Writes the points of one shell, numbered from 1, and its triangles.
   Id face(const std::vector<std::int32_t>& triangles) {
     std::vector<std::int32_t> points;
     numberOf_.resize(mesh_.points.size(), 0);
@@ -86,11 +86,11 @@ class Writer {
   const HalfEdgeMesh& mesh_;
   const StepOptions& options_;
   Lines lines_;
-  Frame frame_;
-  std::vector<std::int32_t> numberOf_;  // in its shell's list, from 1
+  FileSections sections_;
+  std::vector<std::int32_t> numberOf_;  // number in the list of its shell, from 1
 };
 
-// Reads numbers and marks of one statement after another.
+// Reads numbers and punctuation of one statement after another.
 class Reader {
  public:
   Reader(std::istream& text, RunContext& run) : in_(*text.rdbuf()), run_(run) {}
@@ -115,7 +115,7 @@ class Reader {
                 "the tessellated solid just written cannot be read back: " + what);
   }
 
-  // To behind `#n=` of the next entity.
+  // Moves behind `#n=` of the next entity.
   bool seekEntity() {
     for (int c = in_.sbumpc(); c != kEnd; c = in_.sbumpc()) {
       if (c == '\'') skipString();
@@ -161,12 +161,12 @@ class Reader {
       *end++ = static_cast<char>(c);
     double value = 0;
     const auto [stop, error] = std::from_chars(text, end, value);
-    // A point may stand at the end.
+    // A real may end with its point.
     if (error != std::errc() || (stop != end && !(stop + 1 == end && *stop == '.')))
       fail("a coordinate is no number");
     return value;
   }
-  // ',' for one more, ')' for the end.
+  // ',' if there is one more, ')' at the end.
   bool more() {
     const int c = in_.sbumpc();
     if (c != ',' && c != ')') fail("a list does not end");

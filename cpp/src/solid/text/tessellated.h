@@ -1,8 +1,8 @@
 // A closed mesh as a tessellated solid of AP242 (ISO 10303-42, tessellated geometry): points and
 // triangles, no surfaces. Needs no kernel.
-// In: mesh in mm. Out: a file with one TESSELLATED_SOLID for each outer shell, hollow spaces as
-// further faces of it. Written beside the target, read back by a reader of its own, compared
-// (points, triangles, closed, volume), then renamed. Cost: O(n).
+// In: mesh in mm. Out: a file with one TESSELLATED_SOLID for each outer shell, with hollow spaces
+// as further faces of it. Cost: O(n). Promise: written beside the target, read back by a separate
+// reader, compared (points, triangles, closed, volume), then renamed.
 // Throws Error(ExportFailed, "WriteFailed" | "RereadDiffers" | "TooManyFaces" | ...),
 // Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -18,7 +18,7 @@ namespace swept::step {
 StepReport writeTessellated(const TriMesh& mesh, const std::string& path,
                             const StepOptions& options, RunContext& run);
 
-/// About, of a mesh of so many triangles.
+/// Approximate size for this number of triangles.
 double tessellatedMegabytes(std::int64_t triangles);
 
 /// All triangulated faces of such a file in one mesh. Throws Error(ExportFailed, "RereadFailed").

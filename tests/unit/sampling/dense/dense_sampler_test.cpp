@@ -100,7 +100,7 @@ Comparison compareWithBruteForce(const TriMesh& body, const Trajectory& trajecto
   const BodyTopology topology = buildTopology(body);
   const SamplerInput input{body, topology, motion, grid, true, true};
   dense::DenseSettings settings;
-  settings.leastPairs = 0;
+  settings.minPairs = 0;
   const auto dense = dense::sampleDense(input, settings, run);
   EXPECT_TRUE(dense.has_value());
   if (!dense) return {};
@@ -184,11 +184,11 @@ TEST(DenseSampler, LargeMotionsAndFewCopiesAreLeftToBruteForce) {
   const BodyTopology topology = buildTopology(body);
   Eigen::AlignedBox3d box;
   for (const auto& v : body.vertices) box.extend(v);
-  const auto applies = [&](double travel, double turn, double leastPairs) {
+  const auto applies = [&](double travel, double turn, double minPairs) {
     const Motion motion = refineMotion(body, vibration(random, 200, travel, turn), 1, run);
     const GridPlan grid = planGrid(sweptBox(body, motion, run), box, options);
     dense::DenseSettings settings;
-    settings.leastPairs = leastPairs;
+    settings.minPairs = minPairs;
     return dense::sampleDense({body, topology, motion, grid, true, true}, settings, run)
         .has_value();
   };

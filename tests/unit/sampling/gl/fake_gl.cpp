@@ -258,9 +258,10 @@ void drawElement(std::uint32_t code, std::uint32_t placement, std::uint32_t id) 
       state.texture[row * words + static_cast<std::uint32_t>(p[2]) / 32] |= 1u << (p[2] & 31);
     }
   };
-  if (code & SweptElement::kPatchBit) {
+  if (code & SweptElement::kSidePatchBit) {
     if (placement + 1 >= state.uniforms[6]) return;
-    const std::int32_t* edge = bufferAs<std::int32_t>(2) + 2 * (code & ~SweptElement::kPatchBit);
+    const std::int32_t* edge =
+        bufferAs<std::int32_t>(2) + 2 * (code & ~SweptElement::kSidePatchBit);
     const SnappedPoint a = corner(placement, edge[0]), b = corner(placement, edge[1]),
                        c = corner(placement + 1, edge[1]), d = corner(placement + 1, edge[0]);
     triangleCrossings(a, b, c, emit);
@@ -282,7 +283,8 @@ void draw(GLenum, GLint, GLsizei vertices, GLsizei instances) {
         drawElement(element[0], element[1], u[9] + local);
       } else {
         const std::uint32_t placement = u[4] + instance;
-        const std::uint32_t code = local < u[7] ? local : (local - u[7]) | SweptElement::kPatchBit;
+        const std::uint32_t code =
+            local < u[7] ? local : (local - u[7]) | SweptElement::kSidePatchBit;
         drawElement(code, placement, (placement - u[9]) * u[8] + local);
       }
     }

@@ -85,7 +85,7 @@ TEST(GlPlan, ChunksHoldEveryElementOnceAndThePlacementsItNeeds) {
             const SweptElement element = source.at(n);
             if (!source.exists(element)) continue;
             EXPECT_GE(element.placement, chunk.placementBase);
-            EXPECT_LT(element.placement + (element.isPatch() ? 1 : 0),
+            EXPECT_LT(element.placement + (element.isSidePatch() ? 1 : 0),
                       chunk.placementBase + chunk.placementCount);
           }
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contour/tip_placer.h"
+#include "contour/tip_mover.h"
 
 #include <algorithm>
 #include <memory>
@@ -11,7 +11,7 @@
 namespace swept {
 namespace {
 
-/// Any single cell of the grid, found by binary search in the edge lists.
+/// Collects any single cell of the grid by binary search in the edge lists.
 Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -39,12 +39,12 @@ Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   return cell;
 }
 
-class TipPlacer {
+class TipMover {
  public:
-  TipPlacer(const HermiteGrid& grid, ComponentMethod method, DualSurface& surface)
+  TipMover(const HermiteGrid& grid, ComponentMethod method, DualSurface& surface)
       : grid_(grid), method_(method), surface_(surface) {}
 
-  void place(const std::vector<std::vector<Escape>>& escapes) {
+  void move(const std::vector<std::vector<Escape>>& escapes) {
     std::vector<std::vector<Claim>> byLayer(escapes.size());
     parallelFor(escapes.size(), [&](std::size_t layer) {
       const auto finder = std::make_unique<ComponentFinder>(method_);
@@ -61,10 +61,11 @@ class TipPlacer {
       if (x.corner != y.corner) return x.corner;
       return x.error < y.error;
     });
-    // A vertex with a point of its own outside its cell goes there, whatever others ask it to take.
+    // First the vertices whose own planes meet outside their cell, then those that take over a
+    // neighbour's point.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
-      std::size_t group = 0;  // first claim on the same cell
+      std::size_t group = 0;  // index of the first claim on the same cell
       for (std::size_t n = 0; n < claims.size(); ++n) {
         if (claims[n].cell != claims[group].cell) group = n;
         if (claims[n].own == own) grant(claims, group, n, moved);
@@ -78,8 +79,8 @@ class TipPlacer {
     double error;
     std::uint32_t layer, vertex;
     Eigen::Vector3d point;  // grid coordinates
-    bool own;     // the vertex's own planes meet there; else it takes a point for another one
-    bool corner;  // three planes meet there: goes before creases
+    bool own;     // the vertex's own planes meet there; otherwise it takes over a neighbour's point
+    bool corner;  // three planes meet there; corners are granted before creases
     bool granted = false;
   };
   void grant(std::vector<Claim>& claims, std::size_t group, std::size_t n,
@@ -88,7 +89,7 @@ class TipPlacer {
     const auto key = static_cast<std::uint64_t>(claim.layer) << 32 | claim.vertex;
     if (moved.contains(key)) return;
     for (std::size_t m = group; m < claims.size() && claims[m].cell == claim.cell; ++m) {
-      if (claims[m].granted && (claims[m].point - claim.point).norm() <= kApart) return;
+      if (claims[m].granted && (claims[m].point - claim.point).norm() <= kMinDistance) return;
     }
     claim.granted = true;
     moved.insert(key);
@@ -96,18 +97,20 @@ class TipPlacer {
     v.local = (claim.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
   }
 
-  static constexpr double kApart = 0.1;  // cells between two vertices on one crease
+  static constexpr double kMinDistance =
+      0.1;  // cells: smallest distance of two vertices on one crease
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
              std::vector<Claim>& out) {
-    if (escape.error > kPlanesMeet || escape.planes.sharpness() < kSharpTip) return;
+    if (escape.error > kMaxPlaneError || escape.planes.sharpness() < kMinTipSharpness) return;
     const DualVertex& v = surface_.vertices[layer][escape.vertex];
     const Eigen::Vector3i own(v.i, v.j, v.k);
-    const Eigen::Vector3d way = escape.to - escape.from;
+    const Eigen::Vector3d direction = escape.to - escape.from;
     const Eigen::Vector3i target = own + escape.to.array().floor().matrix().cast<int>();
     const Eigen::Vector3d point = escape.to + own.cast<double>();
     const double count = escape.planes.count();
-    const bool corner = escape.planes.matrix().determinant() > kCorner * count * count * count;
+    const bool corner =
+        escape.planes.matrix().determinant() > kMinCornerDeterminant * count * count * count;
     const Cell cell = gatherCell(grid_, target);
     if (cell.mask != 0) {
       const auto [vertex, wholly] = agreeing(cell, target, point, finder);
@@ -116,19 +119,21 @@ class TipPlacer {
       const Eigen::Vector3d there =
           Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
       const double missed = escape.planes.error(there - own.cast<double>()) / escape.planes.count();
-      if (missed > kPlanesMeet) {
+      if (missed > kMaxPlaneError) {
         if (!wholly) return;
-        out.push_back({target, way.norm(), static_cast<std::uint32_t>(target[0]), vertex, point,
-                       false, corner});
-      } else if ((there - point).norm() > kApart) {
-        // The neighbour stands on the same crease: this vertex may go there as well.
-        out.push_back({target, way.norm(), layer, escape.vertex, point, true, corner});
+        out.push_back({target, direction.norm(), static_cast<std::uint32_t>(target[0]), vertex,
+                       point, false, corner});
+      } else if ((there - point).norm() > kMinDistance) {
+        // The neighbour's vertex stands on the same crease, so this vertex may follow the crease as
+        // well.
+        out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
       }
       return;
     }
-    constexpr int kSamples = 16;  // corners cut shorter than this do no harm
+    // Path steps; a shorter cut through the corner of a cell does no harm.
+    constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
-      const Eigen::Vector3d x = escape.from + way * (static_cast<double>(s) / kSamples);
+      const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);
       const Eigen::Vector3i step = x.array().floor().matrix().cast<int>();
       if (step == Eigen::Vector3i::Zero()) continue;
       const Cell passed = gatherCell(grid_, own + step);
@@ -137,12 +142,12 @@ class TipPlacer {
         return;
       }
     }
-    out.push_back({target, way.norm(), layer, escape.vertex, point, true, corner});
+    out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
   }
 
-  /// Vertex of the first component of a leaf cell on whose crease the point lies, or kNone: its
-  /// planes pass through the point, or two or more do that make a crease and the point is behind
-  /// the others (the crease ends at them, in a corner that the cell holds).
+  /// Vertex of the first component of a leaf cell whose planes agree with the point, or kNone. They
+  /// agree if all of them pass through the point; or if at least two of them do and form a crease,
+  /// and the point is behind the others (the crease then ends in a corner that this cell contains).
   struct Agreement {
     std::uint32_t vertex = DualSurface::kNone;
     bool wholly = false;  // all planes of the component pass through the point
@@ -163,22 +168,25 @@ class TipPlacer {
         const Eigen::Vector3d normal = crossing.normal.cast<double>();
         const double distance = normal.dot(local - position);
         all.add(position, normal);
-        if (distance * distance <= kPlanesMeet) {
+        if (distance * distance <= kMaxPlaneError) {
           through.add(position, normal);
         } else {
           behind &= distance < 0;
         }
         vertex = surface_.quads[cell.crossing(slot)][quadCorner(slot >> 1)];
       }
-      if (all.error(local) <= kPlanesMeet * all.count()) return {vertex, true};
-      if (behind && through.count() > 1 && through.sharpness() >= kSharpTip) return {vertex, false};
+      if (all.error(local) <= kMaxPlaneError * all.count()) return {vertex, true};
+      if (behind && through.count() > 1 && through.sharpness() >= kMinTipSharpness)
+        return {vertex, false};
     }
     return {};
   }
 
-  static constexpr double kSharpTip = 0.05;    // two planes that differ by 26 degrees
-  static constexpr double kCorner = 1e-3;      // of the planes' product; 0.037 for a cube's corner
-  static constexpr double kPlanesMeet = 1e-4;  // mean squared distance of the planes, cells: 0.01
+  static constexpr double kMinTipSharpness = 0.05;  // two planes that differ by 26 degrees
+  /// Determinant of the mean normal tensor; 0.037 for the corner of a cube.
+  static constexpr double kMinCornerDeterminant = 1e-3;
+  /// Cells^2: mean squared distance of the planes, 0.01 of a cell.
+  static constexpr double kMaxPlaneError = 1e-4;
 
   const HermiteGrid& grid_;
   ComponentMethod method_;
@@ -187,9 +195,9 @@ class TipPlacer {
 
 }  // namespace
 
-void placeTips(const HermiteGrid& grid, ComponentMethod method,
-               const std::vector<std::vector<Escape>>& escapes, DualSurface& surface) {
-  TipPlacer(grid, method, surface).place(escapes);
+void moveTips(const HermiteGrid& grid, ComponentMethod method,
+              const std::vector<std::vector<Escape>>& escapes, DualSurface& surface) {
+  TipMover(grid, method, surface).move(escapes);
 }
 
 }  // namespace swept

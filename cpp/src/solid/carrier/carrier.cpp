@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/carrier/surface.h"
+#include "solid/carrier/carrier.h"
 
 #include <cmath>
 
 namespace swept::step {
 
-const char* surfaceKindName(SurfaceKind kind) {
+const char* surfaceKindName(CarrierKind kind) {
   switch (kind) {
-    case SurfaceKind::Facet:
+    case CarrierKind::Facet:
       return "facet";
-    case SurfaceKind::Plane:
+    case CarrierKind::Plane:
       return "plane";
-    case SurfaceKind::Cylinder:
+    case CarrierKind::Cylinder:
       return "cylinder";
-    case SurfaceKind::Cone:
+    case CarrierKind::Cone:
       return "cone";
-    case SurfaceKind::Sphere:
+    case CarrierKind::Sphere:
       return "sphere";
-    case SurfaceKind::Torus:
+    case CarrierKind::Torus:
       return "torus";
-    case SurfaceKind::Extrusion:
+    case CarrierKind::Extrusion:
       return "extrusion";
-    case SurfaceKind::Revolution:
+    case CarrierKind::Revolution:
       return "revolution";
   }
   return "?";
@@ -33,49 +33,49 @@ Eigen::Vector3d anyOrthogonal(const Eigen::Vector3d& axis) {
   return axis.cross(Eigen::Vector3d::Unit(smallest)).normalized();
 }
 
-void Surface::setHalfAngle(double angle) {
+void Carrier::setHalfAngle(double angle) {
   halfAngle = angle;
   cosine = std::cos(angle);
   sine = std::sin(angle);
 }
 
-Eigen::Vector2d Surface::inProfile(const Eigen::Vector3d& p) const {
+Eigen::Vector2d Carrier::inProfile(const Eigen::Vector3d& p) const {
   const Eigen::Vector3d d = p - point;
-  if (kind == SurfaceKind::Extrusion) return {d.dot(xdir), d.dot(axis.cross(xdir))};
+  if (kind == CarrierKind::Extrusion) return {d.dot(xdir), d.dot(axis.cross(xdir))};
   const double along = d.dot(axis);
   return {(d - along * axis).norm(), along};
 }
 
-double Surface::distance(const Eigen::Vector3d& p) const {
+double Carrier::distance(const Eigen::Vector3d& p) const {
   const Eigen::Vector3d d = p - point;
   const double along = d.dot(axis);
   double value = 0;
   switch (kind) {
-    case SurfaceKind::Facet:
-    case SurfaceKind::Plane:
+    case CarrierKind::Facet:
+    case CarrierKind::Plane:
       return along;
-    case SurfaceKind::Sphere:
+    case CarrierKind::Sphere:
       value = d.norm() - radius;
       break;
-    case SurfaceKind::Cylinder:
+    case CarrierKind::Cylinder:
       value = (d - along * axis).norm() - radius;
       break;
-    case SurfaceKind::Cone:
+    case CarrierKind::Cone:
       value = ((d - along * axis).norm() - radius) * cosine - along * sine;
       break;
-    case SurfaceKind::Torus: {
+    case CarrierKind::Torus: {
       const double out = (d - along * axis).norm() - radius;
       value = std::sqrt(out * out + along * along) - minor;
     } break;
-    case SurfaceKind::Extrusion:
-    case SurfaceKind::Revolution:
+    case CarrierKind::Extrusion:
+    case CarrierKind::Revolution:
       value = profile->distance(inProfile(p));
       break;
   }
   return reversed ? -value : value;
 }
 
-Eigen::Vector3d Surface::normal(const Eigen::Vector3d& p) const {
+Eigen::Vector3d Carrier::normal(const Eigen::Vector3d& p) const {
   if (isPlanar()) return axis;
   const Eigen::Vector3d d = p - point;
   const double along = d.dot(axis);
@@ -83,16 +83,16 @@ Eigen::Vector3d Surface::normal(const Eigen::Vector3d& p) const {
   const double rho = radial.norm();
   radial = rho > 1e-12 ? Eigen::Vector3d(radial / rho) : anyOrthogonal(axis);
   Eigen::Vector3d result = radial;
-  if (kind == SurfaceKind::Sphere) {
+  if (kind == CarrierKind::Sphere) {
     result = d.norm() > 1e-12 ? Eigen::Vector3d(d.normalized()) : axis;
-  } else if (kind == SurfaceKind::Cone) {
+  } else if (kind == CarrierKind::Cone) {
     result = cosine * radial - sine * axis;
-  } else if (kind == SurfaceKind::Torus) {
+  } else if (kind == CarrierKind::Torus) {
     const Eigen::Vector3d tube = (rho - radius) * radial + along * axis;
     result = tube.norm() > 1e-12 ? Eigen::Vector3d(tube.normalized()) : radial;
   } else if (hasProfile()) {
     const Eigen::Vector2d n = profile->normal(inProfile(p));
-    result = kind == SurfaceKind::Extrusion ? n.x() * xdir + n.y() * axis.cross(xdir)
+    result = kind == CarrierKind::Extrusion ? n.x() * xdir + n.y() * axis.cross(xdir)
                                             : n.x() * radial + n.y() * axis;
   }
   return reversed ? Eigen::Vector3d(-result) : result;

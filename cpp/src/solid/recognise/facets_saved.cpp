@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/recognise/facets_saved.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kFacetsOfPlane = 3;  // a plane saves this many, whatever its size
+// Of tolerance times radius: area of the largest triangle within the tolerance of a sphere. An
+// equilateral triangle with its corners outside and its middle inside by the tolerance has
+// 3 sqrt(3) / 4 times the squared circumradius, which is 4 times tolerance times radius.
+constexpr double kAreaPerFacet = 5.2;
+
+// The angle about the surface's axis that the corners of a patch span, from their positions: the
+// normals of small triangles would give far more.
+double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
+  const Carrier& s = patch.surface;
+  const auto outward = [&](std::int32_t v) {
+    const Vector3d d = mesh.points[v] - s.point;
+    return Vector3d(d - d.dot(s.axis) * s.axis).normalized();
+  };
+  Vector3d mean = Vector3d::Zero();
+  for (const std::int32_t t : patch.triangles) {
+    for (const std::int32_t v : mesh.triangles[t]) mean += outward(v);
+  }
+  mean.normalize();
+  double smallest = 1;
+  for (const std::int32_t t : patch.triangles) {
+    for (const std::int32_t v : mesh.triangles[t])
+      smallest = std::min(smallest, outward(v).dot(mean));
+  }
+  return 2 * std::acos(std::max(-1.0, smallest));
+}
+
+double bendAt(const Profile& profile, double t) {
+  Vector2d first, second;
+  profile.derivatives(t, first, second);
+  return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
+}
+
+// Strips along the direction; where the surface bends both ways, as many as on a torus.
+double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
+  constexpr int kSteps = 200;
+  const Profile& profile = *patch.surface.profile;
+  const double from = profile.nodes().front().knot, step = profile.length() / kSteps;
+  double strips = 0, facets = 0;
+  for (int i = 0; i < kSteps; ++i)
+    strips += step * std::sqrt(bendAt(profile, from + (i + 0.5) * step) / tolerance);
+  if (patch.surface.kind == CarrierKind::Extrusion) return strips;
+  for (const std::int32_t t : patch.triangles) {
+    const Vector2d q = patch.surface.inProfile(mesh.points[mesh.triangles[t][0]]);
+    const Profile::Foot foot = profile.foot(q);
+    const double across = std::abs(foot.tangent.y()) / std::max(q.x(), tolerance);
+    const double area = 0.5 * mesh.areaVector(t).norm();
+    facets += area * std::sqrt(bendAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
+  }
+  return std::max(strips, facets);
+}
+
+}  // namespace
+
+double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles) {
+  double area = 0;
+  for (const std::int32_t t : triangles) area += 0.5 * mesh.areaVector(t).norm();
+  return area;
+}
+
+double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
+  const Carrier& s = patch.surface;
+  if (s.isPlanar()) return kFacetsOfPlane;
+  if (s.hasProfile()) return savedByProfile(mesh, patch, tolerance);
+  if (s.kind == CarrierKind::Sphere || s.kind == CarrierKind::Torus) {
+    const double radius =
+        s.kind == CarrierKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));
+    return areaOf(mesh, patch.triangles) / (kAreaPerFacet * tolerance * radius);
+  }
+  // Strips along the axis, two facets each.
+  return angleOf(mesh, patch) / std::sqrt(4 * tolerance / s.radius);
+}
+
+}  // namespace swept::step
