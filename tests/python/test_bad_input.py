@@ -259,7 +259,7 @@ def test_bad_input_22_bad_pose(both, box, program, tmp_path):
     motion = slide()
     motion[1, 1, 3] = np.nan
     refused(both(*box, motion), "BadPose", "pose 2")
-    with pytest.raises(_swept.InvalidInput, match="pose 2.*come after") as caught:
+    with pytest.raises(_swept.InvalidInput, match="pose 2.*comes before") as caught:
         _swept.compute(*box, ([1.0, 0.5], slide()))
     assert caught.value.code == "BadPose"
 
@@ -429,7 +429,7 @@ def test_bad_input_29_software_only(on_a_device):
 BROKEN_TABLES = [
     (b"t,tx,ty,tz,qx,qy,qz,qw\n0,1,2,3,0,0,0\n", "BadFile", "line 2"),
     (b"0,1,two,3,0,0,0,1\n1,1,2,3,0,0,0,1\n", "BadFile", "line 1, column 3"),
-    (b"0;1,5;2;3;0;0;0;1\n", "BadFile", "comma"),
+    (b"0;1,5,5;2;3;0;0;0;1\n", "BadFile", "column 2"),
     (b"0,0,0,0,0,0,0,1\n1,0,0", "BadFile", "line 2"),
     (b"0,0,0,0,0,0,0,1\n1,0,\0,0,0,0,0,1\n", "BadFile", "line 2"),
     ("0,0,0,0,0,0,0,1\n".encode("utf-16"), "BadFile", "UTF-16"),
