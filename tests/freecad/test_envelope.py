@@ -191,7 +191,7 @@ class Envelope(Computed):
         self.assertTrue(all(a <= n <= a + 16 for n, a in zip(found["grid"], (80, 20, 20))), found)
 
     def test_other_tolerance_cuts_the_kept_surface(self):
-        obj = self.computed(Tolerance=0.05)
+        obj = self.computed(Tolerance=0.0001)
         before = json.loads(obj.Report)
         obj.Tolerance = 0.5
         self.doc.recompute()
