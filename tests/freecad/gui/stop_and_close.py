@@ -32,8 +32,8 @@ ANSWER = 0.3
 WORK = 0.2
 #: s from closing the window to the end of the process.
 END = 2.0
-#: Share of the whole run at which it is stopped.
-PARTS = (0.1, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9)
+#: Where the bar stands, as a fraction of its length, when the run is stopped.
+PARTS = (0.05, 0.2, 0.4, 0.6, 0.7, 0.8, 0.86)
 
 
 def scene():
@@ -70,18 +70,25 @@ def heavy(doc, body, path):
     return panel
 
 
-def stopped_after(panel, seconds):
-    """Stops the run of a panel; returns (stage, s until the panel answers)."""
+def reached(panel, part):
+    """Whether the bar has come so far, or the run to its end."""
+    bar = panel.box.bar
+    return lambda: panel.run is None or bar.value() >= part * bar.maximum()
+
+
+def stopped_at(panel, part):
+    """Stops the run of a panel when its bar stands there; returns the stage."""
     from sweptvolume import runner
 
-    yield seconds
+    yield reached(panel, part)
+    assert panel.run is not None, "the run was over before it could be stopped"
     stage, bar = panel.run.control.phase(), panel.box.bar.value()
     gaps, began = Gaps(), time.perf_counter()
     click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
     yield lambda: panel.run is None
     took = time.perf_counter() - began
     gaps.stop()
-    say("stopped in {} at {:.1f} s, bar at {}: {:.2f} s".format(stage, seconds, bar, took))
+    say("stopped in {}, bar at {}: {:.2f} s".format(stage, bar, took))
     assert not runner.running() and not panel.box.isVisible() and panel.message.text()
     assert took < ANSWER + gaps.lost and gaps.busy < WORK, (took, gaps.lost, gaps.busy)
     return stage
@@ -108,27 +115,27 @@ def scenario():
         if panel.run is None:
             click(panel_button(Ok))
             yield 0.1
-        stages.add((yield from stopped_after(panel, 14.0 * part)))
+        stages.add((yield from stopped_at(panel, part)))
     shot("61_stopped")
     yield 0.3
     assert len(stages) > 1, stages
     # The bar moves in a stage that tells nothing.
     click(panel_button(Ok))
-    for _ in range(12):
-        yield 1.0
-        values.append(panel.box.bar.value())
+    for _ in range(8):
+        yield 0.3
         if panel.run is None:
             break
+        values.append(panel.box.bar.value())
     say("bar: {}".format(values))
     rising = [b > a for a, b in zip(values, values[1:])]
-    assert all(rising) or panel.run is None, values
+    assert len(values) > 3 and all(rising), values
     shot("62_bar")
     yield 0.3
     panel.reject()
     yield no_panel
     # Closed in the middle of a run.
     panel = yield from heavy(doc, body, path)
-    yield 6.0
+    yield reached(panel, 0.5)
     assert panel.run is not None, "the run is over before FreeCAD is closed"
     QtCore.QTimer.singleShot(300, discard)
     Gui.getMainWindow().close()
