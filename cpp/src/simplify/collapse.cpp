@@ -54,7 +54,8 @@ void prepare(CollapseState& state) {
   }
   // Finer than the original's corners there is nothing to be found; finer than the tolerance, not
   // much.
-  state.spacing = std::max(length / (3.0 * static_cast<double>(triangles)), state.tolerance);
+  state.spacing =
+      state.coarseness * std::max(length / (3.0 * static_cast<double>(triangles)), state.tolerance);
 }
 
 // Slabs across the longest side with about the same number of vertices each; `shifted`: their

@@ -47,6 +47,8 @@ struct CollapseState {
   std::vector<VertexKind> kind;                        ///< by vertex
   std::vector<std::vector<Eigen::Vector3d>> attached;  ///< by triangle: points that stay near it
   std::vector<char> dead;                              ///< by triangle; out
+  /// Points on new triangles are so many mean edges apart, or tolerances where those are longer.
+  double coarseness = 1;
 
   // Made by collapseEdges().
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the quadrics
