@@ -59,18 +59,21 @@ std::vector<Item>& scratch() {
   return stack;
 }
 
-// Opens the larger of two boxes: visit(node of the body, node of the neighbour).
+// Opens the larger of two boxes: visit(node of the body, its box, node of the neighbour, its box).
 template <class Visit>
 void openLarger(const Part& body, const Part& neighbour, const Item& item, const Visit& visit) {
-  const bool opensBody =
-      !item.body.isItem() &&
-      (item.neighbour.isItem() ||
-       body.box(item.body).half.squaredNorm() >= neighbour.box(item.neighbour).half.squaredNorm());
+  const Box a = body.box(item.body), b = neighbour.box(item.neighbour);
+  const bool opensBody = !item.body.isItem() &&
+                         (item.neighbour.isItem() || a.half.squaredNorm() >= b.half.squaredNorm());
   const BoxTree::Node open = opensBody ? item.body : item.neighbour;
   const std::uint32_t children = (opensBody ? body : neighbour).tree().children(open);
   for (std::uint32_t c = 0; c < children; ++c) {
     const BoxTree::Node child = BoxTree::child(open, c);
-    opensBody ? visit(child, item.neighbour) : visit(item.body, child);
+    if (opensBody) {
+      visit(child, body.box(child), item.neighbour, b);
+    } else {
+      visit(item.body, a, child, neighbour.box(child));
+    }
   }
 }
 
@@ -140,17 +143,17 @@ PairDistance PairSearch::distanceAt(const Matrix3d& R, const Vector3d& t, double
   };
   if (hint.body >= 0) tryPair(hint);
   BoxGap gap(R, t);
-  const auto gapOf = [&](BoxTree::Node i, BoxTree::Node j) {
-    const Box a = body_.box(i), b = neighbour_.box(j);
+  const auto gapOf = [&](const Box& a, const Box& b) {
     const double first = gap.inWorld(a, b);
     return first >= best.distance ? first : std::max(first, gap.inBody(a, b));
   };
   std::vector<Item>& stack = scratch();
-  const auto push = [&](BoxTree::Node i, BoxTree::Node j) {
-    const double g = gapOf(i, j);
+  const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
+    const double g = gapOf(a, b);
     if (g < best.distance) stack.push_back({i, j, g});
   };
-  push(body_.tree().root(), neighbour_.tree().root());
+  const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
+  push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty() && best.distance > 0) {
     const Item item = stack.back();
     stack.pop_back();
@@ -190,8 +193,7 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
   if (hint.body >= 0 && !pairHolds(hint)) return result;
   BoxGap gap(motion.R, motion.t);
   // -1: proven apart; otherwise the gap, for ordering.
-  const auto openGap = [&](BoxTree::Node i, BoxTree::Node j) {
-    const Box a = body_.box(i), b = neighbour_.box(j);
+  const auto openGap = [&](const Box& a, const Box& b) {
     const double first = gap.inWorld(a, b);
     if (first - motion.reach >= apart) return -1.0;
     const double second = gap.inBody(a, b);
@@ -205,11 +207,12 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
     return std::max(first, second);
   };
   std::vector<Item>& stack = scratch();
-  const auto push = [&](BoxTree::Node i, BoxTree::Node j) {
-    const double g = openGap(i, j);
+  const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
+    const double g = openGap(a, b);
     if (g >= 0) stack.push_back({i, j, g});
   };
-  push(body_.tree().root(), neighbour_.tree().root());
+  const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
+  push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty()) {
     if (--effort < 0) return result;
     const Item item = stack.back();
@@ -239,19 +242,19 @@ std::vector<LeafPair> PairSearch::meetingPairs(const Matrix3d& R, const Vector3d
   std::vector<LeafPair> found;
   BoxGap gap(R, t);
   std::vector<Item>& stack = scratch();
-  stack.push_back({body_.tree().root(), neighbour_.tree().root(), 0});
+  const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
+    if (!(gap.inWorld(a, b) > 0 || gap.inBody(a, b) > 0)) stack.push_back({i, j, 0});
+  };
+  const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
+  push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty() && found.size() < limit) {
     const Item item = stack.back();
     stack.pop_back();
-    const Box a = body_.box(item.body), b = neighbour_.box(item.neighbour);
-    if (gap.inWorld(a, b) > 0 || gap.inBody(a, b) > 0) continue;
     if (item.isPair()) {
       if (!(leafDistance(R, t, item.pair()).squared > 0)) found.push_back(item.pair());
       continue;
     }
-    openLarger(body_, neighbour_, item, [&](BoxTree::Node i, BoxTree::Node j) {
-      stack.push_back({i, j, 0});
-    });
+    openLarger(body_, neighbour_, item, push);
   }
   return found;
 }

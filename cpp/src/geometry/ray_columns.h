@@ -1,10 +1,9 @@
 // Winding number of a closed mesh about a point, by a ray along +x.
 // In:      triangles. Out: winding numbers; for a line (y, z) the crossings in rising x, each with
 //          its direction. Units: any one unit of length.
-// Cost:    O(n) to build, one column of triangles a line. Not the boxes of BoxTree: the same rays
-// through
-//          those take 0.75 to 6 times as long (a machine part, a ball, a torus; 32,000 to 300,000
-//          triangles, points in the box and near the surface), mostly about three times.
+// Cost:    O(n) to build, one column of triangles a line. The same rays through the boxes of a
+//          BoxTree take 0.75 to 6 times as long, mostly three (a machine part, a ball, a torus;
+//          32,000 to 300,000 triangles; points in the box and near the surface): hence columns.
 // Promise: a line through a shared edge or vertex meets a closed surface consistently (half-open
 //          rule on the projected corners, each edge evaluated in one direction), also where the
 //          triangles of an edge do not share vertices but only places.
