@@ -10,7 +10,7 @@ namespace swept::cli {
 
 void addSolidOptions(CLI::App& app, StepOptions& options) {
   constexpr const char* kGroup = "Options of solids (step, stp, brep, brp)";
-  const auto in = [kGroup](CLI::Option* option) { option->group(kGroup); };
+  const auto in = [](CLI::Option* option) { option->group(kGroup); };
   in(addNumber(app, "--solid-tolerance", "MM", options.tolerance,
                "the solid may leave the mesh by this; surfaces are recognised, the rest is "
                "simplified (default 0: flat regions are merged; more only as the limits ask)"));
