@@ -15,14 +15,7 @@ class Command(BaseCommand):
     def missing(self, document):
         from ..panels import selection
 
-        return selection.wanting(
-            document,
-            Envelope.KIND,
-            translate(
-                "Messages", "There is no envelope in the document: make one with Create envelope."
-            ),
-            translate("Messages", "Select one of the {0} envelopes."),
-        )
+        return selection.wanting_envelope(document)
 
     def run(self, document):
         from ..panels import envelope_panel, selection

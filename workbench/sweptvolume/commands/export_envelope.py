@@ -20,14 +20,7 @@ class Command(BaseCommand):
 
         if selection.source() is not None or selection.solid() is not None:
             return ""
-        return selection.wanting(
-            document,
-            Envelope.KIND,
-            translate(
-                "Messages", "There is no envelope in the document: make one with Create envelope."
-            ),
-            translate("Messages", "Select one of the {0} envelopes."),
-        )
+        return selection.wanting_envelope(document)
 
     def run(self, document):
         from .. import export

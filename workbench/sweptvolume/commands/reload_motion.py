@@ -16,12 +16,7 @@ class Command(BaseCommand):
     def missing(self, document):
         from ..panels import selection
 
-        return selection.wanting(
-            document,
-            Motion.KIND,
-            translate("Messages", "There is no motion in the document: make one with New motion."),
-            translate("Messages", "Select one of the {0} motions."),
-        )
+        return selection.wanting_motion(document)
 
     def run(self, document):
         from ..panels import selection

@@ -6,9 +6,10 @@ import FreeCADGui as Gui
 from ..convert import leaves, pairs_of, root_path, split_path
 from ..features.base import kind_of, objects_of_kind
 from ..features.clearance import is_clearance
-from ..features.envelope import is_envelope
-from ..features.motion import is_motion
+from ..features.envelope import Envelope, is_envelope
+from ..features.motion import Motion, is_motion
 from ..features.solid import can_be_source, is_solid
+from ..texts import translate
 
 
 def paths():
@@ -103,13 +104,35 @@ def of_kind(document, kind):
     return found, len(known)
 
 
-def wanting(document, kind, none, several):
+def _wanting(document, kind, none, several):
     """Texts for a command that acts on one object of a kind: none where there is none in the document,
     several (with their number) where one has to be selected; "" where it is clear."""
     found, count = of_kind(document, kind)
     if found is not None:
         return ""
     return several.format(count) if count else none
+
+
+def wanting_envelope(document):
+    """Why a command that acts on one envelope cannot; "" where it can."""
+    return _wanting(
+        document,
+        Envelope.KIND,
+        translate(
+            "Messages", "There is no envelope in the document: make one with Create envelope."
+        ),
+        translate("Messages", "Select one of the {0} envelopes."),
+    )
+
+
+def wanting_motion(document):
+    """Why a command that acts on one motion cannot; "" where it can."""
+    return _wanting(
+        document,
+        Motion.KIND,
+        translate("Messages", "There is no motion in the document: make one with New motion."),
+        translate("Messages", "Select one of the {0} motions."),
+    )
 
 
 def moving_parts(document):
