@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/nearest_triangle.h"
 
+#include "geometry/half_edges.h"
+
 namespace swept {
 
 double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double enough,
@@ -8,8 +10,7 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
   double best = limit;
   bool isEnough = false;  // only what was found can be: the limit itself may be as small
   const auto look = [&](std::int32_t t) {
-    const auto& tri = triangles_[t];
-    const double d = squaredDistance(p, vertices_[tri[0]], vertices_[tri[1]], vertices_[tri[2]]);
+    const double d = squaredDistanceTo(p, t);
     if (d >= best) return false;
     best = d;
     hint = t;
@@ -23,6 +24,33 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
     return !isEnough;
   });
   return best;
+}
+
+void NearestTriangle::prepareWalks() {
+  across_ = std::move(findAdjacency(EdgeTable(triangles_, vertices_.size())).across);
+}
+
+bool NearestTriangle::isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const {
+  if (hint >= 0 && across_.size() > 0) {
+    double best = squaredDistanceTo(p, hint);
+    for (std::int32_t from = -1; best > limit;) {
+      const std::int32_t at = hint;
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t other = across_[3 * static_cast<std::size_t>(at) + k];
+        const auto next = static_cast<std::int32_t>(other / 3);
+        if (other == kNoNeighbour || next == from) continue;
+        const double d = squaredDistanceTo(p, next);
+        if (d >= best) continue;
+        best = d;
+        hint = next;
+      }
+      if (hint == at) break;
+      from = at;
+    }
+    if (best <= limit) return true;
+  }
+  const double reach = 1.01 * limit, found = query(p, reach, limit, hint);
+  return found < reach && found <= limit;
 }
 
 }  // namespace swept

@@ -266,19 +266,31 @@ bool Collapser::findHome(const Vector3d& p, std::int32_t before) {
 
 bool Collapser::isNearOriginal(const Vector3d& p) {
   const double limit = kNetFraction * state_.tolerance * state_.tolerance;
-  return state_.original->query(p, 1.01 * limit, limit, nearest_) <= limit;
+  return state_.original->isNear(p, limit, nearest_);
 }
 
 // Points spread over the new triangles lie near the original.
 bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
+  nearest_ = state_.nearby[to];
   if (isFree(from) && isFree(to) && !isNearOriginal(place)) return false;
+  placed_ = nearest_;
+  const bool careful = state_.careful[from] || state_.careful[to];
+  const double spacing = careful ? 0.5 * state_.tolerance : state_.spacing;
   for (std::size_t k = 0; k < staying_.size(); ++k) {
     if (state_.label[staying_[k]] >= 0) continue;
     const auto& c = corners_[k];
-    if (squaredLongest(c) <= state_.spacing * state_.spacing) continue;
+    if (squaredLongest(c) <= spacing * spacing) continue;
     // The corners are known to be near.
-    const bool far = spreadPoints(c[0], c[1], c[2], state_.spacing, [&](const Vector3d& p) {
-      return p != c[0] && p != c[1] && p != c[2] && !isNearOriginal(p);
+    const auto& v = state_.mesh.triangles[staying_[k]];
+    const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
+      for (int i = 0; i < 3; ++i) {
+        if (p != c[i]) continue;
+        const bool fresh = v[i] == from || v[i] == to;
+        const std::int32_t hint = fresh ? placed_ : state_.nearby[v[i]];
+        if (hint >= 0) nearest_ = hint;
+        return false;
+      }
+      return !isNearOriginal(p);
     });
     if (far) return false;
   }
@@ -342,6 +354,8 @@ void Collapser::apply(std::int32_t from, std::int32_t to) {
   mine.insert(mine.end(), state_.around[from].begin(), state_.around[from].end());
   state_.around[from].clear();
   state_.gone[from] = 1;
+  state_.careful[to] |= state_.careful[from];
+  state_.nearby[to] = placed_;
   state_.quadric[to] += state_.quadric[from];
   ++state_.stamp[to];
   pushAround(to, false);

@@ -12,6 +12,8 @@
 namespace swept {
 namespace {
 
+using Eigen::Vector3d;
+
 /// Of the tolerance, for thinning; the rest is left to the edge collapse.
 constexpr double kThinFraction = 0.15;
 constexpr double kFirstLevel = 0.025;  ///< cells
@@ -20,6 +22,23 @@ constexpr double kFirstLevel = 0.025;  ///< cells
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< of the tolerance, where the measured deviation failed
 constexpr int kRounds = 4;
+
+// Where triangles stray from the original, those that are made in the next round are looked at more
+// closely.
+void markCareful(const TriMesh& small, const std::vector<std::int32_t>& strays, double reach,
+                 const std::vector<Vector3d>& vertices, std::vector<char>& careful) {
+  const Vector3d around = Vector3d::Constant(reach);
+  const BoxTree boxes(strays.size(), [&](std::size_t i) {
+    BoxTree::Bounds box;
+    for (const std::int32_t v : small.triangles[strays[i]]) {
+      box.extend(small.vertices[v] - around);
+      box.extend(small.vertices[v] + around);
+    }
+    return box;
+  });
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    boxes.forBox(vertices[v], vertices[v], [&](std::uint32_t) { careful[v] = 1; });
+}
 
 }  // namespace
 
@@ -38,6 +57,7 @@ std::unique_ptr<SimplifyTree::Level> SimplifyTree::thinned(const Level* from, do
     for (std::int32_t& v : level->source) v = from->source[v];
   }
   level->nearest = std::make_unique<NearestTriangle>(level->mesh.vertices, level->mesh.triangles);
+  level->nearest->prepareWalks();
   return level;
 }
 
@@ -56,8 +76,9 @@ const SimplifyTree::Level* SimplifyTree::levelWithin(double limit, RunContext& r
 
 const NearestTriangle& SimplifyTree::nearest() const {
   const std::lock_guard lock(mutex_);
-  if (nearest_ == nullptr)
-    nearest_ = std::make_unique<NearestTriangle>(mesh_.vertices, mesh_.triangles);
+  if (nearest_ != nullptr) return *nearest_;
+  nearest_ = std::make_unique<NearestTriangle>(mesh_.vertices, mesh_.triangles);
+  nearest_->prepareWalks();
   return *nearest_;
 }
 
@@ -68,34 +89,56 @@ Simplified SimplifyTree::cut(double tolerance, RunContext& run) const {
   return cutFrom(*thinned(nullptr, kThinFraction * tolerance, run), tolerance, run);
 }
 
+// By the nearest vertex of the level.
+void SimplifyTree::addContactTime(const Level& level, Simplified& out) const {
+  std::int32_t near = -1;
+  for (const Vector3d& p : out.mesh.vertices) {
+    level.nearest->query(p, 1e300, 0, near);
+    const auto& tri = level.mesh.triangles[near];
+    const std::int32_t v = *std::min_element(tri.begin(), tri.end(), [&](auto a, auto b) {
+      return (level.mesh.vertices[a] - p).squaredNorm() <
+             (level.mesh.vertices[b] - p).squaredNorm();
+    });
+    out.contactTime.push_back(contactTime_[level.source[v]]);
+  }
+}
+
 Simplified SimplifyTree::cutFrom(const Level& level, double tolerance, RunContext& run) const {
   Simplified out;
   double within = kPointFraction * (tolerance - level.limit / 2);
-  for (int round = 0; round < kRounds; ++round, within *= kLessEachRound) {
+  std::vector<std::pair<std::int32_t, Vector3d>> missed;  // by triangle of the level
+  std::vector<char> careful(level.mesh.vertices.size(), 0);
+  for (int round = 0; round < kRounds; ++round) {
+    if (round > 1) within *= kLessEachRound;
     CollapseState state;
     state.tolerance = within;
     state.original = level.nearest.get();
     state.mesh = level.mesh;
     state.label.assign(level.mesh.triangles.size(), -1);
     watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
+    for (const auto& [triangle, p] : missed) state.attached[triangle].push_back(p);
+    state.careful = careful;
+    state.nearby.resize(level.mesh.vertices.size());
+    for (std::size_t h = 0; h < 3 * level.mesh.triangles.size(); ++h)
+      state.nearby[level.mesh.triangles[h / 3][h % 3]] = static_cast<std::int32_t>(h / 3);
     collapseEdges(state, false, run);
     TriMesh small = takeMesh(state);
     run.checkpoint(Phase::Simplify, 3, 4);
-    out.deviation = measureDeviation(mesh_, nearest(), small, cell_);
-    if (out.deviation > tolerance) continue;
-    out.mesh = std::move(small);
-    std::int32_t near = -1;
-    for (const Eigen::Vector3d& p : out.mesh.vertices) {
-      level.nearest->query(p, 1e300, 0, near);
-      const auto& tri = level.mesh.triangles[near];
-      const std::int32_t v = *std::min_element(tri.begin(), tri.end(), [&](auto a, auto b) {
-        return (level.mesh.vertices[a] - p).squaredNorm() <
-               (level.mesh.vertices[b] - p).squaredNorm();
-      });
-      out.contactTime.push_back(contactTime_[level.source[v]]);
+    const Deviation deviation = measureDeviation(mesh_, nearest(), small, cell_, tolerance);
+
+    if (deviation.largest <= tolerance) {
+      out.deviation = deviation.largest;
+      out.mesh = std::move(small);
+      addContactTime(level, out);
+      out.featureEdges = findFeatureEdges(out.mesh);
+      return out;
     }
-    out.featureEdges = findFeatureEdges(out.mesh);
-    return out;
+    for (const Vector3d& p : deviation.missed) {
+      std::int32_t near = -1;
+      level.nearest->query(p, 1e300, 0, near);
+      missed.emplace_back(near, p);
+    }
+    markCareful(small, deviation.strays, tolerance, level.mesh.vertices, careful);
   }
   return {mesh_, contactTime_, featureEdges(), 0};
 }

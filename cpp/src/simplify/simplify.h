@@ -55,6 +55,7 @@ class SimplifyTree {
   /// The coarsest level within this; null: none.
   const Level* levelWithin(double limit, RunContext& run) const;
   const NearestTriangle& nearest() const;
+  void addContactTime(const Level& level, Simplified& out) const;
   Simplified cutFrom(const Level& level, double tolerance, RunContext& run) const;
 
   TriMesh mesh_;

@@ -145,7 +145,9 @@ class ShapeMaker {
         fits_(fits),
         reader_(options, kernel, run),
         run_(run),
-        original_(dense.points, dense.triangles) {}
+        original_(dense.points, dense.triangles) {
+    original_.prepareWalks();
+  }
 
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
@@ -245,7 +247,7 @@ class ShapeMaker {
   const std::function<bool(std::int64_t)>& fits_;
   ReadCheck reader_;
   RunContext& run_;
-  const NearestTriangle original_;
+  NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
 };
