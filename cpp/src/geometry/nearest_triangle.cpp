@@ -30,22 +30,31 @@ void NearestTriangle::prepareWalks() {
   across_ = std::move(findAdjacency(EdgeTable(triangles_, vertices_.size())).across);
 }
 
+void NearestTriangle::lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit,
+                                 double& best, std::int32_t& hint) const {
+  for (int k = 0; k < 3 && best > limit; ++k) {
+    const std::uint32_t other = across_[3 * static_cast<std::size_t>(at) + k];
+    if (other == kNoNeighbour) continue;
+    const auto next = static_cast<std::int32_t>(other / 3);
+    if (depth > 1) {
+      lookAround(p, next, depth - 1, limit, best, hint);
+      continue;
+    }
+    const double d = squaredDistanceTo(p, next);
+    if (d >= best) continue;
+    best = d;
+    hint = next;
+  }
+}
+
 bool NearestTriangle::isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const {
   if (hint >= 0 && across_.size() > 0) {
     double best = squaredDistanceTo(p, hint);
-    for (std::int32_t from = -1; best > limit;) {
+    while (best > limit) {
       const std::int32_t at = hint;
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t other = across_[3 * static_cast<std::size_t>(at) + k];
-        const auto next = static_cast<std::int32_t>(other / 3);
-        if (other == kNoNeighbour || next == from) continue;
-        const double d = squaredDistanceTo(p, next);
-        if (d >= best) continue;
-        best = d;
-        hint = next;
-      }
+      lookAround(p, at, 1, limit, best, hint);
+      if (hint == at) lookAround(p, at, 2, limit, best, hint);
       if (hint == at) break;
-      from = at;
     }
     if (best <= limit) return true;
   }

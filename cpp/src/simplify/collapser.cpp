@@ -307,15 +307,20 @@ bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
 // Whether triangles with their new corners meet any others; which, in hits_.
 bool Collapser::meetsOthers() {
   hits_.clear();
+  around_.clear();
+  MovingBoxes::Box all;
+  for (const std::int32_t t : staying_) all.extend(MovingBoxes::boxOf(state_.mesh, t));
+  boxes_.forBox(all, [&](std::int32_t other, const MovingBoxes::Box& box) {
+    if (std::find(dying_.begin(), dying_.end(), other) == dying_.end() &&
+        std::find(staying_.begin(), staying_.end(), other) == staying_.end())
+      around_.emplace_back(other, box);
+  });
   for (std::size_t k = 0; k < staying_.size(); ++k) {
     const std::int32_t t = staying_[k];
-    const bool own = boxes_.any(MovingBoxes::boxOf(state_.mesh, t), [&](std::int32_t other) {
-      if (std::find(dying_.begin(), dying_.end(), other) != dying_.end()) return false;
-      if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;
-      if (meet(t, other)) hits_.push_back(other);
-      return false;
-    });
-    if (own) return true;
+    const MovingBoxes::Box own = MovingBoxes::boxOf(state_.mesh, t);
+    for (const auto& [other, box] : around_) {
+      if (box.intersects(own) && meet(t, other)) hits_.push_back(other);
+    }
     for (std::size_t j = k + 1; j < staying_.size(); ++j) {
       if (meet(t, staying_[j])) hits_.push_back(staying_[j]);
     }

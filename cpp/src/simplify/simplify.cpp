@@ -22,6 +22,7 @@ constexpr double kFirstLevel = 0.025;  ///< cells
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< of the tolerance, where the measured deviation failed
 constexpr int kRounds = 4;
+constexpr double kLeastFraction = 0.1;  ///< of the tolerance, before nothing is simplified at all
 
 // Where triangles stray from the original, those that are made in the next round are looked at more
 // closely.
@@ -42,11 +43,11 @@ void markCareful(const TriMesh& small, const std::vector<std::int32_t>& strays, 
 
 }  // namespace
 
-SimplifyTree::SimplifyTree(TriMesh mesh, std::vector<double> contactTime, double cell)
+Simplifier::Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell)
     : mesh_(std::move(mesh)), contactTime_(std::move(contactTime)), cell_(cell) {}
 
-std::unique_ptr<SimplifyTree::Level> SimplifyTree::thinned(const Level* from, double limit,
-                                                           RunContext& run) const {
+std::unique_ptr<Simplifier::Level> Simplifier::thinned(const Level* from, double limit,
+                                                       RunContext& run) const {
   Thinned thin =
       thinOut(from != nullptr ? from->mesh : mesh_, limit, ThinFor::Collapse, Phase::Simplify, run);
   auto level = std::make_unique<Level>();
@@ -61,7 +62,7 @@ std::unique_ptr<SimplifyTree::Level> SimplifyTree::thinned(const Level* from, do
   return level;
 }
 
-const SimplifyTree::Level* SimplifyTree::levelWithin(double limit, RunContext& run) const {
+const Simplifier::Level* Simplifier::levelWithin(double limit, RunContext& run) const {
   const std::lock_guard lock(mutex_);
   const Level* found = nullptr;
   double step = kFirstLevel * cell_;
@@ -74,7 +75,7 @@ const SimplifyTree::Level* SimplifyTree::levelWithin(double limit, RunContext& r
   }
 }
 
-const NearestTriangle& SimplifyTree::nearest() const {
+const NearestTriangle& Simplifier::nearest() const {
   const std::lock_guard lock(mutex_);
   if (nearest_ != nullptr) return *nearest_;
   nearest_ = std::make_unique<NearestTriangle>(mesh_.vertices, mesh_.triangles);
@@ -82,15 +83,23 @@ const NearestTriangle& SimplifyTree::nearest() const {
   return *nearest_;
 }
 
-Simplified SimplifyTree::cut(double tolerance, RunContext& run) const {
+Simplified Simplifier::cut(double tolerance, RunContext& run) const {
   run.checkpoint(Phase::Simplify);
-  if (const Level* level = levelWithin(kThinFraction * tolerance, run))
-    return cutFrom(*level, tolerance, run);
-  return cutFrom(*thinned(nullptr, kThinFraction * tolerance, run), tolerance, run);
+  // Where no round holds the tolerance, what half of it allows does.
+  for (double within = tolerance; within > kLeastFraction * tolerance; within /= 2) {
+    const Level* level = levelWithin(kThinFraction * within, run);
+    std::unique_ptr<Level> own;
+    if (level == nullptr) {
+      own = thinned(nullptr, kThinFraction * within, run);
+      level = own.get();
+    }
+    if (std::optional<Simplified> cut = cutFrom(*level, within, run)) return std::move(*cut);
+  }
+  return {mesh_, contactTime_, featureEdges(), 0};
 }
 
 // By the nearest vertex of the level.
-void SimplifyTree::addContactTime(const Level& level, Simplified& out) const {
+void Simplifier::addContactTime(const Level& level, Simplified& out) const {
   std::int32_t near = -1;
   for (const Vector3d& p : out.mesh.vertices) {
     level.nearest->query(p, 1e300, 0, near);
@@ -103,7 +112,8 @@ void SimplifyTree::addContactTime(const Level& level, Simplified& out) const {
   }
 }
 
-Simplified SimplifyTree::cutFrom(const Level& level, double tolerance, RunContext& run) const {
+std::optional<Simplified> Simplifier::cutFrom(const Level& level, double tolerance,
+                                              RunContext& run) const {
   Simplified out;
   double within = kPointFraction * (tolerance - level.limit / 2);
   std::vector<std::pair<std::int32_t, Vector3d>> missed;  // by triangle of the level
@@ -125,7 +135,6 @@ Simplified SimplifyTree::cutFrom(const Level& level, double tolerance, RunContex
     TriMesh small = takeMesh(state);
     run.checkpoint(Phase::Simplify, 3, 4);
     const Deviation deviation = measureDeviation(mesh_, nearest(), small, cell_, tolerance);
-
     if (deviation.largest <= tolerance) {
       out.deviation = deviation.largest;
       out.mesh = std::move(small);
@@ -140,10 +149,10 @@ Simplified SimplifyTree::cutFrom(const Level& level, double tolerance, RunContex
     }
     markCareful(small, deviation.strays, tolerance, level.mesh.vertices, careful);
   }
-  return {mesh_, contactTime_, featureEdges(), 0};
+  return std::nullopt;
 }
 
-std::vector<std::array<std::int32_t, 2>> SimplifyTree::featureEdges() const {
+std::vector<std::array<std::int32_t, 2>> Simplifier::featureEdges() const {
   return findFeatureEdges(mesh_);
 }
 

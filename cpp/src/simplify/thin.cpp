@@ -129,6 +129,7 @@ class Thinner {
         corners[k] = id[v];
       }
       out.mesh.triangles.push_back(corners);
+      out.triangle.push_back(static_cast<std::int32_t>(t));
     }
     return out;
   }
@@ -387,9 +388,10 @@ void keepAbout(const SelfIntersections& found, const Thinned& thinned, const Thi
 
 }  // namespace
 
-Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run) {
+Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
+                std::vector<char> kept) {
   const Manner& manner = purpose == ThinFor::Collapse ? kForCollapse : kForSurfaces;
-  Flags kept(mesh.vertices.size(), 0);
+  kept.resize(mesh.vertices.size(), 0);
   std::int64_t before = std::numeric_limits<std::int64_t>::max();
   for (;;) {
     Thinner thinner(mesh, limit, manner, kept, phase, run);
