@@ -10,7 +10,7 @@
 
 namespace swept {
 
-class SimplifyTree;
+class Simplifier;
 
 /// Envelope mesh and what is known about it. `mesh` is empty unless report.status is Ok.
 struct Result {
@@ -21,7 +21,7 @@ struct Result {
       featureEdges;  ///< vertex pairs along creases and corners
   /// The surface before simplification, ready to be cut at another tolerance; only if
   /// Options::tolerance was above 0.
-  std::shared_ptr<const SimplifyTree> kept;
+  std::shared_ptr<const Simplifier> kept;
 };
 
 /// Never throws except std::bad_alloc from copying its own message; failures are in report.status.

@@ -15,9 +15,9 @@ struct TriedTriangle {
   Eigen::Vector3d normal;
   double size;
 
-  TriedTriangle(const TriMesh& mesh, std::int32_t t) {
-    const auto& tri = mesh.triangles[t];
-    for (int i = 0; i < 3; ++i) corner[i] = mesh.vertices[tri[i]];
+  TriedTriangle(const std::vector<Eigen::Vector3d>& vertices,
+                const std::array<std::int32_t, 3>& tri) {
+    for (int i = 0; i < 3; ++i) corner[i] = vertices[tri[i]];
     edge = {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
     normal = edge[0].cross(edge[1]);
     size = std::max({edge[0].cwiseAbs().maxCoeff(), edge[1].cwiseAbs().maxCoeff(),
@@ -74,15 +74,15 @@ bool partedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eige
 
 }  // namespace
 
-bool hasNoArea(const TriMesh& mesh, std::int32_t t) {
-  const auto& tri = mesh.triangles[t];
+bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices,
+               const std::array<std::int32_t, 3>& tri) {
   return tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0] ||
-         collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);
+         collinear(vertices[tri[0]], vertices[tri[1]], vertices[tri[2]]);
 }
 
-bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
-  const auto &p = mesh.triangles[first], &q = mesh.triangles[second];
-  const auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return mesh.vertices[v]; };
+bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
+                    const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q) {
+  const auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
   int common = 0, i = 0, j = 0;  // the last common corner, as seen from both
   for (int m = 0; m < 3; ++m) {
     for (int n = 0; n < 3; ++n) {
@@ -94,7 +94,7 @@ bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second
   }
   if (common == 0) {
     // Sheets that lie on one another are parted by a normal, neighbours in a sheet by an edge.
-    const TriedTriangle a(mesh, first), b(mesh, second);
+    const TriedTriangle a(vertices, p), b(vertices, q);
     return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
   }
   const Eigen::Vector3d& v = at(p[i]);

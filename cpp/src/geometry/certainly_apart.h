@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "swept/types.h"
 
@@ -57,9 +58,17 @@ struct SeenTriangle {
 };
 
 /// Triangles with one, two or no common corner; the same three corners are never apart.
-bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second);
+bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
+                    const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q);
+inline bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
+  return certainlyApart(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
+}
 
 /// Exact: repeated corners, or all on one line.
-bool hasNoArea(const TriMesh& mesh, std::int32_t triangle);
+bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices,
+               const std::array<std::int32_t, 3>& triangle);
+inline bool hasNoArea(const TriMesh& mesh, std::int32_t triangle) {
+  return hasNoArea(mesh.vertices, mesh.triangles[triangle]);
+}
 
 }  // namespace swept

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/nearest_triangle.h"
 
+#include "geometry/half_edges.h"
+
 namespace swept {
 
 double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double enough,
@@ -8,8 +10,7 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
   double best = limit;
   bool isEnough = false;  // only what was found can be: the limit itself may be as small
   const auto look = [&](std::int32_t t) {
-    const auto& tri = triangles_[t];
-    const double d = squaredDistance(p, vertices_[tri[0]], vertices_[tri[1]], vertices_[tri[2]]);
+    const double d = squaredDistanceTo(p, t);
     if (d >= best) return false;
     best = d;
     hint = t;
@@ -23,6 +24,42 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
     return !isEnough;
   });
   return best;
+}
+
+void NearestTriangle::prepareWalks() {
+  across_ = std::move(findAdjacency(EdgeTable(triangles_, vertices_.size())).across);
+}
+
+void NearestTriangle::lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit,
+                                 double& best, std::int32_t& hint) const {
+  for (int k = 0; k < 3 && best > limit; ++k) {
+    const std::uint32_t other = across_[3 * static_cast<std::size_t>(at) + k];
+    if (other == kNoNeighbour) continue;
+    const auto next = static_cast<std::int32_t>(other / 3);
+    if (depth > 1) {
+      lookAround(p, next, depth - 1, limit, best, hint);
+      continue;
+    }
+    const double d = squaredDistanceTo(p, next);
+    if (d >= best) continue;
+    best = d;
+    hint = next;
+  }
+}
+
+bool NearestTriangle::isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const {
+  if (hint >= 0 && across_.size() > 0) {
+    double best = squaredDistanceTo(p, hint);
+    while (best > limit) {
+      const std::int32_t at = hint;
+      lookAround(p, at, 1, limit, best, hint);
+      if (hint == at) lookAround(p, at, 2, limit, best, hint);
+      if (hint == at) break;
+    }
+    if (best <= limit) return true;
+  }
+  const double reach = 1.01 * limit, found = query(p, reach, limit, hint);
+  return found < reach && found <= limit;
 }
 
 }  // namespace swept

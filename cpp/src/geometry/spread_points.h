@@ -10,7 +10,8 @@
 namespace swept {
 
 /// Calls stop(point) for points no more than about `spacing` apart (coarser on triangles of more
-/// than 32 times that: 32 steps); ends with true as soon as stop() says so.
+/// than 32 times that: 32 steps), each beside the one before; ends with true as soon as stop() says
+/// so.
 template <class Stop>
 bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   double spacing, const Stop& stop) {
@@ -33,7 +34,7 @@ bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
     const double s = static_cast<double>(i) / rows;
     const int m = std::max(1, static_cast<int>(std::ceil(n * (1 - s))));
     for (int k = 0; k <= m; ++k) {
-      const double u = (1 - s) * k / m;
+      const double u = (1 - s) * (i % 2 == 0 ? k : m - k) / m;
       if (stop(Eigen::Vector3d((1 - s - u) * *p + u * *q + s * *r))) return true;
     }
   }

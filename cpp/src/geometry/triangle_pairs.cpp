@@ -139,10 +139,10 @@ bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Ei
   return plane.turn * orientation2d(u, v, q, plane.u, plane.v) > 0;
 }
 
-bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int64_t second) {
-  const auto& p = mesh.triangles[first];
-  const auto& q = mesh.triangles[second];
-  auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return mesh.vertices[v]; };
+bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
+                        const std::array<std::int32_t, 3>& p,
+                        const std::array<std::int32_t, 3>& q) {
+  auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
   // Bring common corners to the front of both.
   int common = 0;
   std::array<std::int32_t, 3> a = p, b = q;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "swept/types.h"
 
@@ -26,6 +27,10 @@ bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Ei
 
 /// Two triangles of a mesh: finds their common corners and asks one of the above. The same three
 /// corners count as meeting.
-bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int64_t second);
+bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
+                        const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q);
+inline bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int64_t second) {
+  return trianglesIntersect(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
+}
 
 }  // namespace swept

@@ -262,7 +262,7 @@ void EnvelopeRun::simplify() {
     result_.featureEdges = findFeatureEdges(result_.mesh);
     return;
   }
-  result_.kept = std::make_shared<const SimplifyTree>(
+  result_.kept = std::make_shared<const Simplifier>(
       std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid.cell);
   cutKept(result_, options_.tolerance, run_);
   stage("simplify");

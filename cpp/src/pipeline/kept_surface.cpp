@@ -13,7 +13,7 @@ namespace {
 constexpr int kHalvings = 6;
 
 void cutOnce(Result& result, double tolerance, RunContext& run) {
-  const SimplifyTree& kept = *result.kept;
+  const Simplifier& kept = *result.kept;
   Report& report = result.report;
   if (tolerance > 0) {
     Simplified cut = kept.cut(tolerance, run);

@@ -30,19 +30,19 @@ void prepare(CollapseState& state) {
   state.dead.assign(triangles, 0);
   state.stamp.assign(count, 0);
   state.kind.resize(count, VertexKind::Free);
+  state.careful.resize(count, 0);
   state.label.resize(triangles, -1);
   state.attached.resize(triangles);
   state.around.assign(count, {});
   state.quadric.assign(count, {});
+  state.nearby.resize(count, -1);
   state.origin.setZero();
   for (const Vector3d& p : state.mesh.vertices) state.origin += p;
   state.origin /= static_cast<double>(count);
-  double length = 0;
   for (std::size_t t = 0; t < triangles; ++t) {
     const auto& tri = state.mesh.triangles[t];
     const Vector3d &a = state.mesh.vertices[tri[0]], &b = state.mesh.vertices[tri[1]],
                    &c = state.mesh.vertices[tri[2]];
-    length += (b - a).norm() + (c - b).norm() + (a - c).norm();
     const Vector3d area = (b - a).cross(c - a);
     const double twice = area.norm();
     Quadric plane;
@@ -52,10 +52,7 @@ void prepare(CollapseState& state) {
       state.quadric[v] += plane;
     }
   }
-  // Finer than the original's corners there is nothing to be found; finer than the tolerance, not
-  // much.
-  state.spacing =
-      state.coarseness * std::max(length / (3.0 * static_cast<double>(triangles)), state.tolerance);
+  state.spacing = state.coarseness * state.tolerance;
 }
 
 // Slabs across the longest side with about the same number of vertices each; `shifted`: their

@@ -266,19 +266,31 @@ bool Collapser::findHome(const Vector3d& p, std::int32_t before) {
 
 bool Collapser::isNearOriginal(const Vector3d& p) {
   const double limit = kNetFraction * state_.tolerance * state_.tolerance;
-  return state_.original->query(p, 1.01 * limit, limit, nearest_) <= limit;
+  return state_.original->isNear(p, limit, nearest_);
 }
 
 // Points spread over the new triangles lie near the original.
 bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
+  nearest_ = state_.nearby[to];
   if (isFree(from) && isFree(to) && !isNearOriginal(place)) return false;
+  placed_ = nearest_;
+  const bool careful = state_.careful[from] || state_.careful[to];
+  const double spacing = careful ? 0.5 * state_.tolerance : state_.spacing;
   for (std::size_t k = 0; k < staying_.size(); ++k) {
     if (state_.label[staying_[k]] >= 0) continue;
     const auto& c = corners_[k];
-    if (squaredLongest(c) <= state_.spacing * state_.spacing) continue;
+    if (squaredLongest(c) <= spacing * spacing) continue;
     // The corners are known to be near.
-    const bool far = spreadPoints(c[0], c[1], c[2], state_.spacing, [&](const Vector3d& p) {
-      return p != c[0] && p != c[1] && p != c[2] && !isNearOriginal(p);
+    const auto& v = state_.mesh.triangles[staying_[k]];
+    const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
+      for (int i = 0; i < 3; ++i) {
+        if (p != c[i]) continue;
+        const bool fresh = v[i] == from || v[i] == to;
+        const std::int32_t hint = fresh ? placed_ : state_.nearby[v[i]];
+        if (hint >= 0) nearest_ = hint;
+        return false;
+      }
+      return !isNearOriginal(p);
     });
     if (far) return false;
   }
@@ -295,15 +307,20 @@ bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
 // Whether triangles with their new corners meet any others; which, in hits_.
 bool Collapser::meetsOthers() {
   hits_.clear();
+  around_.clear();
+  MovingBoxes::Box all;
+  for (const std::int32_t t : staying_) all.extend(MovingBoxes::boxOf(state_.mesh, t));
+  boxes_.forBox(all, [&](std::int32_t other, const MovingBoxes::Box& box) {
+    if (std::find(dying_.begin(), dying_.end(), other) == dying_.end() &&
+        std::find(staying_.begin(), staying_.end(), other) == staying_.end())
+      around_.emplace_back(other, box);
+  });
   for (std::size_t k = 0; k < staying_.size(); ++k) {
     const std::int32_t t = staying_[k];
-    const bool own = boxes_.any(MovingBoxes::boxOf(state_.mesh, t), [&](std::int32_t other) {
-      if (std::find(dying_.begin(), dying_.end(), other) != dying_.end()) return false;
-      if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;
-      if (meet(t, other)) hits_.push_back(other);
-      return false;
-    });
-    if (own) return true;
+    const MovingBoxes::Box own = MovingBoxes::boxOf(state_.mesh, t);
+    for (const auto& [other, box] : around_) {
+      if (box.intersects(own) && meet(t, other)) hits_.push_back(other);
+    }
     for (std::size_t j = k + 1; j < staying_.size(); ++j) {
       if (meet(t, staying_[j])) hits_.push_back(staying_[j]);
     }
@@ -342,6 +359,8 @@ void Collapser::apply(std::int32_t from, std::int32_t to) {
   mine.insert(mine.end(), state_.around[from].begin(), state_.around[from].end());
   state_.around[from].clear();
   state_.gone[from] = 1;
+  state_.careful[to] |= state_.careful[from];
+  state_.nearby[to] = placed_;
   state_.quadric[to] += state_.quadric[from];
   ++state_.stamp[to];
   pushAround(to, false);

@@ -83,7 +83,9 @@ class Collapser {
   std::vector<std::array<Point, 3>> corners_;          // of those that stay, afterwards
   std::vector<std::pair<Point, std::int32_t>> moved_;  // and the place in staying_
   std::vector<std::int32_t> hits_;
-  std::int32_t nearest_ = -1;  // triangle of the original
+  std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;  // triangles near those that stay
+  std::int32_t nearest_ = -1;  // triangle of the original, near the point last asked for
+  std::int32_t placed_ = -1;   // near the place of the vertex that stays
 };
 
 }  // namespace swept

@@ -11,75 +11,107 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kBlock = 2048;
+using Eigen::Vector3d;
 
-/// The largest of part(begin, end, known), squared distances by block; `known` is a distance that
-/// was found before: what lies nearer need not be known exactly.
-template <class Part>
-double largestOf(std::size_t n, std::size_t block, double known, const Part& part) {
-  std::vector<double> largest((n + block - 1) / block, known);
-  parallelBlocks(n, block, [&](std::size_t begin, std::size_t end) {
-    largest[begin / block] = part(begin, end, known);
-  });
-  for (const double l : largest) known = std::max(known, l);
-  return known;
-}
+// What a block of the work has found.
+struct Found {
+  double largest = 0;  // squared
+  std::vector<Vector3d> missed;
+  std::vector<std::int32_t> strays;
+};
 
-double forward(const TriMesh& original, const TriMesh& result) {
-  const NearestTriangle nearest(result.vertices, result.triangles);
-  std::vector<std::int32_t> home(original.vertices.size());
-  double known =
-      largestOf(home.size(), kBlock, 0, [&](std::size_t begin, std::size_t end, double d) {
-        std::int32_t hint = -1;
-        for (std::size_t v = begin; v < end; ++v) {
-          d = std::max(d, nearest.query(original.vertices[v], 1e300, d, hint));
-          home[v] = hint;
-        }
-        return d;
-      });
-  // Where the corners lie near the same triangle, all between them does.
-  return largestOf(
-      original.triangles.size(), kBlock, known, [&](std::size_t begin, std::size_t end, double d) {
-        constexpr std::array<std::array<double, 2>, 7> kInner = {
-            {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
-        for (std::size_t t = begin; t < end; ++t) {
-          const auto& tri = original.triangles[t];
-          std::int32_t hint = home[tri[0]];
-          if (hint == home[tri[1]] && hint == home[tri[2]]) continue;
-          const auto &a = original.vertices[tri[0]], &b = original.vertices[tri[1]],
-                     &c = original.vertices[tri[2]];
-          for (const auto& [u, w] : kInner) {
-            const Eigen::Vector3d p = a + u * (b - a) + w * (c - a);
-            d = std::max(d, nearest.query(p, 1e300, d, hint));
-          }
-        }
-        return d;
-      });
-}
+class Measurement {
+ public:
+  Measurement(const TriMesh& original, const NearestTriangle& nearOriginal, const TriMesh& result,
+              double spacing, double tolerance)
+      : original_(original),
+        nearOriginal_(nearOriginal),
+        result_(result),
+        spacing_(spacing),
+        limit_(tolerance * tolerance) {}
 
-double backward(const NearestTriangle& original, const TriMesh& result, double spacing,
-                double known) {
-  constexpr std::size_t kTriangles = 64;
-  return largestOf(result.triangles.size(), kTriangles, known,
-                   [&](std::size_t begin, std::size_t end, double d) {
-                     std::int32_t hint = -1;
-                     for (std::size_t t = begin; t < end; ++t) {
-                       const auto& c = result.triangles[t];
-                       spreadPoints(result.vertices[c[0]], result.vertices[c[1]],
-                                    result.vertices[c[2]], spacing, [&](const Eigen::Vector3d& p) {
-                                      d = std::max(d, original.query(p, 1e300, d, hint));
-                                      return false;
-                                    });
-                     }
-                     return d;
-                   });
-}
+  Deviation work() {
+    forward();
+    backward();
+    return {std::sqrt(all_.largest), std::move(all_.missed), std::move(all_.strays)};
+  }
+
+ private:
+  // Calls part(i, found) for all i below n, in blocks; `found` begins with the largest before: what
+  // lies nearer need not be known exactly, as long as it is within the limit.
+  template <class Part>
+  void forAll(std::size_t n, std::size_t block, const Part& part) {
+    std::vector<Found> found((n + block - 1) / block);
+    parallelBlocks(n, block, [&](std::size_t begin, std::size_t end) {
+      Found& own = found[begin / block];
+      own.largest = all_.largest;
+      std::int32_t hint = -1;
+      for (std::size_t i = begin; i < end; ++i) part(i, own, hint);
+    });
+    for (const Found& own : found) {
+      all_.largest = std::max(all_.largest, own.largest);
+      all_.missed.insert(all_.missed.end(), own.missed.begin(), own.missed.end());
+      all_.strays.insert(all_.strays.end(), own.strays.begin(), own.strays.end());
+    }
+  }
+  double enough(const Found& found) const { return std::min(found.largest, limit_); }
+
+  void forward() {
+    NearestTriangle nearest(result_.vertices, result_.triangles);
+    nearest.prepareWalks();
+    const auto see = [&](const Vector3d& p, Found& found, std::int32_t& hint) {
+      if (nearest.isNear(p, enough(found), hint)) return;
+      const double d = nearest.query(p, 1e300, enough(found), hint);
+      found.largest = std::max(found.largest, d);
+      if (d > limit_) found.missed.push_back(p);
+    };
+    std::vector<std::int32_t> home(original_.vertices.size());
+    forAll(home.size(), 2048, [&](std::size_t v, Found& found, std::int32_t& hint) {
+      see(original_.vertices[v], found, hint);
+      home[v] = hint;
+    });
+    // Where the corners lie near the same triangle, all between them does.
+    constexpr std::array<std::array<double, 2>, 7> kInner = {
+        {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
+    forAll(original_.triangles.size(), 2048, [&](std::size_t t, Found& found, std::int32_t& hint) {
+      const auto& tri = original_.triangles[t];
+      if (home[tri[0]] == home[tri[1]] && home[tri[0]] == home[tri[2]]) return;
+      hint = home[tri[0]];
+      const Vector3d &a = original_.vertices[tri[0]], &b = original_.vertices[tri[1]],
+                     &c = original_.vertices[tri[2]];
+      for (const auto& [u, w] : kInner) see(a + u * (b - a) + w * (c - a), found, hint);
+    });
+  }
+
+  void backward() {
+    forAll(result_.triangles.size(), 64, [&](std::size_t t, Found& found, std::int32_t& hint) {
+      const auto& c = result_.triangles[t];
+      bool strays = false;
+      const auto see = [&](const Vector3d& p) {
+        if (nearOriginal_.isNear(p, enough(found), hint)) return false;
+        const double d = nearOriginal_.query(p, 1e300, enough(found), hint);
+        found.largest = std::max(found.largest, d);
+        strays = strays || d > limit_;
+        return false;
+      };
+      spreadPoints(result_.vertices[c[0]], result_.vertices[c[1]], result_.vertices[c[2]], spacing_,
+                   see);
+      if (strays) found.strays.push_back(static_cast<std::int32_t>(t));
+    });
+  }
+
+  const TriMesh& original_;
+  const NearestTriangle& nearOriginal_;
+  const TriMesh& result_;
+  const double spacing_, limit_;
+  Found all_;
+};
 
 }  // namespace
 
-double measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
-                        const TriMesh& result, double spacing) {
-  return std::sqrt(backward(nearOriginal, result, spacing, forward(original, result)));
+Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
+                           const TriMesh& result, double spacing, double tolerance) {
+  return Measurement(original, nearOriginal, result, spacing, tolerance).work();
 }
 
 }  // namespace swept

@@ -6,13 +6,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "geometry/nearest_triangle.h"
 #include "swept/types.h"
 
 namespace swept {
 
-/// The larger of both directions. `spacing`: mm, of the net.
-double measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
-                        const TriMesh& result, double spacing);
+struct Deviation {
+  double largest = 0;                   ///< mm, of both directions
+  std::vector<Eigen::Vector3d> missed;  ///< points of the original farther than `tolerance`
+  std::vector<std::int32_t> strays;     ///< triangles of the result with such points, rising
+};
+
+/// `spacing`: mm, of the net. `nearOriginal` is prepared for walks.
+Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
+                           const TriMesh& result, double spacing, double tolerance);
 
 }  // namespace swept

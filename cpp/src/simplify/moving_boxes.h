@@ -34,27 +34,27 @@ class MovingBoxes {
     return box.extend(mesh.vertices[c[1]]).extend(mesh.vertices[c[2]]);
   }
 
-  /// Calls stop(triangle) for members whose boxes meet `box` until it says true; whether it did.
-  template <class Stop>
-  bool any(const Box& box, const Stop& stop) const {
+  /// Calls visit(triangle, its box) for the members whose boxes meet `box`.
+  template <class Visit>
+  void forBox(const Box& box, const Visit& visit) const {
     std::array<std::pair<std::int32_t, std::uint32_t>, 128> stack;
     int size = 0;
     if (!levels_.empty()) stack[size++] = {static_cast<std::int32_t>(levels_.size()) - 1, 0};
     while (size > 0) {
       const auto [level, index] = stack[--size];
-      if (!levels_[level][index].intersects(box)) continue;
       const std::size_t begin = std::size_t{4} * index;
       const std::size_t all = level == 0 ? order_.size() : levels_[level - 1].size();
       const std::size_t end = begin + 4 < all ? begin + 4 : all;
       for (std::size_t c = begin; c < end; ++c) {
         if (level > 0) {
-          stack[size++] = {level - 1, static_cast<std::uint32_t>(c)};
-        } else if (order_[c] >= 0 && boxOf(mesh_, order_[c]).intersects(box) && stop(order_[c])) {
-          return true;
+          if (levels_[level - 1][c].intersects(box))
+            stack[size++] = {level - 1, static_cast<std::uint32_t>(c)};
+        } else if (order_[c] >= 0) {
+          const Box own = boxOf(mesh_, order_[c]);
+          if (own.intersects(box)) visit(order_[c], own);
         }
       }
     }
-    return false;
   }
 
  private:

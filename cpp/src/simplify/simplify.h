@@ -4,7 +4,8 @@
 //        mesh that does not meet itself.
 // Steps: the dense surface is thinned (thin.h) within a small part of the tolerance, edges are
 //        collapsed (collapse.h) within what is left of it; then the deviation is measured both
-//        ways, and where it is too large the second step is done again within less.
+//        ways. Where it is too large, the points that were missed and the places that strayed are
+//        watched in a second round, and in further ones less of the tolerance is used.
 // The surface is kept to cut it again at another tolerance. Coarse tolerances share thinned
 // surfaces: level 0 is the surface, each further one is thinned from the one before within twice
 // as much. Levels are made when they are first asked for.
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "geometry/nearest_triangle.h"
@@ -31,9 +33,9 @@ struct Simplified {
   double deviation = 0;  ///< mm, the larger of both directions, measured
 };
 
-class SimplifyTree {
+class Simplifier {
  public:
-  SimplifyTree(TriMesh mesh, std::vector<double> contactTime, double cell);
+  Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell);
 
   /// tolerance: mm, above 0. Safe to call from several threads; the bytes depend on the tolerance
   /// alone, never on earlier cuts.
@@ -55,7 +57,9 @@ class SimplifyTree {
   /// The coarsest level within this; null: none.
   const Level* levelWithin(double limit, RunContext& run) const;
   const NearestTriangle& nearest() const;
-  Simplified cutFrom(const Level& level, double tolerance, RunContext& run) const;
+  void addContactTime(const Level& level, Simplified& out) const;
+  /// Nothing where the measured deviation stays above the tolerance.
+  std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run) const;
 
   TriMesh mesh_;
   std::vector<double> contactTime_;

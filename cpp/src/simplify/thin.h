@@ -25,10 +25,13 @@ enum class ThinFor { Collapse, Surfaces };
 
 struct Thinned {
   TriMesh mesh;
-  std::vector<std::int32_t> source;  ///< by vertex: its number in the mesh before
+  std::vector<std::int32_t> source;    ///< by vertex: its number in the mesh before
+  std::vector<std::int32_t> triangle;  ///< by triangle: the one before whose place it takes
 };
 
-/// `phase`: what the run is told to be doing.
-Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run);
+/// `phase`: what the run is told to be doing. `kept`: by vertex, those that stay, with all
+/// triangles that touch nothing else; empty: none.
+Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
+                std::vector<char> kept = {});
 
 }  // namespace swept

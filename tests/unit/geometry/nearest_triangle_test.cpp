@@ -80,6 +80,35 @@ TEST(NearestTriangle, KeepsToItsBounds) {
   }
 }
 
+TEST(NearestTriangle, WalksFindWhatSearchesFind) {
+  Random random(29);
+  for (const TriMesh& mesh : someMeshes(random)) {
+    NearestTriangle nearest(mesh.vertices, mesh.triangles);
+    for (const bool walks : {false, true}) {
+      if (walks) nearest.prepareWalks();
+      std::int32_t hint = -1;
+      Vector3d p = mesh.vertices[0];
+      int near = 0;
+      for (int n = 0; n < 500; ++n) {
+        // A path of small steps, from another place now and then.
+        p = n % 50 == 0 ? Vector3d(mesh.vertices[0] + random.point(12))
+                        : Vector3d(p + random.point(0.5));
+        const double all = byLookingAtAll(p, mesh);
+        const double limit = n % 7 == 0 ? 0 : random.number(0, 3 * all);
+        const bool expected = all <= limit;
+        EXPECT_EQ(nearest.isNear(p, limit, hint), expected) << n;
+        near += expected;
+        if (!expected) continue;
+        const auto& t = mesh.triangles[static_cast<std::size_t>(hint)];
+        EXPECT_LE(squaredDistance(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]),
+                  limit);
+      }
+      EXPECT_GT(near, 100);
+      EXPECT_LT(near, 450);
+    }
+  }
+}
+
 TEST(NearestTriangle, FindsNothingInAnEmptyMesh) {
   const TriMesh empty;
   EXPECT_EQ(NearestTriangle(empty.vertices, empty.triangles).query({0, 0, 0}, 9, 0), 9);

@@ -7,13 +7,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/quadric.h"
+#include "simplify/deviation.h"
 #include "simplify/moving_boxes.h"
 #include "simplify/thin.h"
+#include "support/random_numbers.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
 
@@ -165,11 +168,84 @@ TEST(Simplify, SheetsNearEachOtherDoNotMeet) {
     mesh.triangles.push_back({t[0] + outer, t[2] + outer, t[1] + outer});
   RunContext run;
   ASSERT_EQ(checkMesh(mesh, run).selfIntersections, 0);
-  const SimplifyTree kept(mesh, std::vector<double>(mesh.vertices.size()), 0.3);
+  const Simplifier kept(mesh, std::vector<double>(mesh.vertices.size()), 0.3);
   const Simplified cut = kept.cut(0.2, run);
   EXPECT_EQ(checkMesh(cut.mesh, run).selfIntersections, 0);
   EXPECT_LE(cut.deviation, 0.2);
   EXPECT_LT(cut.mesh.triangles.size(), count);
+}
+
+/// A ball with small thorns whose sides fold over each other when vertices go.
+TEST(Thin, MakesNoPairsOfNeighbours) {
+  TriMesh mesh = makeBall({0, 0, 0}, 5, 6);
+  Random random(23);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (v % 5 == 0) mesh.vertices[v] *= 1 + 0.03 * random.number(0, 1);
+  }
+  RunContext run;
+  ASSERT_EQ(checkMesh(mesh, run).selfIntersections, 0);
+  for (const double limit : {0.02, 0.1}) {
+    const Thinned thin = thinOut(mesh, limit, ThinFor::Collapse, Phase::Simplify, run);
+    EXPECT_LT(thin.mesh.triangles.size(), mesh.triangles.size() / 2);
+    const MeshCheck check = checkMesh(thin.mesh, run);
+    EXPECT_TRUE(check.passes());
+    EXPECT_EQ(check.selfIntersections, 0);
+  }
+}
+
+TEST(Thin, TrianglesAmongKeptVerticesStay) {
+  const TriMesh torus = makeTorus(6, 2, 120, 60);
+  std::vector<char> kept(torus.vertices.size(), 0);
+  for (std::size_t v = 0; v < kept.size(); ++v) kept[v] = torus.vertices[v][0] > 0;
+  RunContext run;
+  const Thinned thin = thinOut(torus, 0.05, ThinFor::Collapse, Phase::Simplify, run, kept);
+  std::map<std::int32_t, std::size_t> now;  // by triangle before
+  for (std::size_t t = 0; t < thin.triangle.size(); ++t) now[thin.triangle[t]] = t;
+  EXPECT_EQ(now.size(), thin.mesh.triangles.size());
+  std::size_t stayed = 0;
+  for (std::size_t t = 0; t < torus.triangles.size(); ++t) {
+    const auto& before = torus.triangles[t];
+    if (!std::all_of(before.begin(), before.end(), [&](std::int32_t v) { return kept[v]; }))
+      continue;
+    ++stayed;
+    const auto place = now.find(static_cast<std::int32_t>(t));
+    ASSERT_NE(place, now.end()) << t;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(thin.source[thin.mesh.triangles[place->second][k]], before[k]);
+  }
+  EXPECT_GT(stayed, 4000u);
+  EXPECT_LT(thin.mesh.triangles.size(), torus.triangles.size() * 3 / 4);
+}
+
+/// A spike of the original that the result misses, and one of the result that strays.
+TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
+  const TriMesh ball = makeBall({0, 0, 0}, 5, 4);
+  TriMesh spiked = ball;
+  spiked.vertices[7] *= 1.2;
+  const auto measure = [](const TriMesh& original, const TriMesh& result) {
+    NearestTriangle nearest(original.vertices, original.triangles);
+    nearest.prepareWalks();
+    return measureDeviation(original, nearest, result, 0.05, 0.3);
+  };
+  const Deviation same = measure(ball, ball);
+  EXPECT_NEAR(same.largest, 0, 1e-12);
+  EXPECT_TRUE(same.missed.empty() && same.strays.empty());
+
+  const Deviation missed = measure(spiked, ball);
+  EXPECT_NEAR(missed.largest, 1, 0.01);
+  ASSERT_FALSE(missed.missed.empty());
+  for (const Eigen::Vector3d& p : missed.missed) EXPECT_LT((p - spiked.vertices[7]).norm(), 0.8);
+  EXPECT_TRUE(missed.strays.empty());
+
+  const Deviation strays = measure(ball, spiked);
+  EXPECT_NEAR(strays.largest, 1, 0.01);
+  EXPECT_TRUE(strays.missed.empty());
+  std::vector<std::int32_t> about;
+  for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
+    const auto& c = ball.triangles[t];
+    if (std::find(c.begin(), c.end(), 7) != c.end()) about.push_back(static_cast<std::int32_t>(t));
+  }
+  EXPECT_EQ(strays.strays, about);
 }
 
 TEST(MovingBoxes, FindWhatAllBoxesTogetherFind) {
@@ -191,7 +267,10 @@ TEST(MovingBoxes, FindWhatAllBoxesTogetherFind) {
     MovingBoxes::Box box(mesh.vertices[16 * n]);
     box.extend(Eigen::Vector3d(mesh.vertices[16 * n] + Eigen::Vector3d(1, 0.5, 0.7)));
     std::set<std::int32_t> found, expected;
-    boxes.any(box, [&](std::int32_t t) { return !found.insert(t).second; });
+    boxes.forBox(box, [&](std::int32_t t, const MovingBoxes::Box& own) {
+      EXPECT_TRUE(found.insert(t).second);
+      EXPECT_EQ(own.center(), MovingBoxes::boxOf(mesh, t).center());
+    });
     for (const std::int32_t t : members) {
       if (!gone[t] && MovingBoxes::boxOf(mesh, t).intersects(box)) expected.insert(t);
     }
