@@ -80,23 +80,12 @@ class PairSearch {
     std::int32_t vertex[3][kWidth];
   };
 
-  /// hit[j]: box i of p meets box j of q.
-  static void meetBoxes(const BoxTree::Group& p, int i, const BoxTree::Group& q,
-                        std::int32_t hit[kWidth]) {
-    for (int j = 0; j < kWidth; ++j) {
-      hit[j] = (p.low[0][i] <= q.high[0][j]) & (p.high[0][i] >= q.low[0][j]) &
-               (p.low[1][i] <= q.high[1][j]) & (p.high[1][i] >= q.low[1][j]) &
-               (p.low[2][i] <= q.high[2][j]) & (p.high[2][i] >= q.low[2][j]);
-    }
-  }
-
   template <class Visit>
   void forEachChildPair(std::int32_t level, std::uint32_t a, std::uint32_t b,
                         const Visit& visit) const {
     const BoxTree::Group &p = tree_.childBoxes({level, a}), &q = tree_.childBoxes({level, b});
     for (int i = 0; i < kWidth; ++i) {
-      alignas(16) std::int32_t hit[kWidth];
-      meetBoxes(p, i, q, hit);  // an empty lane meets nothing
+      const auto hit = q.intersecting(p.box(i));  // an empty lane intersects nothing
       for (int j = a == b ? i : 0; j < kWidth; ++j) {
         if (hit[j] != 0) visit(kWidth * a + i, kWidth * b + j);
       }
@@ -108,8 +97,7 @@ class PairSearch {
     const GroupVertices &u = vertices_[a], &v = vertices_[b];
     SeenTriangle first;
     for (int i = 0; i < kWidth; ++i) {
-      alignas(16) std::int32_t hit[kWidth];
-      meetBoxes(p, i, q, hit);
+      auto hit = q.intersecting(p.box(i));
       for (int k = 0; k < 3; ++k) {
         for (int j = 0; j < kWidth; ++j) {
           hit[j] &= (u.vertex[k][i] != v.vertex[0][j]) & (u.vertex[k][i] != v.vertex[1][j]) &

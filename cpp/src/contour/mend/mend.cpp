@@ -19,7 +19,7 @@
 namespace swept {
 namespace {
 
-/// A triangle spans two cells, so what it can meet lies within four.
+/// A triangle spans two cells, so what it can intersect lies within four.
 constexpr int kReachCells = 4;
 // An upper limit of the time; a surface without pairs ends earlier.
 constexpr int kRounds = 8;
@@ -124,14 +124,9 @@ class Mender {
 
  private:
   std::vector<std::int32_t> nearPairs(const std::vector<std::int32_t>* among) const {
-    BlockSet near(blocks_);
-    parallelBlocks(pairs_.pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        near.add(mesh_, pairs_.pairs[n].first, kReachCells);
-        near.add(mesh_, pairs_.pairs[n].second, kReachCells);
-      }
-    });
-    return near.triangles(among);
+    std::vector<std::int32_t> members;
+    for (const auto& [a, b] : pairs_.pairs) members.insert(members.end(), {a, b});
+    return blocks_.near(mesh_, members, kReachCells, among);
   }
 
   /// Collects what use(v, t, part) appends for each corner v of a triangle t of `near`, if v is one
@@ -313,8 +308,7 @@ class Mender {
     const auto isChanged = [&](std::int32_t t) {
       return std::binary_search(changed_.begin(), changed_.end(), t);
     };
-    SelfIntersections next =
-        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(candidates);
+    SelfIntersections next = findNearPairs(mesh_, changed_, candidates, run_);
     for (const auto& pair : pairs_.pairs) {
       if (!isChanged(pair.first) && !isChanged(pair.second)) next.pairs.push_back(pair);
     }
