@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "solid/carrier/carrier.h"
@@ -40,6 +41,16 @@ Curve profileOf(const Carrier& surface);
 /// their normals.
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
                    const std::vector<const Carrier*>& surfaces);
+
+/// The point of a polyline between two others that lies farthest from the segment that joins these;
+/// a distance of -1 if there is none between them.
+std::size_t farthestPoint(const std::vector<Eigen::Vector3d>& points, std::size_t from,
+                          std::size_t to, double& distance);
+
+/// Marks the points within the spans that a polyline within the tolerance needs besides their ends.
+void keepBends(const std::vector<Eigen::Vector3d>& points,
+               std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
+               std::vector<char>& kept);
 
 /// A line or spline along a jagged polyline, smoothed within the tolerance; the ends stay.
 Curve curveAlong(const std::vector<Eigen::Vector3d>& points, bool closed, double tolerance);

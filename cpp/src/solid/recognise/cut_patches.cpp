@@ -246,8 +246,7 @@ class Cutter {
         std::vector<std::int32_t> stack{static_cast<std::int32_t>(i)};
         component[i] = static_cast<std::int32_t>(components.size());
         for (std::size_t at = 0; at < stack.size(); ++at) {
-          for (int k = 0; k < 3; ++k) {
-            const std::int32_t t = mesh_.opposite[3 * members[stack[at]] + k] / 3;
+          for (const std::int32_t t : mesh_.neighbours(members[stack[at]])) {
             if (partition_.patchOf[t] != p) continue;
             const std::int32_t j = local_[t];
             if (component[j] >= 0 || side[j] != side[i]) continue;

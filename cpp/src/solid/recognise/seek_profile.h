@@ -3,11 +3,10 @@
 // tolerance in mm. Open ground, and patches whose simpler surface fits much worse, become
 // extrusions and revolutions. Returns true if there are any. Cost: O(open triangles) if there are
 // none.
-// extrusions and revolutions. True if there are any. Cost: O(open triangles) where there are none.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "solid/recognise/tidy_patches.h"
+#include "solid/mesh/patches.h"
 
 namespace swept::step {
 

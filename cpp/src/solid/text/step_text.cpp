@@ -240,11 +240,8 @@ bool isFlat(const Model& model) {
 }
 
 bool isFaceted(const Model& model) {
-  if (static_cast<std::int64_t>(model.faces.size()) < kManyFaces || !isFlat(model)) return false;
-  for (std::size_t s = 0; s < model.shellOwner.size(); ++s) {
-    if (model.shellOwner[s] != static_cast<std::int32_t>(s)) return false;
-  }
-  return true;
+  return std::ssize(model.faces) >= kManyFaces && isFlat(model) &&
+         countOuterShells(model.shellOwner) == std::ssize(model.shellOwner);
 }
 
 double statedAccuracy(const Model& model) {
