@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/sort_unique.h"
+
 namespace swept {
 namespace {
 
@@ -127,8 +129,7 @@ void walkFans(const TriMesh& mesh, bool withEntangled, MeshTopology& topology, R
     const auto c = static_cast<std::size_t>(it - seen.begin());
     second.push_back(mesh.triangles[c / 3][c % 3]);
   }
-  std::sort(second.begin(), second.end());
-  second.erase(std::unique(second.begin(), second.end()), second.end());
+  sortUnique(second);
   topology.nonManifoldVertices = static_cast<std::int64_t>(second.size());
   if (!withEntangled) return;
   for (const std::int32_t v : second) topology.entangled[v] = 1;

@@ -16,7 +16,7 @@ enum class Split : std::uint8_t { Diagonal02, Diagonal13, Fan };
 /// Geometry of the polygons round crossings before they become triangles.
 class PolygonBuilder {
  public:
-  PolygonBuilder(const HermiteGrid& grid, const DualSurface& dual) : grid_(grid), dual_(dual) {}
+  explicit PolygonBuilder(const DualSurface& dual) : dual_(dual) {}
 
   /// Global index of the vertex at a quad's corner; i is the layer of the quad's lattice edge.
   std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
@@ -38,19 +38,11 @@ class PolygonBuilder {
     return true;
   }
 
-  Eigen::Vector3d crossingPoint(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
-                                std::uint32_t crossing) const {
-    Eigen::Vector3d p(i, j, edge.k);
-    p[axis] += grid_.crossings[crossing].fraction;
-    return p;
-  }
-
-  /// How the quad of a crossing is cut into triangles; `point` is crossingPoint() of the crossing.
+  /// How the quad of a crossing is cut into triangles; `point` is where the crossing lies.
   Split choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
                std::uint32_t crossing) const;
 
  private:
-  const HermiteGrid& grid_;
   const DualSurface& dual_;
 };
 

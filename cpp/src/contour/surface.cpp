@@ -61,9 +61,7 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
       double time = 0;
       for (int e = 0; e < 2; ++e) {
         const CrossingEdge edge = edgeOfCrossing(grid, segment.crossing[e]);
-        Eigen::Vector3d p(edge.i, edge.j, edge.k);
-        p[edge.axis] += grid.crossings[segment.crossing[e]].fraction;
-        middle += p / 2;
+        middle += positionOfCrossing(grid, edge, segment.crossing[e]) / 2;
         time = grid.crossings[segment.crossing[e]].timeSeconds;
         out.at[sideKey(segment.crossing[e], segment.side[e])] =
             static_cast<std::int32_t>(out.points.size());
@@ -108,10 +106,11 @@ class LayerEmitter {
     for (int c = 0; c < n; ++c) {
       const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(c);
       if (!polygons_.complete(crossing)) return;
-      split[c] = hasFacePoint(crossing)
-                     ? Split::Fan
-                     : polygons_.choose(
-                           axis, i, polygons_.crossingPoint(axis, i, j, edge, crossing), crossing);
+      split[c] =
+          hasFacePoint(crossing)
+              ? Split::Fan
+              : polygons_.choose(axis, i, positionOfCrossing(grid_, {axis, i, j, edge.k}, crossing),
+                                 crossing);
     }
     if (n == 2 && split[0] == split[1] && split[0] != Split::Fan) {
       const int from = split[0] == Split::Diagonal02 ? 0 : 1;
@@ -154,7 +153,7 @@ class LayerEmitter {
       triangle(ring[1], ring[3], ring[0]);
     } else {
       const auto centre = kExtra + static_cast<std::int32_t>(out.extra.size());
-      out.extra.push_back(polygons_.crossingPoint(axis, i, j, edge, crossing));
+      out.extra.push_back(positionOfCrossing(grid_, {axis, i, j, edge.k}, crossing));
       out.extraTime.push_back(grid_.crossings[crossing].timeSeconds);
       ++out.fans;
       for (int p = 0; p < n; ++p) triangle(centre, ring[p], ring[(p + 1) % n]);
@@ -211,16 +210,10 @@ void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& d
 
 std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& dual,
                                    const PolygonBuilder& polygons) {
-  constexpr std::size_t kBlock = 1024;
-  std::vector<std::vector<Triangle>> parts(dual.rims.size() / kBlock + 1);
-  parallelBlocks(dual.rims.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      addRim(dual.rims[n], grid, dual, polygons, parts[begin / kBlock]);
-    }
+  constexpr std::size_t kPerTask = 1024;
+  return gather<Triangle>(dual.rims.size(), kPerTask, [&](std::size_t n, auto& part) {
+    addRim(dual.rims[n], grid, dual, polygons, part);
   });
-  std::vector<Triangle> triangles;
-  for (const auto& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());
-  return triangles;
 }
 
 /// Resizes with room for what mending adds, so that nothing has to be moved then.
@@ -361,10 +354,17 @@ CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index) {
   throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
 }
 
+Eigen::Vector3d positionOfCrossing(const HermiteGrid& grid, const CrossingEdge& edge,
+                                   std::uint32_t index) {
+  Eigen::Vector3d p(edge.i, edge.j, edge.k);
+  p[edge.axis] += grid.crossings[index].fraction;
+  return p;
+}
+
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
                        const SurfaceProbe* probe) {
   DualSurface dual = buildDualSurface(grid, options.components, probe, run);
-  const PolygonBuilder polygons(grid, dual);
+  const PolygonBuilder polygons(dual);
   const FacePoints facePoints = findFacePoints(grid, dual, polygons);
 
   const auto layers = static_cast<std::size_t>(grid.plan.points[0]);

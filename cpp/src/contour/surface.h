@@ -55,5 +55,8 @@ struct CrossingEdge {
   std::int32_t i = 0, j = 0, k = 0;
 };
 CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index);
+/// Where a crossing lies, in cells from the grid's origin.
+Eigen::Vector3d positionOfCrossing(const HermiteGrid& grid, const CrossingEdge& edge,
+                                   std::uint32_t index);
 
 }  // namespace swept

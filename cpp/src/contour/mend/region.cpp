@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/parallel.h"
+
 namespace swept {
 namespace {
 
 constexpr int kBlockCells = 4;
+constexpr std::size_t kPerTask = 1 << 15;
 
 }  // namespace
 
@@ -61,7 +64,7 @@ std::vector<std::int32_t> TriangleBlocks::near(const TriMesh& mesh,
     }
   });
   const std::size_t count = among != nullptr ? among->size() : of_.size();
-  return gather<std::int32_t>(count, [&](std::size_t n, std::vector<std::int32_t>& part) {
+  return gather<std::int32_t>(count, kPerTask, [&](std::size_t n, std::vector<std::int32_t>& part) {
     const std::int32_t t = among != nullptr ? (*among)[n] : static_cast<std::int32_t>(n);
     if ((marks[of_[t] / 64] >> of_[t] % 64 & 1u) != 0) part.push_back(t);
   });

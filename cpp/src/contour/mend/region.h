@@ -5,10 +5,8 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "base/parallel.h"
 #include "contour/surface.h"
 
 namespace swept {
@@ -36,19 +34,5 @@ class TriangleBlocks {
   Eigen::Vector3i size_;
   std::vector<std::uint32_t> of_;
 };
-
-/// Concatenates what use(n, part) appends for n in [0, count), in the order of n.
-template <class T, class Use>
-std::vector<T> gather(std::size_t count, const Use& use) {
-  constexpr std::size_t kBlock = 1 << 15;
-  std::vector<std::vector<T>> parts(count / kBlock + 1);
-  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) use(n, parts[begin / kBlock]);
-  });
-  if (parts.size() == 1) return std::move(parts[0]);
-  std::vector<T> out;
-  for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-  return out;
-}
 
 }  // namespace swept

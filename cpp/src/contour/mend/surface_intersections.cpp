@@ -17,6 +17,7 @@ namespace {
 
 /// Cells: a fan's centre lies on its lattice edge up to this rounding.
 constexpr double kOnEdge = 1e-9;
+constexpr std::size_t kPerTask = 1 << 15;
 using Triangle = std::array<std::int32_t, 3>;
 
 /// The lattice edge (axis, i, j, k) that a polygon surrounds.
@@ -139,7 +140,7 @@ class PolygonSorter {
 std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
     const Surface& surface, const Polygons& polygons, const CrossingPairs& entangled) {
   return gather<std::pair<std::int32_t, std::int32_t>>(
-      entangled.size(), [&](std::size_t n, auto& part) {
+      entangled.size(), kPerTask, [&](std::size_t n, auto& part) {
         const Polygon p = polygons.of(entangled[n].first);
         const Polygon q = polygons.of(entangled[n].second);
         for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
@@ -167,7 +168,7 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
   });
   const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
   const std::vector<std::int32_t> members = gather<std::int32_t>(
-      surface.mesh.triangles.size(), [&](std::size_t t, std::vector<std::int32_t>& part) {
+      surface.mesh.triangles.size(), kPerTask, [&](std::size_t t, std::vector<std::int32_t>& part) {
         const std::uint32_t crossing = surface.crossingOf[t];
         if (crossing == Surface::kNoCrossing || settled[crossing] == 0)
           part.push_back(static_cast<std::int32_t>(t));

@@ -4,10 +4,7 @@
 namespace swept {
 
 void findDualMarchingCubes(const Cell& cell, Components& out) {
-  out.count = 0;
-  out.of.fill(-1);
-  std::array<std::array<std::int8_t, 2>, kSlots> link;
-  std::array<std::int8_t, kSlots> links{};
+  SlotLinks links;
   for (int face = 0; face < kFaces; ++face) {
     // Going round the face, each crossing that enters the inside is joined to the next one, which
     // leaves it.
@@ -22,23 +19,10 @@ void findDualMarchingCubes(const Cell& cell, Components& out) {
       enters[n++] = fromLow != step.backward;
     }
     for (int i = 0; i < n; ++i) {
-      if (!enters[i]) continue;
-      const std::int8_t p = stops[i], q = stops[(i + 1) % n];
-      link[p][links[p]++] = q;
-      link[q][links[q]++] = p;
+      if (enters[i]) links.join(stops[i], stops[(i + 1) % n]);
     }
   }
-  for (int slot = 0; slot < kSlots; ++slot) {
-    if (links[slot] == 0 || out.of[slot] >= 0) continue;
-    int at = slot, from = -1;
-    do {
-      out.of[at] = static_cast<std::int8_t>(out.count);
-      const int next = link[at][0] != from ? link[at][0] : link[at][1];
-      from = at;
-      at = next;
-    } while (out.of[at] < 0);
-    ++out.count;
-  }
+  links.setComponents(out);
 }
 
 }  // namespace swept

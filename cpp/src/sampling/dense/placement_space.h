@@ -53,7 +53,6 @@ class PlacementSpace {
   void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
              std::vector<Best>& out) const;
 
-  const Placement& mean() const { return mean_; }
   double remainder() const { return remainder_; }  ///< mm
   double reach() const { return reach_; }          ///< mm: largest |dt| + |w| radius
   double turn() const { return turn_; }            ///< rad, largest |w|
@@ -66,6 +65,8 @@ class PlacementSpace {
     std::uint32_t right = 0;
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  template <class IsWanted, class Visit>
+  void descend(const Point6& gradient, const IsWanted& isWanted, const Visit& visit) const;
   /// A gradient split for bounds over boxes: its positive part applies to their high sides, the
   /// rest to their low sides.
   struct Split {
