@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kGrain = 1 << 13;
 using Range = tbb::blocked_range<std::size_t>;
 
-/// The triangles round one vertex, as the corners (half-edges that start at it) met on the way.
+/// The triangles round one vertex, as the corners (half-edges that start at it) in the order of the
+/// walk.
 struct Fan {
   std::vector<std::uint32_t> corners;
   bool cycle = false;       ///< came back to the start
@@ -84,7 +85,7 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
   return turns == 1;
 }
 
-/// One corner of every vertex; which one does not matter for what is made of it.
+/// One corner of every vertex. Which one it is does not change the counts.
 std::vector<std::uint32_t> someCorner(const TriMesh& mesh) {
   std::vector<std::uint32_t> corner(mesh.vertices.size(), kNoNeighbour);
   tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {

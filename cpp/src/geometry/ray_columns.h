@@ -27,7 +27,7 @@ class RayColumns {
   };
 
   explicit RayColumns(const TriMesh& mesh);
-  /// Only lines with (y, z) inside the box will be asked for.
+  /// Only lines with (y, z) inside the box can be queried.
   RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   /// How often the surface goes round x, counter-clockwise as seen from its normals' side: 1 inside
   /// a solid, 0 outside and in its cavities, -1 inside a solid turned inside out.

@@ -167,7 +167,7 @@ Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled
       }
     }
   });
-  // A pair with two common corners was met at both of them.
+  // A pair with two common corners was found at both of them.
   Found all;
   for (const Found& part : parts) {
     all.pairs.insert(all.pairs.end(), part.pairs.begin(), part.pairs.end());

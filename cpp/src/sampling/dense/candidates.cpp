@@ -199,30 +199,16 @@ class CandidateSearch {
     const auto& triangles = input_.body.triangles;
     FacePlacements out;
     out.start.assign(triangles.size() + 1, 0);
-    const auto unite = [&](std::size_t f, Set& both) {
-      both.clear();
+    out.placement = gather<std::uint32_t>(triangles.size(), kBlock, [&](std::size_t f, Set& part) {
+      Set both;
       for (const std::int32_t v : triangles[f]) {
         both.insert(both.end(), winners_[v].begin(), winners_[v].end());
       }
       sortUnique(both);
-    };
-    parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      Set both;
-      for (std::size_t f = begin; f < end; ++f) {
-        unite(f, both);
-        out.start[f] = both.size();
-      }
+      out.start[f] = both.size();
+      part.insert(part.end(), both.begin(), both.end());
     });
     exclusiveScan(out.start);
-    out.placement.resize(out.start.back());
-    parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      Set both;
-      for (std::size_t f = begin; f < end; ++f) {
-        unite(f, both);
-        std::copy(both.begin(), both.end(),
-                  out.placement.begin() + static_cast<std::ptrdiff_t>(out.start[f]));
-      }
-    });
     return out;
   }
 

@@ -53,6 +53,7 @@ class PlacementSpace {
   void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
              std::vector<Best>& out) const;
 
+  const Placement& mean() const { return mean_; }
   double remainder() const { return remainder_; }  ///< mm
   double reach() const { return reach_; }          ///< mm: largest |dt| + |w| radius
   double turn() const { return turn_; }            ///< rad, largest |w|

@@ -13,7 +13,7 @@
 
 #include "sampling/gl/brick_plan.h"
 #include "sampling/gl/element_source.h"
-#include "sampling/gl/gl_device.h"
+#include "sampling/gl/gl_program.h"
 
 namespace swept::gl {
 

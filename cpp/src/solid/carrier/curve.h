@@ -1,8 +1,8 @@
 // Edge curves, and points where carriers intersect.
 // In: points in order, or carriers. Out: the simplest curve within a tolerance. Units: mm, rad.
 // Parameters: Line 0..length, Circle 0..sweep, Spline 0..1. Cost: O(points).
-// Source: least-squares circle and cubic B-splines as in Piegl and Tiller, "The NURBS Book";
-// polylines by Douglas and Peucker 1973.
+// Source: circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
+// NURBS Book"); polylines (Douglas and Peucker 1973).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "solid/recognise/cut_patches.h"
 #include "solid/recognise/fit.h"
-#include "solid/recognise/seek_profile.h"
 #include "solid/recognise/seek_surface.h"
-#include "solid/recognise/tidy_patches.h"
+#include "solid/recognise/steps.h"
 
 namespace swept::step {
 namespace {

@@ -8,22 +8,6 @@ namespace swept::step {
 
 using Eigen::Vector3d;
 
-std::vector<std::int32_t> RegionFinder::largestPiece(const std::vector<std::int32_t>& triangles) {
-  const std::int32_t open = ++stamp_;
-  for (const std::int32_t t : triangles) stampOf_[t] = open;
-  ++stamp_;
-  std::vector<std::int32_t> best;
-  for (const std::int32_t first : triangles) {
-    if (stampOf_[first] != open) continue;
-    std::vector<std::int32_t> piece{first};
-    stampOf_[first] = stamp_;
-    const auto isOpen = [&](std::int32_t t, std::int32_t) { return stampOf_[t] == open; };
-    for (std::size_t i = 0; i < piece.size(); ++i) extend(piece, i, i + 1, isOpen);
-    if (piece.size() > best.size()) best.swap(piece);
-  }
-  return best;
-}
-
 Samples RegionFinder::samplesOf(const std::vector<std::int32_t>& region, std::size_t maxCount,
                                 bool needles) {
   Samples samples;

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <numeric>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "solid/mesh/patches.h"
@@ -51,9 +53,6 @@ class RegionFinder {
       extend(region, i, i + 1, accepts);
     return region;
   }
-  /// The largest connected piece of a set of triangles.
-  std::vector<std::int32_t> largestPiece(const std::vector<std::int32_t>& triangles);
-
   /// One sample for each vertex of about `maxCount` triangles. Normals of needles are unreliable,
   /// but a body may consist of needles.
   Samples samplesOf(const std::vector<std::int32_t>& region, std::size_t maxCount, bool needles);
@@ -73,6 +72,27 @@ class RegionFinder {
   std::vector<std::int32_t> stampOf_, pointStampOf_;
   std::int32_t stamp_ = 0, pointStamp_ = 0;
 };
+
+/// The connected pieces of a set of triangles, each breadth first from its first member; neighbours
+/// are connected where connects(a, b) says so.
+template <class Connects>
+std::vector<std::vector<std::int32_t>> connectedPieces(const HalfEdgeMesh& mesh,
+                                                       const std::vector<std::int32_t>& triangles,
+                                                       const Connects& connects) {
+  std::unordered_set<std::int32_t> open(triangles.begin(), triangles.end());
+  std::vector<std::vector<std::int32_t>> pieces;
+  for (const std::int32_t first : triangles) {
+    if (open.erase(first) == 0) continue;
+    std::vector<std::int32_t> piece{first};
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      for (const std::int32_t t : mesh.neighbours(piece[i])) {
+        if (connects(piece[i], t) && open.erase(t) != 0) piece.push_back(t);
+      }
+    }
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
 
 /// Whether the corners of a triangle lie on a surface, and its normal leans from the surface's by
 /// at most the angle with this cosine. Needles may have any normal.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/recognise/seek_profile.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,6 +7,7 @@
 #include "solid/recognise/facets_saved.h"
 #include "solid/recognise/fit_profile.h"
 #include "solid/recognise/region_finder.h"
+#include "solid/recognise/steps.h"
 
 namespace swept::step {
 namespace {
@@ -196,7 +195,10 @@ class ProfileSeeker {
       const std::vector<std::int32_t>& triangles = partition_.patches[p].triangles;
       kept.insert(kept.end(), triangles.begin(), triangles.end());
     }
-    return finder_.largestPiece(kept);
+    auto pieces = connectedPieces(mesh_, kept, [](std::int32_t, std::int32_t) { return true; });
+    const auto bySize = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+    const auto largest = std::max_element(pieces.begin(), pieces.end(), bySize);
+    return largest != pieces.end() ? std::move(*largest) : std::vector<std::int32_t>();
   }
 
   bool isWorthIt(Candidate& candidate) const {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/recognise/tidy_patches.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +7,7 @@
 #include "base/sort_unique.h"
 #include "solid/recognise/facets_saved.h"
 #include "solid/recognise/region_finder.h"
+#include "solid/recognise/steps.h"
 
 namespace swept::step {
 namespace {
