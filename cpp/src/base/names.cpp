@@ -23,6 +23,24 @@ constexpr NameTable<ComponentMethod, 5> kComponentMethods{
      {"consistent", ComponentMethod::Consistent}}};
 constexpr NameTable<Backend, 3> kBackends{
     {{"auto", Backend::Auto}, {"cpu", Backend::Cpu}, {"gpu", Backend::Gpu}}};
+constexpr NameTable<Status, 9> kStatuses{{{"Ok", Status::Ok},
+                                          {"InvalidInput", Status::InvalidInput},
+                                          {"ResourceLimit", Status::ResourceLimit},
+                                          {"OutOfMemory", Status::OutOfMemory},
+                                          {"Cancelled", Status::Cancelled},
+                                          {"DeviceUnavailable", Status::DeviceUnavailable},
+                                          {"DeviceLost", Status::DeviceLost},
+                                          {"ExportFailed", Status::ExportFailed},
+                                          {"InternalError", Status::InternalError}}};
+constexpr NameTable<Phase, kPhaseCount> kPhases{{{"input", Phase::Input},
+                                                 {"motion", Phase::Motion},
+                                                 {"sampling", Phase::Sampling},
+                                                 {"signs", Phase::Signs},
+                                                 {"contour", Phase::Contour},
+                                                 {"simplify", Phase::Simplify},
+                                                 {"check", Phase::Check},
+                                                 {"export", Phase::Export},
+                                                 {"done", Phase::Done}}};
 constexpr NameTable<double, 4> kUnits{{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}}};
 
 template <class E, std::size_t N>
@@ -46,54 +64,8 @@ const char* nameOf(const NameTable<E, N>& table, E value) {
 
 }  // namespace
 
-const char* statusName(Status status) {
-  switch (status) {
-    case Status::Ok:
-      return "Ok";
-    case Status::InvalidInput:
-      return "InvalidInput";
-    case Status::ResourceLimit:
-      return "ResourceLimit";
-    case Status::OutOfMemory:
-      return "OutOfMemory";
-    case Status::Cancelled:
-      return "Cancelled";
-    case Status::DeviceUnavailable:
-      return "DeviceUnavailable";
-    case Status::DeviceLost:
-      return "DeviceLost";
-    case Status::ExportFailed:
-      return "ExportFailed";
-    case Status::InternalError:
-      return "InternalError";
-  }
-  return "?";
-}
-
-const char* phaseName(Phase phase) {
-  switch (phase) {
-    case Phase::Input:
-      return "input";
-    case Phase::Motion:
-      return "motion";
-    case Phase::Sampling:
-      return "sampling";
-    case Phase::Signs:
-      return "signs";
-    case Phase::Contour:
-      return "contour";
-    case Phase::Simplify:
-      return "simplify";
-    case Phase::Check:
-      return "check";
-    case Phase::Export:
-      return "export";
-    case Phase::Done:
-      return "done";
-  }
-  return "?";
-}
-
+const char* statusName(Status status) { return nameOf(kStatuses, status); }
+const char* phaseName(Phase phase) { return nameOf(kPhases, phase); }
 const char* interpolationName(Interpolation value) { return nameOf(kInterpolations, value); }
 const char* componentMethodName(ComponentMethod value) { return nameOf(kComponentMethods, value); }
 const char* backendName(Backend value) { return nameOf(kBackends, value); }

@@ -8,6 +8,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace swept {
@@ -29,6 +30,25 @@ void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
     const std::size_t begin = b * block;
     body(begin, begin + block < n ? begin + block : n);
   });
+}
+
+/// Concatenates what use(n, part) appends for n in [0, count), in the order of n.
+template <class T, class Use>
+std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
+  std::vector<std::vector<T>> parts(count / block + 1);
+  parallelBlocks(count, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) use(n, parts[begin / block]);
+  });
+  if (parts.size() == 1) return std::move(parts[0]);
+  std::size_t total = 0;
+  for (const auto& part : parts) total += part.size();
+  std::vector<T> out;
+  out.reserve(total);
+  for (auto& part : parts) {
+    out.insert(out.end(), part.begin(), part.end());
+    std::vector<T>().swap(part);
+  }
+  return out;
 }
 
 /// Different actions side by side.

@@ -2,10 +2,10 @@
 // In:    any mesh. Out: MeshCheck (swept/report.h): closed, manifold, oriented, finite, counts of
 //        every fault, volume, area, self-intersections.
 // Units: mm. Cost: O(n log n).
-// Oriented means: every edge as often one way as the other, and every shell's normals away from its
-// material, taking shells in turn as outer and inner by how deep they lie in one another.
-// A non-manifold vertex has more than one fan of triangles; fans end at edges that do not have
-// exactly two triangles.
+// A mesh is oriented if its triangles pass every edge as often in one direction as in the other,
+// and the normals of every shell point away from its material. A shell that lies in an even number
+// of others bounds material from outside, any other shell bounds a cavity. A non-manifold vertex
+// has more than one fan of triangles; fans end at edges that do not have exactly two triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

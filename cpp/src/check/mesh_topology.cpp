@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/sort_unique.h"
+
 namespace swept {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 using Range = tbb::blocked_range<std::size_t>;
 
-/// The triangles round one vertex, as the corners (half-edges that start at it) met on the way.
+/// The triangles round one vertex, as the corners (half-edges that start at it) in the order of the
+/// walk.
 struct Fan {
   std::vector<std::uint32_t> corners;
   bool cycle = false;       ///< came back to the start
@@ -82,7 +85,7 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
   return turns == 1;
 }
 
-/// One corner of every vertex; which one does not matter for what is made of it.
+/// One corner of every vertex. Which one it is does not change the counts.
 std::vector<std::uint32_t> someCorner(const TriMesh& mesh) {
   std::vector<std::uint32_t> corner(mesh.vertices.size(), kNoNeighbour);
   tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {
@@ -127,8 +130,7 @@ void walkFans(const TriMesh& mesh, bool withEntangled, MeshTopology& topology, R
     const auto c = static_cast<std::size_t>(it - seen.begin());
     second.push_back(mesh.triangles[c / 3][c % 3]);
   }
-  std::sort(second.begin(), second.end());
-  second.erase(std::unique(second.begin(), second.end()), second.end());
+  sortUnique(second);
   topology.nonManifoldVertices = static_cast<std::int64_t>(second.size());
   if (!withEntangled) return;
   for (const std::int32_t v : second) topology.entangled[v] = 1;

@@ -73,6 +73,12 @@ inline Eigen::Vector3d localPosition(int edge, float fraction) {
   return p;
 }
 
+/// Number (x + 2 y + 4 z) of the corner at the low (0) or high (1) end of an edge.
+constexpr int cornerOf(int edge, int end) {
+  const int a = edge >> 2, b = (a + 1) % 3, c = (a + 2) % 3;
+  return end << a | (edge & 1) << b | (edge >> 1 & 1) << c;
+}
+
 /// Four cells surround a lattice edge of axis a. This is the number of the cell that sees the edge
 /// at (ob, oc); the cells are counted counter-clockwise about +a, starting with the cell at (-b,
 /// -c).

@@ -158,30 +158,29 @@ FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings) {
   return pairs;
 }
 
-void ComponentFinder::consistent(const Cell& cell, const Crossing* crossings, Components& out) {
-  std::array<std::array<std::int8_t, 2>, kSlots> link;
-  std::array<std::int8_t, kSlots> links{};
-  for (int face = 0; face < kFaces; ++face) {
-    const FacePairs pairs = pairFace(cell, face, crossings);
-    for (int i = 0; i < pairs.count; ++i) {
-      const auto [p, q] = pairs.slots[i];
-      link[p][links[p]++] = q;
-      link[q][links[q]++] = p;
-    }
-  }
+void SlotLinks::setComponents(Components& out) const {
   out.count = 0;
   out.of.fill(-1);
   for (int slot = 0; slot < kSlots; ++slot) {
-    if (!cell.has(slot) || out.of[slot] >= 0) continue;
+    if (!has(slot) || out.of[slot] >= 0) continue;
     int at = slot, from = -1;
     do {
       out.of[at] = static_cast<std::int8_t>(out.count);
-      const int next = link[at][0] != from ? link[at][0] : link[at][1];
+      const int next = after(at, from);
       from = at;
       at = next;
     } while (out.of[at] < 0);
     ++out.count;
   }
+}
+
+SlotLinks linkSlots(const Cell& cell, const Crossing* crossings) {
+  SlotLinks links;
+  for (int face = 0; face < kFaces; ++face) {
+    const FacePairs pairs = pairFace(cell, face, crossings);
+    for (int i = 0; i < pairs.count; ++i) links.join(pairs.slots[i][0], pairs.slots[i][1]);
+  }
+  return links;
 }
 
 void ComponentFinder::find(const Cell& cell, const Crossing* crossings, Components& out) {
@@ -195,13 +194,10 @@ void ComponentFinder::find(const Cell& cell, const Crossing* crossings, Componen
   if (method_ == ComponentMethod::Greedy) return findGreedy(cell, crossings, out);
   bool ambiguous = false;
   for (int face = 0; face < kFaces; ++face) ambiguous |= hasChoice(cell.mask, face);
-  if (ambiguous) {
-    consistent(cell, crossings, out);
-    return;
-  }
+  if (ambiguous) return linkSlots(cell, crossings).setComponents(out);
   Known& known = known_[(cell.mask * 2654435761u) >> 22];
   if (known.mask != cell.mask) {
-    consistent(cell, nullptr, known.components);
+    linkSlots(cell, nullptr).setComponents(known.components);
     known.mask = cell.mask;
   }
   out = known.components;

@@ -43,6 +43,29 @@ struct FacePairs {
 /// which the cell's indices refer to.
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings);
 
+/// The partners of every slot on the two faces that its crossing lies on. They form closed rings.
+class SlotLinks {
+ public:
+  void join(int p, int q) {
+    link_[p][count_[p]++] = static_cast<std::int8_t>(q);
+    link_[q][count_[q]++] = static_cast<std::int8_t>(p);
+  }
+  bool has(int slot) const { return count_[slot] != 0; }
+  /// The slot that follows in a ring, coming from another one (-1: none).
+  int after(int slot, int from) const {
+    return link_[slot][0] != from ? link_[slot][0] : link_[slot][1];
+  }
+  /// Makes a component of every ring.
+  void setComponents(Components& out) const;
+
+ private:
+  std::array<std::array<std::int8_t, 2>, kSlots> link_;
+  std::array<std::int8_t, kSlots> count_{};
+};
+
+/// The pairs of all faces of a cell by the consistent rule.
+SlotLinks linkSlots(const Cell& cell, const Crossing* crossings);
+
 /// Number of crossings on a face, from the cell's mask alone.
 int faceCrossings(std::uint32_t mask, int face);
 /// Whether the face has more than two crossings, so that they can be paired in several ways.
@@ -54,8 +77,6 @@ class ComponentFinder {
   void find(const Cell& cell, const Crossing* crossings, Components& out);
 
  private:
-  void consistent(const Cell& cell, const Crossing* crossings, Components& out);
-
   ComponentMethod method_;
   // Cells in which no face has a choice are decided by their mask alone; the latest results are
   // kept.

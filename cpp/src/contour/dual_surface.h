@@ -4,12 +4,13 @@
 // In: Hermite grid. Out: vertices by cell layer, quads by crossing. Units: cells. Cost:
 // O(crossings).
 // Promise: the same bytes for any number of threads.
-// Source: dual contouring (Ju, Losasso, Schaefer, Warren 2002); several components per cell
-// (Schaefer and Warren 2004); thesis section 4.2.
+// Source: dual contouring (Ju, Losasso, Schaefer and Warren 2002); several vertices per cell
+// (Nielson 2004; Schaefer, Ju and Warren 2007, "Manifold dual contouring"); thesis section 4.2.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -52,6 +53,25 @@ struct DualSurface {
   std::vector<std::array<std::uint32_t, 4>> quads;
   std::vector<FaceSegment> ambiguous;  ///< faces with more than one segment, by layer
   std::vector<RimSegment> rims;        ///< each segment once, ordered by its first crossing
+
+  /// Global index of the vertex at a quad's corner; i is the layer of the quad's lattice edge.
+  std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
+    // Corners 0 and 3 lie at -b, corners 0 and 1 at -c. The x axis is b of axis 2 and c of axis 1.
+    const bool lower =
+        (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
+    return firstVertex[lower ? i - 1 : i] + quads[crossing][corner];
+  }
+
+  /// Of the vertex with this global index in a layer of cells, in grid coordinates.
+  Eigen::Vector3d position(std::uint32_t global, std::int32_t layer) const {
+    const DualVertex& v = vertices[layer][global - firstVertex[layer]];
+    return v.local.cast<double>() + Eigen::Vector3d(v.i, v.j, v.k);
+  }
+  /// Whether the crossing has all four vertices of its polygon.
+  bool isComplete(std::uint32_t crossing) const {
+    return std::find(quads[crossing].begin(), quads[crossing].end(), kNone) ==
+           quads[crossing].end();
+  }
 };
 
 /// `probe` looks for the ends of thin walls and for hidden sides; with nullptr a wall ends at its

@@ -34,27 +34,17 @@ using Points = std::vector<Point>;
 /// polygon edge.
 Points ringOf(const Cell& cell, const Components& components, int component,
               const Crossing* crossings) {
-  std::array<std::array<std::int8_t, 2>, kSlots> next;
-  for (auto& n : next) n = {-1, -1};
-  for (int face = 0; face < kFaces; ++face) {
-    if (faceCrossings(cell.mask, face) == 0) continue;
-    const FacePairs pairs = pairFace(cell, face, crossings);
-    for (int p = 0; p < pairs.count; ++p) {
-      const auto [x, y] = pairs.slots[p];
-      next[x][next[x][0] < 0 ? 0 : 1] = y;
-      next[y][next[y][0] < 0 ? 0 : 1] = x;
-    }
-  }
+  const SlotLinks links = linkSlots(cell, crossings);
   Points ring;
-  std::int8_t slot = 0, before = -1;
+  int slot = 0, before = -1;
   while (components.of[slot] != component) ++slot;
-  const std::int8_t first = slot;
+  const int first = slot;
   do {
     ring.push_back(Point::of(cell, slot, crossings));
-    const std::int8_t onwards = next[slot][0] != before ? next[slot][0] : next[slot][1];
+    const int next = links.after(slot, before);
     before = slot;
-    slot = onwards;
-  } while (slot != first && slot >= 0);
+    slot = next;
+  } while (slot != first);
   return ring;
 }
 

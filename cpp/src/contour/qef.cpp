@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/qef.h"
 
-#include <Eigen/Cholesky>
 #include <array>
 #include <limits>
 
 namespace swept {
-Eigen::Matrix3d Qef::matrix() const {
-  Eigen::Matrix3d a;
-  a << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
-  return a;
-}
-
-double Qef::error(const Eigen::Vector3d& x) const {
-  return x.dot(matrix() * x) - 2 * x.dot(b_) + c_;
-}
-
 Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free) const {
   const double low = margin, high = 1 - margin;
   const Eigen::Vector3d m = massPoint();
   Eigen::Matrix3d a = matrix();
-  const Eigen::Vector3d g = b_ - a * m;
+  const Eigen::Vector3d g = planes_.b - a * m;
   a.diagonal().array() += damping * count_;
   // Inverse of a symmetric 3x3 matrix by cofactors; its condition (1e5 by the damping) leaves
   // enough digits of a double.

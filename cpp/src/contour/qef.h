@@ -16,6 +16,8 @@
 
 #include <Eigen/Core>
 
+#include "geometry/quadric.h"
+
 namespace swept {
 
 /// Sharpness (see below) of two planes that differ by 20 degrees.
@@ -25,28 +27,21 @@ constexpr double kMinSharpness = 0.03;
 class Qef {
  public:
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-    const double d = normal.dot(point);
-    xx_ += normal[0] * normal[0];
-    xy_ += normal[0] * normal[1];
-    xz_ += normal[0] * normal[2];
-    yy_ += normal[1] * normal[1];
-    yz_ += normal[1] * normal[2];
-    zz_ += normal[2] * normal[2];
-    b_ += d * normal;
-    c_ += d * d;
+    planes_.addPlane(normal, point, 1);
     mass_ += point;
     count_ += 1;
   }
   int count() const { return count_; }
   Eigen::Vector3d massPoint() const { return mass_ / count_; }
-  Eigen::Matrix3d matrix() const;
+  Eigen::Matrix3d matrix() const { return planes_.matrix(); }
   /// Second invariant of the mean normal tensor: 0 for one plane, sin^2(t/2) cos^2(t/2) for two
   /// planes that differ by the angle t, 1/3 for the corner of a cube.
   double sharpness() const {
-    const double minors = xx_ * yy_ - xy_ * xy_ + yy_ * zz_ - yz_ * yz_ + zz_ * xx_ - xz_ * xz_;
+    const auto& [xx, xy, xz, yy, yz, zz] = planes_.a;
+    const double minors = xx * yy - xy * xy + yy * zz - yz * yz + zz * xx - xz * xz;
     return minors / (static_cast<double>(count_) * count_);
   }
-  double error(const Eigen::Vector3d& x) const;
+  double error(const Eigen::Vector3d& x) const { return planes_.error(x); }
 
   /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the minimiser without the box.
   Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const {
@@ -61,8 +56,8 @@ class Qef {
   Eigen::Vector3d solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
                              double high, const Eigen::Vector3d& unbounded) const;
 
-  double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0, c_ = 0;
-  Eigen::Vector3d b_ = Eigen::Vector3d::Zero(), mass_ = Eigen::Vector3d::Zero();
+  Quadric planes_;
+  Eigen::Vector3d mass_ = Eigen::Vector3d::Zero();
   int count_ = 0;
 };
 

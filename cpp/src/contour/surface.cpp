@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "contour/dual_surface.h"
-#include "contour/polygon_builder.h"
+#include "contour/polygon_split.h"
 
 namespace swept {
 namespace {
@@ -36,17 +36,15 @@ struct FacePoints {
   std::vector<double> times;
 };
 
-FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
-                          const PolygonBuilder& polygons) {
+FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual) {
   FacePoints out;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(dual.ambiguous.size());
   parallelBlocks(ends.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const FaceSegment& s = dual.ambiguous[n];
       const CrossingEdge edge = edgeOfCrossing(grid, s.crossing[0]);
-      ends[n] =
-          std::minmax({polygons.vertex(edge.axis, edge.i, s.crossing[0], s.side[0]),
-                       polygons.vertex(edge.axis, edge.i, s.crossing[0], (s.side[0] + 1) & 3)});
+      ends[n] = std::minmax({dual.vertex(edge.axis, edge.i, s.crossing[0], s.side[0]),
+                             dual.vertex(edge.axis, edge.i, s.crossing[0], (s.side[0] + 1) & 3)});
     }
   });
   for (std::size_t begin = 0; begin < dual.ambiguous.size();) {
@@ -61,9 +59,7 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
       double time = 0;
       for (int e = 0; e < 2; ++e) {
         const CrossingEdge edge = edgeOfCrossing(grid, segment.crossing[e]);
-        Eigen::Vector3d p(edge.i, edge.j, edge.k);
-        p[edge.axis] += grid.crossings[segment.crossing[e]].fraction;
-        middle += p / 2;
+        middle += positionOfCrossing(grid, edge, segment.crossing[e]) / 2;
         time = grid.crossings[segment.crossing[e]].timeSeconds;
         out.at[sideKey(segment.crossing[e], segment.side[e])] =
             static_cast<std::int32_t>(out.points.size());
@@ -80,13 +76,9 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual,
 
 class LayerEmitter {
  public:
-  LayerEmitter(const HermiteGrid& grid, const DualSurface& dual, const PolygonBuilder& polygons,
-               const FacePoints& facePoints, std::int32_t firstFacePoint)
-      : grid_(grid),
-        dual_(dual),
-        polygons_(polygons),
-        facePoints_(facePoints),
-        firstFacePoint_(firstFacePoint) {}
+  LayerEmitter(const HermiteGrid& grid, const DualSurface& dual, const FacePoints& facePoints,
+               std::int32_t firstFacePoint)
+      : grid_(grid), dual_(dual), facePoints_(facePoints), firstFacePoint_(firstFacePoint) {}
 
   void emit(std::int32_t i, LayerPolygons& out) {
     const HermiteLayer& layer = grid_.layers[i];
@@ -107,11 +99,12 @@ class LayerEmitter {
     std::array<Split, 2> split{};
     for (int c = 0; c < n; ++c) {
       const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(c);
-      if (!polygons_.complete(crossing)) return;
-      split[c] = hasFacePoint(crossing)
-                     ? Split::Fan
-                     : polygons_.choose(
-                           axis, i, polygons_.crossingPoint(axis, i, j, edge, crossing), crossing);
+      if (!dual_.isComplete(crossing)) return;
+      split[c] =
+          hasFacePoint(crossing)
+              ? Split::Fan
+              : chooseSplit(dual_, axis, i,
+                            positionOfCrossing(grid_, {axis, i, j, edge.k}, crossing), crossing);
     }
     if (n == 2 && split[0] == split[1] && split[0] != Split::Fan) {
       const int from = split[0] == Split::Diagonal02 ? 0 : 1;
@@ -134,7 +127,7 @@ class LayerEmitter {
     std::array<std::int32_t, 8> ring;
     int n = 0;
     for (int corner = 0; corner < 4; ++corner) {
-      ring[n++] = static_cast<std::int32_t>(polygons_.vertex(axis, i, crossing, corner));
+      ring[n++] = static_cast<std::int32_t>(dual_.vertex(axis, i, crossing, corner));
       if (split != Split::Fan || !hasFacePoint(crossing)) continue;
       const auto point = facePoints_.at.find(sideKey(crossing, corner));
       if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
@@ -154,7 +147,7 @@ class LayerEmitter {
       triangle(ring[1], ring[3], ring[0]);
     } else {
       const auto centre = kExtra + static_cast<std::int32_t>(out.extra.size());
-      out.extra.push_back(polygons_.crossingPoint(axis, i, j, edge, crossing));
+      out.extra.push_back(positionOfCrossing(grid_, {axis, i, j, edge.k}, crossing));
       out.extraTime.push_back(grid_.crossings[crossing].timeSeconds);
       ++out.fans;
       for (int p = 0; p < n; ++p) triangle(centre, ring[p], ring[(p + 1) % n]);
@@ -163,7 +156,6 @@ class LayerEmitter {
 
   const HermiteGrid& grid_;
   const DualSurface& dual_;
-  const PolygonBuilder& polygons_;
   const FacePoints& facePoints_;
   std::int32_t firstFacePoint_;
 };
@@ -171,7 +163,7 @@ class LayerEmitter {
 /// Adds the polygon between the two sides of a split wall end: a quad, or a triangle where the wall
 /// continues with one vertex. It runs against the polygons of the two sides.
 void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
-            const PolygonBuilder& polygons, std::vector<Triangle>& triangles) {
+            std::vector<Triangle>& triangles) {
   struct Corner {
     std::uint32_t vertex = 0;
     Eigen::Vector3d position;
@@ -183,11 +175,11 @@ void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& d
       // Seen from the high end, the quad runs from the first corner of its side to the second.
       const int corner = (rim.side[n] + end) & 3;
       Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
-      to.vertex = polygons.vertex(edge.axis, edge.i, rim.crossing[n], corner);
+      to.vertex = dual.vertex(edge.axis, edge.i, rim.crossing[n], corner);
       const auto layer =
           std::upper_bound(dual.firstVertex.begin(), dual.firstVertex.end(), to.vertex) -
           dual.firstVertex.begin() - 1;
-      to.position = polygons.position(to.vertex, static_cast<std::int32_t>(layer));
+      to.position = dual.position(to.vertex, static_cast<std::int32_t>(layer));
     }
   }
   const auto triangle = [&](int a, int b, int c) {
@@ -209,18 +201,11 @@ void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& d
   }
 }
 
-std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& dual,
-                                   const PolygonBuilder& polygons) {
-  constexpr std::size_t kBlock = 1024;
-  std::vector<std::vector<Triangle>> parts(dual.rims.size() / kBlock + 1);
-  parallelBlocks(dual.rims.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      addRim(dual.rims[n], grid, dual, polygons, parts[begin / kBlock]);
-    }
+std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& dual) {
+  constexpr std::size_t kPerTask = 1024;
+  return gather<Triangle>(dual.rims.size(), kPerTask, [&](std::size_t n, auto& part) {
+    addRim(dual.rims[n], grid, dual, part);
   });
-  std::vector<Triangle> triangles;
-  for (const auto& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());
-  return triangles;
 }
 
 /// Resizes with room for what mending adds, so that nothing has to be moved then.
@@ -361,21 +346,27 @@ CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index) {
   throw Error(Status::InternalError, "InternalError", "a crossing without an edge");
 }
 
+Eigen::Vector3d positionOfCrossing(const HermiteGrid& grid, const CrossingEdge& edge,
+                                   std::uint32_t index) {
+  Eigen::Vector3d p(edge.i, edge.j, edge.k);
+  p[edge.axis] += grid.crossings[index].fraction;
+  return p;
+}
+
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
                        const SurfaceProbe* probe) {
   DualSurface dual = buildDualSurface(grid, options.components, probe, run);
-  const PolygonBuilder polygons(grid, dual);
-  const FacePoints facePoints = findFacePoints(grid, dual, polygons);
+  const FacePoints facePoints = findFacePoints(grid, dual);
 
   const auto layers = static_cast<std::size_t>(grid.plan.points[0]);
   const auto firstFacePoint = static_cast<std::int32_t>(dual.firstVertex.back());
   std::vector<LayerPolygons> parts(layers);
   parallelBlocks(layers, 4, [&](std::size_t begin, std::size_t end) {
-    LayerEmitter emitter(grid, dual, polygons, facePoints, firstFacePoint);
+    LayerEmitter emitter(grid, dual, facePoints, firstFacePoint);
     run.checkpoint(Phase::Contour, layers + begin, 2 * layers);
     for (std::size_t i = begin; i < end; ++i) emitter.emit(static_cast<std::int32_t>(i), parts[i]);
   });
-  const std::vector<Triangle> rim = rimTriangles(grid, dual, polygons);
+  const std::vector<Triangle> rim = rimTriangles(grid, dual);
   std::vector<std::array<std::uint32_t, 4>>().swap(dual.quads);
   return SurfaceAssembler(grid, dual, parts).assemble(facePoints, rim);
 }

@@ -6,8 +6,9 @@
 // non-manifold as a set of triangles, and both are mended where they occur: two segments of one
 // face that join the same two components (the second segment gets a vertex on the face), and the
 // two quads of one lattice edge with the same diagonal (both become fans about their crossing).
-// Source: dual contouring (Ju et al. 2002), several components per cell (Schaefer and Warren 2004),
-// polygons through edge and face points where a diagonal would not do (Ju and Udeshi 2006).
+// Source: dual contouring (Ju et al. 2002), several vertices per cell (Nielson 2004; Schaefer, Ju
+// and Warren 2007, "Manifold dual contouring"), polygons through edge and face points where a
+// diagonal would not do (Ju and Udeshi 2006).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -55,5 +56,8 @@ struct CrossingEdge {
   std::int32_t i = 0, j = 0, k = 0;
 };
 CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index);
+/// Where a crossing lies, in cells from the grid's origin.
+Eigen::Vector3d positionOfCrossing(const HermiteGrid& grid, const CrossingEdge& edge,
+                                   std::uint32_t index);
 
 }  // namespace swept

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "contour/components.h"
+#include "grid/marked_edges.h"
 
 namespace swept {
 namespace {
@@ -25,11 +26,9 @@ Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
         low[(axis + 1) % 3] += ob;
         low[(axis + 2) % 3] += oc;
         const HermiteLayer& layer = grid.layers[low[0]];
-        const auto begin = layer.edges[axis].begin() + layer.columnStart[axis][low[1]];
-        const auto end = layer.edges[axis].begin() + layer.columnStart[axis][low[1] + 1];
-        const auto edge = std::lower_bound(begin, end, low[2],
-                                           [](const HermiteEdge& e, int k) { return e.k < k; });
-        if (edge == end || edge->k != low[2]) continue;
+        const HermiteEdge* edge =
+            findEdge(layer.edges[axis], layer.columnStart[axis], low[1], low[2]);
+        if (edge == nullptr) continue;
         const int number = edgeOf(axis, ob, oc);
         cell.mask |= static_cast<std::uint32_t>(edge->sides) << (2 * number);
         cell.first[number] = edge->first;

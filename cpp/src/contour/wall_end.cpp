@@ -81,20 +81,13 @@ std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::
 std::array<bool, 8> outsideCorners(const Cell& cell) {
   std::array<std::int8_t, 8> sign;  // 1 outside, 0 inside, -1 not known yet
   sign.fill(-1);
-  const auto ends = [](int edge) {
-    const int a = edge >> 2, b = (a + 1) % 3, c = (a + 2) % 3;
-    const int low = (edge & 1) << b | (edge >> 1 & 1) << c;
-    return std::array<int, 2>{low, low | 1 << a};
-  };
   for (int edge = 0; edge < kEdges; ++edge) {
-    const auto [low, high] = ends(edge);
     if (!cell.has(2 * edge) && !cell.has(2 * edge + 1)) continue;
-    sign[low] = cell.has(2 * edge) ? 1 : 0;
-    sign[high] = cell.has(2 * edge + 1) ? 1 : 0;
+    for (const int end : {0, 1}) sign[cornerOf(edge, end)] = cell.has(2 * edge + end) ? 1 : 0;
   }
   for (int round = 0; round < 3; ++round) {  // edges without a crossing pass the sign on
     for (int edge = 0; edge < kEdges; ++edge) {
-      const auto [low, high] = ends(edge);
+      const int low = cornerOf(edge, 0), high = cornerOf(edge, 1);
       if (cell.has(2 * edge) || cell.has(2 * edge + 1)) continue;
       if (sign[low] < 0) sign[low] = sign[high];
       if (sign[high] < 0) sign[high] = sign[low];
@@ -111,13 +104,12 @@ void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
               std::vector<Eigen::Vector3d>& outside, std::vector<Eigen::Vector3d>& inside) {
   const std::array<bool, 8> out = outsideCorners(cell);
   for (int edge = 0; edge < kEdges; ++edge) {
-    const int b = ((edge >> 2) + 1) % 3, c = (b + 1) % 3;
     const Eigen::Vector3d low = localPosition(edge, 0), high = localPosition(edge, 1);
     const double dl = wall.normal.dot(low) - wall.middle, dh = wall.normal.dot(high) - wall.middle;
     if ((dl > 0) == (dh > 0)) continue;
     const double x = dl / (dl - dh);
     const bool hasLow = cell.has(2 * edge), hasHigh = cell.has(2 * edge + 1);
-    bool isOut = out[(edge & 1) << b | (edge >> 1 & 1) << c];
+    bool isOut = out[cornerOf(edge, 0)];
     if (hasLow || hasHigh) {
       isOut = (hasLow && x < crossings[cell.crossing(2 * edge)].fraction) ||
               (hasHigh && x > crossings[cell.crossing(2 * edge + 1)].fraction);

@@ -72,7 +72,7 @@ CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, i
   const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
   const Eigen::Vector3d n = alongEdge.cross(alongTime);
   // Newton's method leaves a small distance from the lattice line; move along the line until the
-  // tangent plane is met.
+  // tangent plane is reached.
   double along = x[axis];
   if (std::abs(n[axis]) > 0.1 * n.norm()) {
     along += (n[u] * (x[u] - line[u]) + n[v] * (x[v] - line[v])) / n[axis];

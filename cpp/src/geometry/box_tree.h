@@ -41,10 +41,32 @@ class BoxTree {
       low = low.cwiseMin(other.low);
       high = high.cwiseMax(other.high);
     }
+    bool intersects(const Bounds& other) const {
+      return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
+    }
   };
-  /// Boxes of four brothers, relative to middle(). An empty lane is a box that nothing meets.
+  /// Relative to middle().
+  struct FloatBox {
+    std::array<float, 3> low, high;
+  };
+  /// Boxes of four brothers, relative to middle(). An empty lane is a box that nothing intersects.
   struct alignas(32) Group {
     float low[3][kWidth], high[3][kWidth];
+
+    FloatBox box(int lane) const {
+      return {{low[0][lane], low[1][lane], low[2][lane]},
+              {high[0][lane], high[1][lane], high[2][lane]}};
+    }
+    /// Per lane: not 0 if its box intersects the other one. All four at a time, without branches.
+    std::array<std::int32_t, kWidth> intersecting(const FloatBox& other) const {
+      alignas(16) std::array<std::int32_t, kWidth> hit;
+      for (int lane = 0; lane < kWidth; ++lane) {
+        hit[lane] = (low[0][lane] <= other.high[0]) & (high[0][lane] >= other.low[0]) &
+                    (low[1][lane] <= other.high[1]) & (high[1][lane] >= other.low[1]) &
+                    (low[2][lane] <= other.high[2]) & (high[2][lane] >= other.low[2]);
+      }
+      return hit;
+    }
   };
   /// Node `index` of a level; on level 0 an item's place. Its children are the nodes
   /// 4 index .. 4 index + 3 of the level below, as far as there are any.
@@ -105,9 +127,6 @@ class BoxTree {
     std::size_t firstGroup;
     std::uint32_t nodes;
   };
-  struct FloatBox {
-    std::array<float, 3> low, high;
-  };
   FloatBox rounded(const Bounds& box) const;
   void build(const RawArray<FloatBox>& boxes, Order order);
 
@@ -140,24 +159,19 @@ void BoxTree::forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
                      const Visit& visit) const {
   if (empty()) return;
   const FloatBox box = rounded({low, high});
-  Node stack[kWidth * 16];
-  int top = 0;
-  const auto meets = [&](const Group& group, int lane) {
-    return group.low[0][lane] <= box.high[0] && group.high[0][lane] >= box.low[0] &&
-           group.low[1][lane] <= box.high[1] && group.high[1][lane] >= box.low[1] &&
-           group.low[2][lane] <= box.high[2] && group.high[2][lane] >= box.low[2];
-  };
   if (root().isItem()) {
-    if (meets(groups_[0], 0)) visit(0u);
+    if (groups_[0].intersecting(box)[0] != 0) visit(0u);
     return;
   }
+  Node stack[kWidth * 16];
+  int top = 0;
   stack[top++] = root();
   while (top > 0) {
     const Node node = stack[--top];
-    const Group& group = childBoxes(node);
-    for (int c = 0; c < kWidth; ++c) {
-      if (!meets(group, c)) continue;
-      const Node below = child(node, static_cast<std::uint32_t>(c));
+    const std::array<std::int32_t, kWidth> hit = childBoxes(node).intersecting(box);
+    for (std::uint32_t c = 0; c < kWidth; ++c) {
+      if (hit[c] == 0) continue;
+      const Node below = child(node, c);
       if (below.isItem()) {
         visit(below.index);
       } else {

@@ -9,44 +9,6 @@ namespace {
 /// Sine of the least angle that counts; rounding stays below 1e-15.
 constexpr double kSine = 1e-9;
 
-/// As SeenTriangle, but with each direction computed only when it is tried.
-struct TriedTriangle {
-  std::array<Eigen::Vector3d, 3> corner, edge;
-  Eigen::Vector3d normal;
-  double size;
-
-  TriedTriangle(const std::vector<Eigen::Vector3d>& vertices,
-                const std::array<std::int32_t, 3>& tri) {
-    for (int i = 0; i < 3; ++i) corner[i] = vertices[tri[i]];
-    edge = {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
-    normal = edge[0].cross(edge[1]);
-    size = std::max({edge[0].cwiseAbs().maxCoeff(), edge[1].cwiseAbs().maxCoeff(),
-                     edge[2].cwiseAbs().maxCoeff()});
-  }
-  bool partedByNormal(const TriedTriangle& q) const { return parted(normal, 0, true, q); }
-  bool partedByEdge(const TriedTriangle& q) const {
-    for (int i = 0; i < 3; ++i) {
-      if (parted(edge[i].cross(normal), i, false, q)) return true;
-    }
-    return false;
-  }
-
- private:
-  bool parted(const Eigen::Vector3d& axis, int origin, bool bothWays,
-              const TriedTriangle& q) const {
-    double least = HUGE_VAL, most = -HUGE_VAL, reach = size;
-    for (const auto& point : q.corner) {
-      const Eigen::Vector3d d = point - corner[origin];
-      const double value = axis.dot(d);
-      least = std::min(least, value);
-      most = std::max(most, value);
-      reach = std::max(reach, d.cwiseAbs().maxCoeff());
-    }
-    const double margin = SeenTriangle::kMargin * axis.cwiseAbs().sum() * reach;
-    return least > margin || (bothWays && most < -margin);
-  }
-};
-
 /// Does x lead to the side of w, by more than rounding can do?
 bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
   const double along = w.dot(x);

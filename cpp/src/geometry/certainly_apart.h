@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,45 +17,49 @@
 namespace swept {
 
 /// A triangle with the directions along which others are often seen to lie beside it.
-struct SeenTriangle {
-  static constexpr double kMargin = 2e-14;  ///< some fifty times what rounding can do
-
-  std::array<Eigen::Vector3d, 3> corner;
-  std::array<Eigen::Vector3d, 4> axis;  ///< in its plane, outward from each edge; then its normal
-  std::array<double, 4> axisSize;
-  double size = 0;
-
-  void set(const TriMesh& mesh, std::int32_t t) {
-    const auto& tri = mesh.triangles[t];
-    for (int i = 0; i < 3; ++i) corner[i] = mesh.vertices[tri[i]];
-    const Eigen::Vector3d e0 = corner[1] - corner[0];
-    const Eigen::Vector3d e1 = corner[2] - corner[1];
-    const Eigen::Vector3d e2 = corner[0] - corner[2];
-    axis[3] = e0.cross(e1);
-    axis[0] = e0.cross(axis[3]);
-    axis[1] = e1.cross(axis[3]);
-    axis[2] = e2.cross(axis[3]);
-    for (int i = 0; i < 4; ++i) axisSize[i] = axis[i].cwiseAbs().sum();
-    size = std::max({e0.cwiseAbs().maxCoeff(), e1.cwiseAbs().maxCoeff(), e2.cwiseAbs().maxCoeff()});
+class TriedTriangle {
+ public:
+  TriedTriangle(const TriMesh& mesh, std::int32_t t)
+      : TriedTriangle(mesh.vertices, mesh.triangles[t]) {}
+  TriedTriangle(const std::vector<Eigen::Vector3d>& vertices,
+                const std::array<std::int32_t, 3>& tri) {
+    for (int i = 0; i < 3; ++i) corner_[i] = vertices[tri[i]];
+    edge_ = {corner_[1] - corner_[0], corner_[2] - corner_[1], corner_[0] - corner_[2]};
+    normal_ = edge_[0].cross(edge_[1]);
+    size_ = std::max({edge_[0].cwiseAbs().maxCoeff(), edge_[1].cwiseAbs().maxCoeff(),
+                      edge_[2].cwiseAbs().maxCoeff()});
   }
+  const std::array<Eigen::Vector3d, 3>& corners() const { return corner_; }
 
-  /// True only if some axis separates this triangle from q for certain.
-  bool certainlyApart(const std::array<Eigen::Vector3d, 3>& q) const {
-    for (int i = 0; i < 4; ++i) {
-      const Eigen::Vector3d& origin = corner[i % 3];
-      double least = HUGE_VAL, most = -HUGE_VAL, reach = size;
-      for (const auto& point : q) {
-        const Eigen::Vector3d d = point - origin;
-        const double value = axis[i].dot(d);
-        least = std::min(least, value);
-        most = std::max(most, value);
-        reach = std::max(reach, d.cwiseAbs().maxCoeff());
-      }
-      const double margin = kMargin * axisSize[i] * reach;
-      if (least > margin || (i == 3 && most < -margin)) return true;
+  /// True only if the plane of this triangle has the other one on one side for certain.
+  bool partedByNormal(const TriedTriangle& other) const { return parted(normal_, 0, true, other); }
+  /// True only if the other one lies beyond an edge, seen along this triangle's plane, for certain.
+  bool partedByEdge(const TriedTriangle& other) const {
+    for (int i = 0; i < 3; ++i) {
+      if (parted(edge_[i].cross(normal_), i, false, other)) return true;
     }
     return false;
   }
+
+ private:
+  bool parted(const Eigen::Vector3d& axis, int origin, bool bothSides,
+              const TriedTriangle& other) const {
+    constexpr double kMargin = 2e-14;  // some fifty times what rounding can do
+    double lowest = HUGE_VAL, highest = -HUGE_VAL, reach = size_;
+    for (const Eigen::Vector3d& point : other.corner_) {
+      const Eigen::Vector3d d = point - corner_[origin];
+      const double value = axis.dot(d);
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+      reach = std::max(reach, d.cwiseAbs().maxCoeff());
+    }
+    const double margin = kMargin * axis.cwiseAbs().sum() * reach;
+    return lowest > margin || (bothSides && highest < -margin);
+  }
+
+  std::array<Eigen::Vector3d, 3> corner_, edge_;
+  Eigen::Vector3d normal_;
+  double size_;
 };
 
 /// Triangles with one, two or no common corner; the same three corners are never apart.

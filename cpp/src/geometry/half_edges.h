@@ -39,10 +39,8 @@ class EdgeTable {
   EdgeTable(const Triangles& triangles, std::size_t vertexCount);
   explicit EdgeTable(const TriMesh& mesh) : EdgeTable(mesh.triangles, mesh.vertices.size()) {}
 
-  std::int64_t vertexCount() const { return static_cast<std::int64_t>(start_.size()) - 1; }
-  /// Records of edges whose smaller vertex is `low`: [begin(low), begin(low + 1)) of records().
-  std::int64_t begin(std::int64_t low) const { return start_[static_cast<std::size_t>(low)]; }
-  const RawArray<std::uint64_t>& records() const { return records_; }
+  std::int64_t vertexCount() const { return static_cast<std::int64_t>(groups_.keys()); }
+  const RawArray<std::uint64_t>& records() const { return groups_.values(); }
 
   static std::int32_t high(std::uint64_t record) { return static_cast<std::int32_t>(record >> 33); }
   /// True if the half-edge runs from the smaller to the larger vertex.
@@ -55,10 +53,9 @@ class EdgeTable {
   /// [lowBegin, lowEnd); [first, last) are its records, ascending ones first.
   template <class Visit>
   void forEachEdge(std::int64_t lowBegin, std::int64_t lowEnd, Visit&& visit) const {
-    const std::uint64_t* data = records_.data();
     for (std::int64_t low = lowBegin; low < lowEnd; ++low) {
-      const std::uint64_t* first = data + begin(low);
-      const std::uint64_t* end = data + begin(low + 1);
+      const std::span group = groups_.asTheyStand(static_cast<std::size_t>(low));
+      const std::uint64_t *first = group.data(), *end = first + group.size();
       while (first != end) {
         const std::uint64_t* last = first + 1;
         while (last != end && high(*last) == high(*first)) ++last;
@@ -73,8 +70,7 @@ class EdgeTable {
   }
 
  private:
-  std::vector<std::uint32_t> start_;
-  RawArray<std::uint64_t> records_;
+  ListsByKey<std::uint64_t> groups_;  ///< by smaller vertex
 };
 
 struct EdgeFaults {
@@ -95,6 +91,6 @@ Adjacency findAdjacency(const EdgeTable& edges);
 Adjacency findAdjacency(const TriMesh& mesh);
 
 /// Per vertex the half-edges that start at it.
-ListsByKey halfEdgesByVertex(const TriMesh& mesh);
+ListsByKey<> halfEdgesByVertex(const TriMesh& mesh);
 
 }  // namespace swept

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/ray_columns.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+
+#include "base/parallel.h"
 
 namespace swept {
 namespace {
@@ -58,35 +56,19 @@ bool RayColumns::cellsOf(std::size_t triangle, Cells& cells) const {
 void RayColumns::build() {
   columns_ = std::clamp(
       static_cast<std::int32_t>(std::sqrt(static_cast<double>(mesh_.triangles.size()))), 1, 128);
-  const auto cells = static_cast<std::size_t>(columns_) * columns_;
-  start_.assign(cells + 1, 0);
-  auto forEachCell = [&](auto&& visit) {
-    using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, mesh_.triangles.size(), 1 << 13), [&](const Range& range) {
+  const auto forAll = [&](const auto& use) {
+    parallelBlocks(mesh_.triangles.size(), 1 << 13, [&](std::size_t begin, std::size_t end) {
       Cells under{};
-      for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      for (std::size_t t = begin; t < end; ++t) {
         if (!cellsOf(t, under)) continue;
         for (std::int32_t z = under.z0; z <= under.z1; ++z) {
-          for (std::int32_t y = under.y0; y <= under.y1; ++y) {
-            visit(start_[static_cast<std::size_t>(z) * columns_ + y], static_cast<std::int32_t>(t));
-          }
+          for (std::int32_t y = under.y0; y <= under.y1; ++y)
+            use(cellAt(y, z), static_cast<std::int32_t>(t));
         }
       }
     });
   };
-  // Atomic counters: the order within a column varies, the sorted crossings of a line do not.
-  forEachCell([](std::uint32_t& count, std::int32_t) {
-    std::atomic_ref<std::uint32_t>(count).fetch_add(1, std::memory_order_relaxed);
-  });
-  std::uint32_t sum = 0;
-  for (auto& value : start_) {
-    sum += value;
-    value = sum;
-  }
-  items_.resize(sum);
-  forEachCell([&](std::uint32_t& end, std::int32_t t) {
-    items_[std::atomic_ref<std::uint32_t>(end).fetch_sub(1, std::memory_order_relaxed) - 1] = t;
-  });
+  triangles_ = ListsByKey<std::int32_t>(cellAt(0, columns_), forAll);
 }
 
 std::int32_t RayColumns::column(double value, int axis) const {
@@ -99,9 +81,9 @@ std::int32_t RayColumns::column(double value, int axis) const {
 /// visit(x, triangle, direction), in no order.
 template <class Visit>
 void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
-  const std::size_t cell = static_cast<std::size_t>(column(z, 2)) * columns_ + column(y, 1);
-  for (std::uint32_t i = start_[cell]; i < start_[cell + 1]; ++i) {
-    const auto& tri = mesh_.triangles[items_[i]];
+  // The order within a column varies; the sorted crossings of a line do not.
+  for (const std::int32_t t : triangles_.asTheyStand(cellAt(column(y, 1), column(z, 2)))) {
+    const auto& tri = mesh_.triangles[t];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
                &c = mesh_.vertices[tri[2]];
     const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
@@ -111,7 +93,7 @@ void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
     const double high = std::max({a.x(), b.x(), c.x()});
     double x = low;
     if (n.x() != 0) x = a.x() - (n.y() * (y - a.y()) + n.z() * (z - a.z())) / n.x();
-    visit(std::clamp(x, low, high), items_[i], turn > 0 ? -1 : 1);
+    visit(std::clamp(x, low, high), t, turn > 0 ? -1 : 1);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/lists_by_key.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -26,7 +27,7 @@ class RayColumns {
   };
 
   explicit RayColumns(const TriMesh& mesh);
-  /// Only lines with (y, z) inside the box will be asked for.
+  /// Only lines with (y, z) inside the box can be queried.
   RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   /// How often the surface goes round x, counter-clockwise as seen from its normals' side: 1 inside
   /// a solid, 0 outside and in its cavities, -1 inside a solid turned inside out.
@@ -44,14 +45,16 @@ class RayColumns {
   bool cellsOf(std::size_t triangle, Cells& cells) const;
   void build();
   std::int32_t column(double value, int axis) const;
+  std::size_t cellAt(std::int32_t y, std::int32_t z) const {
+    return static_cast<std::size_t>(z) * columns_ + y;
+  }
   template <class Visit>
   void forCrossings(double y, double z, const Visit& visit) const;
 
   const TriMesh& mesh_;
   Eigen::Vector3d low_, high_;
   std::int32_t columns_ = 1;
-  std::vector<std::uint32_t> start_;
-  std::vector<std::int32_t> items_;
+  ListsByKey<std::int32_t> triangles_;  ///< by column
 };
 
 }  // namespace swept

@@ -2,8 +2,9 @@
 #include "geometry/self_intersections.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
+#include "base/sort_unique.h"
 #include "geometry/box_tree.h"
 #include "geometry/certainly_apart.h"
 #include "geometry/exact_predicates.h"
@@ -80,23 +81,12 @@ class PairSearch {
     std::int32_t vertex[3][kWidth];
   };
 
-  /// hit[j]: box i of p meets box j of q.
-  static void meetBoxes(const BoxTree::Group& p, int i, const BoxTree::Group& q,
-                        std::int32_t hit[kWidth]) {
-    for (int j = 0; j < kWidth; ++j) {
-      hit[j] = (p.low[0][i] <= q.high[0][j]) & (p.high[0][i] >= q.low[0][j]) &
-               (p.low[1][i] <= q.high[1][j]) & (p.high[1][i] >= q.low[1][j]) &
-               (p.low[2][i] <= q.high[2][j]) & (p.high[2][i] >= q.low[2][j]);
-    }
-  }
-
   template <class Visit>
   void forEachChildPair(std::int32_t level, std::uint32_t a, std::uint32_t b,
                         const Visit& visit) const {
     const BoxTree::Group &p = tree_.childBoxes({level, a}), &q = tree_.childBoxes({level, b});
     for (int i = 0; i < kWidth; ++i) {
-      alignas(16) std::int32_t hit[kWidth];
-      meetBoxes(p, i, q, hit);  // an empty lane meets nothing
+      const auto hit = q.intersecting(p.box(i));  // an empty lane intersects nothing
       for (int j = a == b ? i : 0; j < kWidth; ++j) {
         if (hit[j] != 0) visit(kWidth * a + i, kWidth * b + j);
       }
@@ -106,42 +96,36 @@ class PairSearch {
   void meetGroups(std::uint32_t a, std::uint32_t b, Found& found) const {
     const BoxTree::Group &p = tree_.childBoxes({1, a}), &q = tree_.childBoxes({1, b});
     const GroupVertices &u = vertices_[a], &v = vertices_[b];
-    SeenTriangle first;
+    std::optional<TriedTriangle> first;
     for (int i = 0; i < kWidth; ++i) {
-      alignas(16) std::int32_t hit[kWidth];
-      meetBoxes(p, i, q, hit);
+      auto hit = q.intersecting(p.box(i));
       for (int k = 0; k < 3; ++k) {
         for (int j = 0; j < kWidth; ++j) {
           hit[j] &= (u.vertex[k][i] != v.vertex[0][j]) & (u.vertex[k][i] != v.vertex[1][j]) &
                     (u.vertex[k][i] != v.vertex[2][j]);
         }
       }
-      bool prepared = false;
+      first.reset();
       for (int j = a == b ? i + 1 : 0; j < kWidth; ++j) {
         if (hit[j] == 0) continue;
         const std::int32_t t = tree_.item(kWidth * a + i);
-        if (!prepared) first.set(mesh_, t);
-        prepared = true;
-        meetTriangles(first, t, tree_.item(kWidth * b + j), found);
+        if (!first) first.emplace(mesh_, t);
+        meetTriangles(*first, t, tree_.item(kWidth * b + j), found);
       }
     }
   }
 
-  void meetTriangles(const SeenTriangle& first, std::int32_t a, std::int32_t b,
+  void meetTriangles(const TriedTriangle& first, std::int32_t a, std::int32_t b,
                      Found& found) const {
-    const auto& tri = mesh_.triangles[b];
-    const std::array<Eigen::Vector3d, 3> corners{mesh_.vertices[tri[0]], mesh_.vertices[tri[1]],
-                                                 mesh_.vertices[tri[2]]};
-    if (first.certainlyApart(corners)) return;
-    SeenTriangle second;
-    second.set(mesh_, b);
-    if (second.certainlyApart(first.corner)) return;
+    const TriedTriangle second(mesh_, b);
+    if (first.partedByEdge(second) || first.partedByNormal(second) || second.partedByEdge(first) ||
+        second.partedByNormal(first)) {
+      return;
+    }
     if (hasNoArea(mesh_, a) || hasNoArea(mesh_, b)) return;
     if ((found.count & 1023) == 1023) run_.checkpoint(Phase::Check);
-    if (trianglesMeet({&first.corner[0], &first.corner[1], &first.corner[2]},
-                      {&corners[0], &corners[1], &corners[2]})) {
-      found.add(a, b);
-    }
+    const auto &p = first.corners(), &q = second.corners();
+    if (trianglesMeet({&p[0], &p[1], &p[2]}, {&q[0], &q[1], &q[2]})) found.add(a, b);
   }
 
   const TriMesh& mesh_;
@@ -183,13 +167,12 @@ Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled
       }
     }
   });
-  // A pair with two common corners was met at both of them.
+  // A pair with two common corners was found at both of them.
   Found all;
   for (const Found& part : parts) {
     all.pairs.insert(all.pairs.end(), part.pairs.begin(), part.pairs.end());
   }
-  std::sort(all.pairs.begin(), all.pairs.end());
-  all.pairs.erase(std::unique(all.pairs.begin(), all.pairs.end()), all.pairs.end());
+  sortUnique(all.pairs);
   all.count = static_cast<std::int64_t>(all.pairs.size());
   return all;
 }

@@ -1,7 +1,7 @@
 // Shells: the connected pieces of a mesh, their boxes and volumes, and how they lie in one another.
 // In:    a mesh with valid indices. Out: a shell number per triangle; shells are numbered by their
 //        first triangles. Units: mm.
-// Cost:  O(n) on all cores; a question about nesting takes one ray.
+// Cost:  O(n) on all cores; a query about nesting takes one ray.
 // Invariants: numbers and volumes do not depend on the number of threads; a volume is measured from
 //        a vertex of its own shell, so that a place far from the origin costs no digits.
 // SPDX-License-Identifier: LGPL-2.1-or-later

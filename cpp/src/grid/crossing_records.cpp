@@ -63,6 +63,21 @@ class ColumnEnds {
   std::vector<std::uint64_t> crossed_;
 };
 
+/// Sorts the records that forAll(use) passes to use(record) by bucket, keeping their order within
+/// one; `out` grows to their number. Returns where every bucket starts, and the end.
+template <class ForAll, class BucketOf>
+std::vector<std::uint32_t> sortByBucket(std::size_t buckets, const ForAll& forAll,
+                                        const BucketOf& bucketOf,
+                                        std::vector<CrossingRecord>& out) {
+  std::vector<std::uint32_t> start(buckets + 1, 0);
+  forAll([&](const CrossingRecord& r) { ++start[bucketOf(r)]; });
+  const std::uint32_t count = exclusiveScan(start);
+  if (out.size() < count) out.resize(count);
+  std::vector<std::uint32_t> next(start);
+  forAll([&](const CrossingRecord& r) { out[next[bucketOf(r)]++] = r; });
+  return start;
+}
+
 /// Sorts the records of one layer by axis and column, and keeps for every lattice edge the crossing
 /// next to either end.
 void reduceLayer(const std::vector<RecordChunk>& chunks,
@@ -74,20 +89,12 @@ void reduceLayer(const std::vector<RecordChunk>& chunks,
     for (std::size_t c = 0; c < chunks.size(); ++c) {
       const RecordChunk& chunk = chunks[c];
       for (std::uint32_t n = chunk.layerStart[i]; n < chunk.layerStart[i + 1]; ++n) {
-        use(chunk.records[n], elementBase[c]);
+        const CrossingRecord& r = chunk.records[n];
+        use({r.key, r.element + elementBase[c]});
       }
     }
   };
-  std::vector<std::uint32_t> start(3 * columns + 1, 0);
-  forRecords([&](const CrossingRecord& r, std::uint32_t) { ++start[bucketOf(r)]; });
-  const std::uint32_t count = exclusiveScan(start);
-  if (scratch.size() < count) scratch.resize(count);
-  {
-    std::vector<std::uint32_t> next(start);
-    forRecords([&](const CrossingRecord& r, std::uint32_t base) {
-      scratch[next[bucketOf(r)]++] = {r.key, r.element + base};
-    });
-  }
+  const std::vector<std::uint32_t> start = sortByBucket(3 * columns, forRecords, bucketOf, scratch);
   for (int axis = 0; axis < 3; ++axis) {
     auto& edges = layer.edges[axis];
     auto& columnStart = layer.columnStart[axis];
@@ -111,14 +118,13 @@ void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
   const auto bucketOf = [&](const CrossingRecord& r) {
     return (r.layer() * std::size_t{3} + r.axis()) * columns + r.column();
   };
-  std::vector<std::uint32_t> start(static_cast<std::size_t>(grid.points[0]) * 3 * columns + 1, 0);
-  for (const auto& r : records) ++start[bucketOf(r)];
-  exclusiveScan(start);
-  std::vector<CrossingRecord> sorted(records.size());
-  {
-    std::vector<std::uint32_t> next(start);
-    for (const auto& r : records) sorted[next[bucketOf(r)]++] = r;
-  }
+  std::vector<CrossingRecord> sorted;
+  const std::vector<std::uint32_t> start = sortByBucket(
+      static_cast<std::size_t>(grid.points[0]) * 3 * columns,
+      [&](const auto& use) {
+        for (const auto& r : records) use(r);
+      },
+      bucketOf, sorted);
   records.clear();
   ColumnEnds ends(static_cast<std::size_t>(grid.points[2]));
   for (std::size_t bucket = 0; bucket + 1 < start.size(); ++bucket) {
@@ -132,14 +138,14 @@ void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
 }
 
 void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room) {
-  const auto layers = static_cast<std::size_t>(grid.points[0]);
-  chunk.layerStart.assign(layers + 1, 0);
-  for (const CrossingRecord& r : chunk.records) ++chunk.layerStart[r.layer()];
-  exclusiveScan(chunk.layerStart);
   room.swap(chunk.records);
-  chunk.records = std::vector<CrossingRecord>(room.size());
-  std::vector<std::uint32_t> next(chunk.layerStart);
-  for (const CrossingRecord& r : room) chunk.records[next[r.layer()]++] = r;
+  chunk.records = {};
+  chunk.layerStart = sortByBucket(
+      static_cast<std::size_t>(grid.points[0]),
+      [&](const auto& use) {
+        for (const auto& r : room) use(r);
+      },
+      [](const CrossingRecord& r) { return r.layer(); }, chunk.records);
   room.clear();
 }
 

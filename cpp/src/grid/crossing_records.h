@@ -43,6 +43,18 @@ struct RecordChunk {
   std::vector<CrossingRecord> records;
   std::vector<SweptElement> elements;
   std::vector<std::uint32_t> layerStart;  ///< once ordered: per layer its first record, and the end
+
+  /// Adds an element unless it crosses no lattice edge: rasterise(emit) calls emit(axis, i, j, k,
+  /// fraction) for each that it crosses.
+  template <class Rasterise>
+  void add(const SweptElement& element, const Rasterise& rasterise) {
+    const auto number = static_cast<std::uint32_t>(elements.size());
+    const std::size_t before = records.size();
+    rasterise([&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) {
+      records.push_back(CrossingRecord::make(axis, i, j, k, fraction, number));
+    });
+    if (records.size() != before) elements.push_back(element);
+  }
 };
 
 /// Orders the records by layer, in an array of exactly their number. `room` receives the previous

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -38,9 +39,26 @@ struct LayerEdges {
   std::array<std::vector<std::uint32_t>, 3> columnStart;
 };
 
+/// The edge of column j at k in the list of one axis, of a layer as above; nullptr if there is
+/// none.
+template <class Edge>
+const Edge* findEdge(const std::vector<Edge>& edges, const std::vector<std::uint32_t>& columnStart,
+                     std::int32_t j, std::int32_t k) {
+  const auto begin = edges.begin() + columnStart[static_cast<std::size_t>(j)];
+  const auto end = edges.begin() + columnStart[static_cast<std::size_t>(j) + 1];
+  const auto at = std::lower_bound(begin, end, k,
+                                   [](const Edge& e, std::int32_t value) { return e.k < value; });
+  return at != end && at->k == k ? &*at : nullptr;
+}
+
 struct MarkedEdges {
   std::vector<LayerEdges> layers;      ///< by i
   std::vector<SweptElement> elements;  ///< what lowElement and highElement refer to
+
+  bool isMarked(int axis, std::int32_t i, std::int32_t j, std::int32_t k) const {
+    const LayerEdges& layer = layers[static_cast<std::size_t>(i)];
+    return findEdge(layer.edges[axis], layer.columnStart[axis], j, k) != nullptr;
+  }
 };
 
 }  // namespace swept

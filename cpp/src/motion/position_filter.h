@@ -6,7 +6,7 @@
 // Units: mm. Cost: O(poses).
 // Invariant: a dropped pose's copy of the body stays within `distance` of a kept copy, so what the
 // envelope loses is no deeper than that. Poses of interpolated motions are never dropped where the
-// turn between their kept neighbours would reach 90 degrees: the way between these stays unique.
+// turn between their kept neighbours would reach 90 degrees: the path between these stays unique.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ namespace swept {
 struct FilteredTrajectory {
   Trajectory trajectory;
   std::int64_t dropped = 0;
-  double distance = 0;  ///< mm, at most the one asked for
+  double distance = 0;  ///< mm, at most the given one
 };
 
 FilteredTrajectory filterPositions(const Trajectory& trajectory, const Eigen::AlignedBox3d& body,

@@ -1,6 +1,6 @@
 // The motion of a body from one pose to the next, and in how many pieces it is followed. All parts
 // that move a body between poses ask this class, so that none takes another path than the rest.
-// Units: mm, rad, s. Cost: O(1) a question but for the sphere and the longest edge.
+// Units: mm, rad, s. Cost: O(1) a query; the sphere and the longest edge take O(n).
 // Sources: slerp, Shoemake 1985; the screw axis of a rigid motion, Chasles 1830.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

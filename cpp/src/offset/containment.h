@@ -1,13 +1,12 @@
-// Proof that a closed mesh holds a swept volume, and how far it lies from it at most.
+// Proof that a closed mesh contains a swept volume, and how far it lies from it at most.
 //
 // In:    cover of the swept volume, a closed mesh, the least distance wanted. Out: bounds over the
 //        whole mesh, not samples of it.
-// Method: the reach changes by at most the way between two points: a triangle whose middle is
-// farther
-//        off than its radius stays off; others are quartered. The distance to one convex piece of
-//        the cover is largest at a corner. If no point of the mesh is near the cover, every
-//        connected piece of the cover is wholly inside or wholly outside; a ray from one of its
-//        points decides.
+// Method: the reach changes by at most the distance between two points: a triangle whose middle is
+//        farther away than its radius does not come near; others are quartered. The distance to one
+//        convex piece of the cover is largest at a corner. If no point of the mesh is near the
+//        cover, every connected piece of the cover is wholly inside or wholly outside; a ray from
+//        one of its points decides.
 // Units: cells. Cost: O(triangles) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

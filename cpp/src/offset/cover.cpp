@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "geometry/shells.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/culling/swept_elements.h"
@@ -204,8 +205,7 @@ Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   const std::size_t placements = input.motion.placements.size();
   // One vertex of every connected piece of the body.
   std::vector<std::int32_t> roots = smallestJoinedVertices(input.body);
-  std::sort(roots.begin(), roots.end());
-  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  sortUnique(roots);
   const auto addInside = [&](std::size_t k) {
     const Placement p = input.grid.toGrid(input.motion.placements[k]);
     for (const std::int32_t v : roots) cover.inside.push_back(p.apply(input.body.vertices[v]));
@@ -225,17 +225,12 @@ Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   cover.chord = chordOf(input);
   const FaceClusters clusters = buildClusters(input.body, input.topology);
   const std::size_t group = std::max<std::size_t>(1, placements / 64);
-  std::vector<std::vector<CoverTriangle>> parts((placements + group - 1) / group);
-  parallelBlocks(placements, group, [&](std::size_t begin, std::size_t end) {
-    MotionCover(input, clusters).cover(begin, end, parts[begin / group], run);
-  });
-  std::size_t total = 0;
-  for (const auto& part : parts) total += part.size();
-  cover.triangles.reserve(total);
-  for (auto& part : parts) {
-    cover.triangles.insert(cover.triangles.end(), part.begin(), part.end());
-    std::vector<CoverTriangle>().swap(part);
-  }
+  const std::size_t groups = (placements + group - 1) / group;
+  cover.triangles =
+      gather<CoverTriangle>(groups, 1, [&](std::size_t g, std::vector<CoverTriangle>& part) {
+        const std::size_t begin = g * group, end = std::min(begin + group, placements);
+        MotionCover(input, clusters).cover(begin, end, part, run);
+      });
   cutLong(cover.triangles);
   for (CoverTriangle& t : cover.triangles) {
     cover.largestSlack = std::max(cover.largestSlack, static_cast<double>(t.slack));

@@ -21,6 +21,14 @@ Eigen::Vector3d middleOf(const std::array<std::int32_t, 3>& low, std::int32_t si
   return Eigen::Vector3d(low[0], low[1], low[2]) + Eigen::Vector3d::Constant((size - 1) / 2.0);
 }
 
+/// Calls use(low) for the eight halves of a node of twice this size.
+template <class Use>
+void forHalves(const std::array<std::int32_t, 3>& low, std::int32_t half, const Use& use) {
+  for (int c = 0; c < 8; ++c) {
+    use({low[0] + (c & 1 ? half : 0), low[1] + (c & 2 ? half : 0), low[2] + (c & 4 ? half : 0)});
+  }
+}
+
 }  // namespace
 
 OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid,
@@ -74,15 +82,11 @@ std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
       next.push_back({nodes[n].low, hints[n]});
       continue;
     }
-    for (int c = 0; c < 8; ++c) {
-      const std::int32_t half = size / 2;
-      const std::array<std::int32_t, 3> low{nodes[n].low[0] + (c & 1 ? half : 0),
-                                            nodes[n].low[1] + (c & 2 ? half : 0),
-                                            nodes[n].low[2] + (c & 4 ? half : 0)};
+    forHalves(nodes[n].low, size / 2, [&](const std::array<std::int32_t, 3>& low) {
       if (low[0] < points_[0] && low[1] < points_[1] && low[2] < points_[2]) {
         next.push_back({low, hints[n]});
       }
-    }
+    });
   }
   return next;
 }
@@ -124,13 +128,9 @@ void OffsetField::fill(const Node& node, std::int32_t size, Gaps& gaps) const {
       return;
     }
   }
-  for (int c = 0; c < 8; ++c) {
-    const std::int32_t half = size / 2;
-    fill({{at.low[0] + (c & 1 ? half : 0), at.low[1] + (c & 2 ? half : 0),
-           at.low[2] + (c & 4 ? half : 0)},
-          at.hint},
-         half, gaps);
-  }
+  forHalves(at.low, size / 2, [&](const std::array<std::int32_t, 3>& low) {
+    fill({low, at.hint}, size / 2, gaps);
+  });
 }
 
 }  // namespace swept::offset

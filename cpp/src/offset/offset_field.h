@@ -2,7 +2,7 @@
 //
 // In:    distance to a cover (cover_search.h), offset distance, grid. Out: for every lattice point
 //        the gap = reach - distance, above 0 outside; far from the surface only its sign.
-// Method: octree of lattice points. The reach changes by at most the way between two points, so a
+// Method: octree of lattice points. The reach changes by at most the distance of two points, so a
 //        node whose middle is far enough from the surface is of one kind. One value a lattice
 //        point, read by all three axes: signs always agree.
 // Units: cells. Cost: O(surface cells) queries, 2 kB a block of 8^3 points at the surface, 4 bytes

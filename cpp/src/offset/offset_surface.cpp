@@ -20,16 +20,16 @@ constexpr double kApart = 0.5;           // an edge may cross two walls that are
 constexpr double kThin = kShortest / 2;  // walls are shorter dips, which must not be lost
 constexpr double kFlat = 1e-3;           // normals are those of the cover
 
-/// Where the ray origin + t * way, t in [0, 1], enters the rounded triangle; 1 if never found.
-double entry(const Vector3d& origin, const Vector3d& way, const CoverTriangle& triangle,
+/// Where the ray origin + t * path, t in [0, 1], enters the rounded triangle; 1 if it never does.
+double entry(const Vector3d& origin, const Vector3d& path, const CoverTriangle& triangle,
              double radius) {
   double t = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const Vector3d x = origin + t * way;
+    const Vector3d x = origin + t * path;
     const Vector3d apart = x - nearestOnTriangle(x, triangle);
     const double distance = apart.norm(), over = distance - radius;
     if (over <= 1e-10) break;
-    const double speed = -apart.dot(way) / distance;
+    const double speed = -apart.dot(path) / distance;
     if (!(speed > 1e-9)) return 1;  // the line passes by
     t += over / speed;
     if (t >= 1) return 1;
@@ -38,18 +38,18 @@ double entry(const Vector3d& origin, const Vector3d& way, const CoverTriangle& t
 }
 
 struct Entry {
-  double t = 1;  ///< of the way
+  double t = 1;  ///< fraction of the path
   std::int32_t triangle = -1;
 };
 
-/// Where a way along an axis enters the first rounded triangle, if there is one.
+/// Where a path along an axis enters the first rounded triangle, if it enters any.
 Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origin,
-                 const Vector3d& way) {
+                 const Vector3d& path) {
   Entry first;
-  const Vector3d end = origin + way;
+  const Vector3d end = origin + path;
   tree.forNear(origin.cwiseMin(end), origin.cwiseMax(end), distance, [&](std::int32_t index) {
     const CoverTriangle& triangle = tree.triangle(index);
-    const double t = entry(origin, way, triangle, distance + triangle.slack);
+    const double t = entry(origin, path, triangle, distance + triangle.slack);
     if (t < first.t) first = {t, index};
   });
   return first;
@@ -75,31 +75,31 @@ double findDip(const CoverSearch& tree, double distance, const Vector3d& origin,
   return below >= 0 ? below : findDip(tree, distance, origin, axis, middle, gap, t1, gap1);
 }
 
-/// Where the way enters what has grown, if its end lies inside.
+/// Where the path enters what has grown, if its end lies inside.
 Entry entryOf(const CoverSearch& tree, double distance, const Vector3d& origin,
-              const Vector3d& way) {
-  const auto atEnd = [&] { return tree.nearest(origin + way, distance + kRounding); };
+              const Vector3d& path) {
+  const auto atEnd = [&] { return tree.nearest(origin + path, distance + kRounding); };
   if (distance < kApart) {
-    const Entry first = firstEntry(tree, distance, origin, way);
+    const Entry first = firstEntry(tree, distance, origin, path);
     return first.triangle >= 0 ? first : Entry{1, atEnd().triangle};
   }
   Entry first;
   CoverSearch::Nearest found = atEnd();
   for (int round = 0; found.triangle >= 0 && round < 32; ++round) {
     const CoverTriangle& triangle = tree.triangle(found.triangle);
-    const double at = entry(origin, way, triangle, distance + triangle.slack);
+    const double at = entry(origin, path, triangle, distance + triangle.slack);
     if (round > 0 && !(at < first.t - 1e-9)) break;
     first = {at, found.triangle};
-    found = tree.nearest(origin + at * way, distance - 1e-7, found.triangle);
+    found = tree.nearest(origin + at * path, distance - 1e-7, found.triangle);
   }
   return first;
 }
 
-/// Unit normal of the side that the way comes from; against the way where there is no area.
-Vector3d normalAgainst(const Vector3d& way, const CoverTriangle& t) {
+/// Unit normal of the side that the path comes from; against the path where there is no area.
+Vector3d normalAgainst(const Vector3d& path, const CoverTriangle& t) {
   const Vector3d normal = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
-  if (!(normal.norm() > 0)) return -way.normalized();
-  return normal.normalized() * (normal.dot(way) > 0 ? -1 : 1);
+  if (!(normal.norm() > 0)) return -path.normalized();
+  return normal.normalized() * (normal.dot(path) > 0 ? -1 : 1);
 }
 
 float timeAt(const CoverTriangle& t, const Vector3d& p) {
@@ -187,23 +187,23 @@ MarkedEdges markOffset(const OffsetField& field, const CoverSearch& tree, const 
 
 Crossing offsetCrossing(const CoverSearch& tree, double distance, int axis, std::int32_t i,
                         std::int32_t j, const MarkedEdge& edge, bool fromLow) {
-  Vector3d low(i, j, edge.k), way = Vector3d::Zero();
+  Vector3d low(i, j, edge.k), path = Vector3d::Zero();
   const double inside = edge.lowFraction;
   Vector3d origin = low;
-  way[axis] = inside;
+  path[axis] = inside;
   if (!fromLow) {
     origin[axis] += 1;
-    way[axis] = inside - 1;
+    path[axis] = inside - 1;
   }
-  const Entry first = entryOf(tree, distance, origin, way);
-  const Vector3d x = origin + first.t * way;
-  Vector3d normal = -way.normalized();
+  const Entry first = entryOf(tree, distance, origin, path);
+  const Vector3d x = origin + first.t * path;
+  Vector3d normal = -path.normalized();
   Crossing crossing;
   if (first.triangle >= 0) {
     const CoverTriangle& triangle = tree.triangle(first.triangle);
     const Vector3d foot = nearestOnTriangle(x, triangle);
     if (distance < kFlat) {
-      normal = normalAgainst(way, triangle);
+      normal = normalAgainst(path, triangle);
     } else if ((x - foot).norm() > 1e-9) {
       normal = (x - foot).normalized();
     }

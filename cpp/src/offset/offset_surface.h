@@ -6,9 +6,9 @@
 // body dips in between (only looked for where it is less than two cells round).
 // A crossing is where the line enters the union of rounded triangles (points within the distance of
 // a triangle): each of them is convex, so Newton's method from outside reaches its skin without
-// overshooting; from there the line is asked for a triangle that it entered earlier, until none is
+// overshooting; from there a triangle that the line entered earlier is looked for, until none is
 // left. Where the body is grown by less than half a cell, the line may pass walls apart from each
-// other: all on the edge are asked. The normal points from the nearest point of that triangle.
+// other: all on the edge are queried. The normal points from the nearest point of that triangle.
 // Units: cells. Cost: O(marked edges) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

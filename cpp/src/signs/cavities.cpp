@@ -8,35 +8,42 @@
 #include "base/parallel.h"
 #include "geometry/nearest_triangle.h"
 #include "geometry/ray_columns.h"
+#include "motion/step_path.h"
 
 namespace swept {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kAsked = 8;  // points of a component
-constexpr double kGrazing = 0.05;  // cells: nearer to the body than this counts as held
+constexpr std::size_t kMaxPoints = 8;  // of a component
+constexpr double kGrazing = 0.05;      // cells: nearer to the body than this counts as inside
 
-/// Does the moving body ever hold a point?
-class Holder {
+/// Says whether the moving body ever contains a point.
+class MovingSolid {
  public:
-  Holder(const TriMesh& body, const Motion& motion, double grazing)
+  MovingSolid(const TriMesh& body, const Motion& motion, double grazing)
       : motion_(motion),
         rays_(body),
         nearest_(body.vertices, body.triangles),
         squaredGrazing_(grazing * grazing),
         grazing_(grazing) {
-    for (const Placement& p : motion.placements) rotations_.emplace_back(p.rotation);
+    std::vector<Pose> poses;
+    for (const Placement& p : motion.placements) {
+      poses.push_back({p.timeSeconds, Eigen::Quaterniond(p.rotation), p.translation});
+    }
+    for (std::size_t k = 0; k < motion.steps(); ++k) {
+      steps_.emplace_back(poses[k], poses[k + 1], Interpolation::Linear);
+    }
   }
 
-  bool holds(const Vector3d& world) const {
+  bool everContains(const Vector3d& world) const {
     const std::size_t n = motion_.placements.size();
     if (!motion_.continuous) {
-      // In strides: what is held at all is mostly held by many copies.
+      // In strides: a point in one copy mostly lies in many of them.
       const std::size_t stride = n > 64 ? n / 64 | 1 : 1;
       for (std::size_t start = 0; start < stride; ++start) {
         for (std::size_t k = start; k < n; k += stride) {
-          if (isHeld(inBody(world, k, 0))) return true;
+          if (contains(inBody(world, motion_.placements[k]))) return true;
         }
       }
       return false;
@@ -48,26 +55,20 @@ class Holder {
   }
 
  private:
-  /// The point in the body's frame, a share s of step k after its start.
-  Vector3d inBody(const Vector3d& world, std::size_t k, double s) const {
-    const Placement& p = motion_.placements[k];
-    if (s == 0) return p.rotation.transpose() * (world - p.translation);
-    const Placement& q = motion_.placements[k + 1];
-    return rotations_[k].slerp(s, rotations_[k + 1]).conjugate() *
-           (world - (1 - s) * p.translation - s * q.translation);
+  static Vector3d inBody(const Vector3d& world, const Placement& p) {
+    return p.rotation.transpose() * (world - p.translation);
   }
   bool isInside(const Vector3d& x) const { return rays_.winding(x) > 0; }
-  bool isHeld(const Vector3d& x) const {
+  bool contains(const Vector3d& x) const {
     return isInside(x) || nearest_.query(x, squaredGrazing_, squaredGrazing_) < squaredGrazing_;
   }
   bool inStep(const Vector3d& world, std::size_t k, double from, double to) const {
     const Placement &p = motion_.placements[k], &q = motion_.placements[k + 1];
-    const double angle = rotations_[k].angularDistance(rotations_[k + 1]);
     const double shift = (q.translation - p.translation).norm();
     const double arm = std::max((world - p.translation).norm(), (world - q.translation).norm());
-    const double way = (shift + angle * arm) * (to - from) / 2 * (1 + 1e-9);
-    const Vector3d x = inBody(world, k, (from + to) / 2);
-    const double clear = std::max(way, 0.0) + grazing_;
+    const double reach = (shift + steps_[k].angle() * arm) * (to - from) / 2 * (1 + 1e-9);
+    const Vector3d x = inBody(world, steps_[k].at((from + to) / 2));
+    const double clear = std::max(reach, 0.0) + grazing_;
     const double squared = nearest_.query(x, clear * clear, squaredGrazing_);
     if (squared >= clear * clear) return isInside(x);
     if (squared < squaredGrazing_) return true;
@@ -79,13 +80,14 @@ class Holder {
   const Motion& motion_;
   RayColumns rays_;
   NearestTriangle nearest_;
-  std::vector<Eigen::Quaterniond> rotations_;
+  std::vector<StepPath> steps_;
   double squaredGrazing_;
   double grazing_;
 };
 
-struct Asked {
-  std::int32_t length = 0;  ///< of the run
+/// A lattice point of a component.
+struct Queried {
+  std::int32_t length = 0;  ///< of the run that it is the middle of
   std::array<std::int32_t, 3> point{0, 0, 0};
 };
 
@@ -95,7 +97,7 @@ std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& com
                           const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
                           const Motion& motion, const SolidPoint& isSolid, RunContext& run) {
   std::vector<std::uint32_t> names;
-  std::vector<std::vector<Asked>> asked;
+  std::vector<std::vector<Queried>> queried;
   std::unordered_map<std::uint32_t, std::size_t> place;
   for (std::int32_t i = 0; i < grid.points[0]; ++i) {
     const LayerEdges& layer = marked.layers[i];
@@ -106,31 +108,32 @@ std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& com
       for (std::uint32_t e = begin; e <= end; ++e, ++r) {
         const std::int32_t high = e < end ? layer.edges[2][e].k : grid.points[2] - 1;
         const std::int32_t length = high - low + 1;
-        const Asked one{length, {i, j, low + length / 2}};
+        const Queried one{length, {i, j, low + length / 2}};
         low = high + 1;
         if (signs.outside[r] != 0) continue;
         const auto [it, fresh] = place.try_emplace(component[r], names.size());
         if (fresh) {
           names.push_back(component[r]);
-          asked.emplace_back();
+          queried.emplace_back();
         }
-        auto& points = asked[it->second];
+        auto& points = queried[it->second];
         points.push_back(one);
         for (std::size_t at = points.size(); at-- > 1 && points[at - 1].length < length;) {
           std::swap(points[at - 1], points[at]);
         }
-        if (points.size() > kAsked) points.pop_back();
+        if (points.size() > kMaxPoints) points.pop_back();
       }
     }
   }
-  const Holder holder(body, motion, kGrazing * grid.cell);
+  const MovingSolid solid(body, motion, kGrazing * grid.cell);
   std::vector<std::uint8_t> hollow(names.size(), 0);
   parallelBlocks(names.size(), 16, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Signs, begin, names.size());
     for (std::size_t c = begin; c < end; ++c) {
-      hollow[c] = std::none_of(asked[c].begin(), asked[c].end(), [&](const Asked& a) {
+      hollow[c] = std::none_of(queried[c].begin(), queried[c].end(), [&](const Queried& a) {
         if (isSolid && isSolid(a.point[0], a.point[1], a.point[2])) return true;
-        return holder.holds(grid.origin + grid.cell * Vector3d(a.point[0], a.point[1], a.point[2]));
+        return solid.everContains(grid.origin +
+                                  grid.cell * Vector3d(a.point[0], a.point[1], a.point[2]));
       });
     }
   });

@@ -5,8 +5,8 @@
 // Method: no piece of the sweep's boundary passes through a component, so one of its lattice points
 //        stands for all. The point is followed in the body's frame: while it is farther from the
 //        body's surface than it can move, it stays inside or outside; else the step is halved. Up
-//        to eight points a component are asked, those in the middle of its longest runs; it is
-//        hollow if the body never holds any of them and they keep clear of its surface.
+//        to eight points of a component are queried, those in the middle of its longest runs; it is
+//        hollow if the body never contains any of them and they keep clear of its surface.
 // Needs a closed body. Cost: O(components x steps) searches of bounded reach.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

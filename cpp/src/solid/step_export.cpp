@@ -96,9 +96,7 @@ struct Writing {
 };
 
 Writing writingOf(const HalfEdgeMesh& mesh, const StepOptions& options, Format format) {
-  bool hollow = false;
-  for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s)
-    hollow = hollow || mesh.shellOwner[s] != static_cast<std::int32_t>(s);
+  const bool hollow = countOuterShells(mesh.shellOwner) < std::ssize(mesh.shellOwner);
   return {format, !hollow && (options.tolerance <= 0 || !options.recognise)};
 }
 
@@ -195,18 +193,14 @@ auto uprightWithin(double& tolerance, const Work& work) {
   }
 }
 
-void compare(const ShapeCheck& check, const HalfEdgeMesh& mesh, const StepOptions& options) {
-  std::int64_t outer = 0;
-  for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s) {
-    outer += mesh.shellOwner[s] == static_cast<std::int32_t>(s);
-  }
+void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOptions& options) {
+  const std::int64_t outer = countOuterShells(mesh.shellOwner);
   const double allowed = mesh.area * std::max(options.planarTolerance, options.tolerance) +
                          1e-6 * std::abs(mesh.volume);
   std::string what;
   if (!check.valid) {
     what = check.complaint;
-  } else if (check.solids != outer ||
-             check.shells != static_cast<std::int64_t>(mesh.shellOwner.size())) {
+  } else if (check.solids != outer || check.shells != std::ssize(mesh.shellOwner)) {
     what = std::to_string(check.solids) + " solids with " + std::to_string(check.shells) +
            " shells instead of " + std::to_string(outer) + " with " +
            std::to_string(mesh.shellOwner.size());
@@ -273,7 +267,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
         return readFlatStepFile(file.temporary(), accuracy, kernel, run);
       return readMostlyFlatStepFile(file.temporary(), kernel, run);
     };
-    ShapeCheck check = checkShape(readBack(), run, 0.8, 1.0);
+    SolidCheck check = checkShape(readBack(), run, 0.8, 1.0);
     if (!check.valid && format == Format::Step)
       check = checkShape(readStepFile(file.temporary(), kernel, run), run, 0.8, 1.0);
     if (!check.valid && format == Format::Step && !isFlat(built.model)) {

@@ -120,9 +120,7 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
 
 SolidCheck checkSolidFile(const std::string& path, RunContext& run) {
   return withShape(path, run, [&](const TopoDS_Shape& shape) {
-    const step::ShapeCheck found = step::checkShape(shape, run, 0.5, 1.0);
-    SolidCheck check{found.solids, found.shells,    found.faces, found.edges,
-                     found.valid,  found.complaint, found.volume};
+    SolidCheck check = step::checkShape(shape, run, 0.5, 1.0);
     if (check.solids == 0) {
       check.valid = false;
       check.complaint = "no solid, only " + std::to_string(check.faces) + " faces";

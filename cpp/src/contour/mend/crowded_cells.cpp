@@ -21,8 +21,8 @@ bool isNew(const Triangle* triangles, std::uint32_t t, std::int32_t v) {
 }
 
 /// Per vertex that shares its cell: the crossings of its marked polygons.
-ListsByKey polygonsAround(const Surface& surface, const Polygons& polygons,
-                          const std::vector<std::uint8_t>& marks) {
+ListsByKey<> polygonsAround(const Surface& surface, const Polygons& polygons,
+                            const std::vector<std::uint8_t>& marks) {
   return {surface.cellFlags.size(), [&](const auto& use) {
             parallelBlocks(marks.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
               for (std::size_t c = begin; c < end; ++c) {
@@ -165,7 +165,7 @@ CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,
                                 RunContext& run) {
   constexpr std::size_t kBlock = 1 << 13;
   const auto& cellFlags = surface.cellFlags;
-  ListsByKey around = polygonsAround(surface, polygons, marks);
+  ListsByKey<> around = polygonsAround(surface, polygons, marks);
   std::vector<CrossingPairs> parts(cellFlags.size() / kBlock + 1);
   parallelBlocks(cellFlags.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Check);

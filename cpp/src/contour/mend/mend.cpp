@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "check/near_pairs.h"
 #include "contour/mend/home_cell.h"
 #include "contour/mend/region.h"
@@ -19,8 +20,9 @@
 namespace swept {
 namespace {
 
-/// A triangle spans two cells, so what it can meet lies within four.
+/// A triangle spans two cells, so what it can intersect lies within four.
 constexpr int kReachCells = 4;
+constexpr std::size_t kPerTask = 1 << 15;
 // An upper limit of the time; a surface without pairs ends earlier.
 constexpr int kRounds = 8;
 /// Cells: walls up to this thickness are treated in the first round already.
@@ -31,11 +33,6 @@ constexpr double kStepsAside[] = {1e-9, 1e-7, 1e-5, 1e-3};
 constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
-
-void sortUnique(std::vector<std::int32_t>& list) {
-  tbb::parallel_sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// Changes the surface in place, within the region near the first pairs.
 class Mender {
@@ -124,14 +121,9 @@ class Mender {
 
  private:
   std::vector<std::int32_t> nearPairs(const std::vector<std::int32_t>* among) const {
-    BlockSet near(blocks_);
-    parallelBlocks(pairs_.pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        near.add(mesh_, pairs_.pairs[n].first, kReachCells);
-        near.add(mesh_, pairs_.pairs[n].second, kReachCells);
-      }
-    });
-    return near.triangles(among);
+    std::vector<std::int32_t> members;
+    for (const auto& [a, b] : pairs_.pairs) members.insert(members.end(), {a, b});
+    return blocks_.near(mesh_, members, kReachCells, among);
   }
 
   /// Collects what use(v, t, part) appends for each corner v of a triangle t of `near`, if v is one
@@ -140,7 +132,7 @@ class Mender {
   std::vector<T> forTouching(const std::vector<std::int32_t>& vertices,
                              const std::vector<std::int32_t>& near, const Use& use) {
     for (const std::int32_t v : vertices) marked_[v] = 1;
-    std::vector<T> out = gather<T>(near.size(), [&](std::size_t n, std::vector<T>& part) {
+    std::vector<T> out = gather<T>(near.size(), kPerTask, [&](std::size_t n, std::vector<T>& part) {
       for (const std::int32_t v : mesh_.triangles[near[n]]) {
         if (marked_[v] != 0) use(v, near[n], part);
       }
@@ -168,17 +160,10 @@ class Mender {
   void relax(const std::vector<std::int32_t>& vertices, const TrianglesAround& around,
              double weight) {
     parallelBlocks(vertices.size(), 64, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> crossings;
       for (std::size_t n = begin; n < end; ++n) {
         const std::int32_t v = vertices[n];
         if (static_cast<std::size_t>(v) >= surface_.dualVertices) continue;
-        crossings.clear();
-        auto at = std::lower_bound(around.begin(), around.end(), std::pair(v, std::int32_t{-1}));
-        for (; at != around.end() && at->first == v; ++at) {
-          crossings.push_back(surface_.crossingOf[at->second]);
-        }
-        std::sort(crossings.begin(), crossings.end());
-        crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+        const std::vector<std::uint32_t> crossings = crossingsAt(surface_, around, v);
         if (!crossings.empty()) relaxVertex(v, crossings, weight);
       }
     });
@@ -207,10 +192,7 @@ class Mender {
     return grid_.plan.origin + grid_.plan.cell * g;
   }
   Eigen::Vector3d crossingPoint(std::uint32_t crossing) const {
-    const CrossingEdge at = edgeOfCrossing(grid_, crossing);
-    Eigen::Vector3d g(at.i, at.j, at.k);
-    g[at.axis] += grid_.crossings[crossing].fraction;
-    return g;
+    return positionOfCrossing(grid_, edgeOfCrossing(grid_, crossing), crossing);
   }
 
   void fan(std::vector<std::int32_t>& polygons) {
@@ -268,8 +250,8 @@ class Mender {
   }
 
   std::vector<std::int32_t> flatTriangles() {
-    std::vector<std::int32_t> flat =
-        gather<std::int32_t>(region_.size(), [&](std::size_t n, std::vector<std::int32_t>& part) {
+    std::vector<std::int32_t> flat = gather<std::int32_t>(
+        region_.size(), kPerTask, [&](std::size_t n, std::vector<std::int32_t>& part) {
           if (!hasArea(region_[n])) part.push_back(region_[n]);
         });
     sortUnique(flat);
@@ -313,8 +295,7 @@ class Mender {
     const auto isChanged = [&](std::int32_t t) {
       return std::binary_search(changed_.begin(), changed_.end(), t);
     };
-    SelfIntersections next =
-        NearPairs(mesh_, {grid_.plan.origin, grid_.plan.cell}, changed_, run_).find(candidates);
+    SelfIntersections next = findNearPairs(mesh_, changed_, candidates, run_);
     for (const auto& pair : pairs_.pairs) {
       if (!isChanged(pair.first) && !isChanged(pair.second)) next.pairs.push_back(pair);
     }

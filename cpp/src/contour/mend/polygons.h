@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.h"
 #include "contour/surface.h"
 
 namespace swept {
@@ -21,7 +22,16 @@ struct Polygon {
 
 class Polygons {
  public:
-  Polygons(const Surface& surface, std::size_t crossings);
+  Polygons(const Surface& surface, std::size_t crossings)
+      : surface_(surface), start_(crossings, kNone) {
+    const auto& of = surface.crossingOf;
+    parallelBlocks(of.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        if (of[t] == Surface::kNoCrossing || (t > 0 && of[t] == of[t - 1])) continue;
+        start_[of[t]] = static_cast<std::uint32_t>(t);
+      }
+    });
+  }
 
   bool has(std::uint32_t crossing) const { return start_[crossing] != kNone; }
   Polygon of(std::uint32_t crossing) const {

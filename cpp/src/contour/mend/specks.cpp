@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "base/parallel.h"
-#include "base/raw_array.h"
 #include "check/mesh_check.h"
 #include "geometry/shells.h"
 
@@ -44,40 +43,19 @@ std::vector<bool> findSpecks(const std::vector<ShellExtent>& shells, double cell
 
 /// Keeps the entries of `values` that have a new number.
 template <class T>
-void compact(std::vector<T>& values, const RawArray<std::int32_t>& number) {
+void compact(std::vector<T>& values, const std::vector<std::int32_t>& number) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < values.size();) {
-    if (number[i] < 0) {
-      ++i;
-      continue;
-    }
-    std::size_t end = i + 1;
-    while (end < values.size() && number[end] >= 0) ++end;
-    const auto from = values.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto length = static_cast<std::ptrdiff_t>(end - i);
-    if (kept != i) {
-      std::copy(from, from + length, values.begin() + static_cast<std::ptrdiff_t>(kept));
-    }
-    kept += end - i;
-    i = end;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (number[i] >= 0) values[kept++] = values[i];
   }
   values.resize(kept);
 }
 
 /// Numbers the kept entries in their order; -1 for the others.
-RawArray<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
-  RawArray<std::int32_t> number(kept.size());
-  std::vector<std::int32_t> next(kept.size() / kBlock + 1, 0);
-  parallelBlocks(kept.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    std::int32_t count = 0;
-    for (std::size_t i = begin; i < end; ++i) count += kept[i];
-    next[begin / kBlock] = count;
-  });
-  exclusiveScan(next);
-  parallelBlocks(kept.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    std::int32_t at = next[begin / kBlock];
-    for (std::size_t i = begin; i < end; ++i) number[i] = kept[i] != 0 ? at++ : -1;
-  });
+std::vector<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
+  std::vector<std::int32_t> number(kept.size());
+  std::int32_t next = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) number[i] = kept[i] != 0 ? next++ : -1;
   return number;
 }
 
@@ -111,7 +89,8 @@ Specks dropSpecks(Surface& surface, double cell, double maxVolume, SelfIntersect
     }
   });
   surface.dualVertices = static_cast<std::size_t>(std::count_if(
-      vertex.data(), vertex.data() + surface.dualVertices, [](std::int32_t v) { return v >= 0; }));
+      vertex.begin(), vertex.begin() + static_cast<std::ptrdiff_t>(surface.dualVertices),
+      [](std::int32_t v) { return v >= 0; }));
   compact(mesh.vertices, vertex);
   compact(surface.contactTime, vertex);
   compact(surface.cellFlags, vertex);

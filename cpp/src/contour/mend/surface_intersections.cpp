@@ -17,6 +17,7 @@ namespace {
 
 /// Cells: a fan's centre lies on its lattice edge up to this rounding.
 constexpr double kOnEdge = 1e-9;
+constexpr std::size_t kPerTask = 1 << 15;
 using Triangle = std::array<std::int32_t, 3>;
 
 /// The lattice edge (axis, i, j, k) that a polygon surrounds.
@@ -135,27 +136,11 @@ class PolygonSorter {
   Polygons polygons_;
 };
 
-void append(std::vector<std::int32_t>& to, const std::vector<std::vector<std::int32_t>>& parts) {
-  for (const auto& part : parts) to.insert(to.end(), part.begin(), part.end());
-}
-
-/// Whether `near` reaches any of the four cells round a lattice edge.
-bool reached(const NearPairs& near, const PolygonEdge& edge) {
-  const int b = (edge.axis + 1) % 3, c = (edge.axis + 2) % 3;
-  for (int corner = 0; corner < 4; ++corner) {
-    Eigen::Vector3i cell = edge.low;
-    cell[b] -= corner & 1;
-    cell[c] -= corner >> 1;
-    if (near.reaches(cell[0], cell[1], cell[2])) return true;
-  }
-  return false;
-}
-
 /// Compares the triangles of each pair of polygons exactly.
 std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
     const Surface& surface, const Polygons& polygons, const CrossingPairs& entangled) {
   return gather<std::pair<std::int32_t, std::int32_t>>(
-      entangled.size(), [&](std::size_t n, auto& part) {
+      entangled.size(), kPerTask, [&](std::size_t n, auto& part) {
         const Polygon p = polygons.of(entangled[n].first);
         const Polygon q = polygons.of(entangled[n].second);
         for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
@@ -174,12 +159,6 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
                                            RunContext& run, std::int64_t* unsure) {
   const PolygonSorter sorter(surface, grid);
   const std::size_t layers = grid.layers.size();
-  const auto addTo = [&](std::vector<std::int32_t>& list, std::uint32_t crossing) {
-    const Polygon polygon = sorter.polygons().of(crossing);
-    for (std::uint32_t n = 0; n < polygon.count; ++n) {
-      list.push_back(static_cast<std::int32_t>(polygon.first + n));
-    }
-  };
   std::vector<std::uint8_t> settled(grid.crossings.size(), 0);
   parallelFor(layers, [&](std::size_t i) {
     run.checkpoint(Phase::Check);
@@ -188,31 +167,18 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
     });
   });
   const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
-  std::vector<std::vector<std::int32_t>> bad(layers + 1);
-  parallelFor(layers, [&](std::size_t i) {
-    sorter.forLayer(i, [&](const PolygonEdge&, std::uint32_t crossing) {
-      if (settled[crossing] == 0) addTo(bad[i], crossing);
-    });
-  });
-  for (std::size_t t = 0; t < surface.crossingOf.size(); ++t) {
-    if (surface.crossingOf[t] == Surface::kNoCrossing) {
-      bad[layers].push_back(static_cast<std::int32_t>(t));
-    }
-  }
-  std::vector<std::int32_t> members;
-  append(members, bad);
+  const std::vector<std::int32_t> members = gather<std::int32_t>(
+      surface.mesh.triangles.size(), kPerTask, [&](std::size_t t, std::vector<std::int32_t>& part) {
+        const std::uint32_t crossing = surface.crossingOf[t];
+        if (crossing == Surface::kNoCrossing || settled[crossing] == 0)
+          part.push_back(static_cast<std::int32_t>(t));
+      });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
-
-  const NearPairs near(surface.mesh, {grid.plan.origin, grid.plan.cell}, members, run);
-  std::vector<std::vector<std::int32_t>> good(layers);
-  parallelFor(layers, [&](std::size_t i) {
-    run.checkpoint(Phase::Check);
-    sorter.forLayer(i, [&](const PolygonEdge& edge, std::uint32_t crossing) {
-      if (settled[crossing] != 0 && reached(near, edge)) addTo(good[i], crossing);
-    });
-  });
-  append(members, good);
-  SelfIntersections found = near.find(members);
+  // A polygon in the tetrahedra of its own edge spans two cells; so far it reaches from a member.
+  constexpr int kReachCells = 2;
+  const TriangleBlocks blocks(surface.mesh, grid.plan);
+  SelfIntersections found =
+      findNearPairs(surface.mesh, members, blocks.near(surface.mesh, members, kReachCells), run);
   const auto more = compareEntangled(surface, sorter.polygons(), entangled);
   found.pairs.insert(found.pairs.end(), more.begin(), more.end());
   tbb::parallel_sort(found.pairs.begin(), found.pairs.end());

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "contour/mend/home_cell.h"
 
 namespace swept {
@@ -27,6 +28,10 @@ bool sameCell(const Surface& surface, std::int32_t a, std::int32_t b) {
     if ((surface.cellFlags[v] & Surface::kSharedWithNext) == 0) return false;
   }
   return true;
+}
+
+TrianglesAround::const_iterator firstAt(const TrianglesAround& around, std::int32_t v) {
+  return std::lower_bound(around.begin(), around.end(), std::pair(v, std::int32_t{-1}));
 }
 
 /// The direction whose smallest product with the normals is largest: the centre of the smallest
@@ -63,7 +68,8 @@ class Layer {
   /// All lattice edges through the wall; none if the wall is thicker than `maxThickness` cells
   /// along any of them.
   std::vector<Through> throughWall(const WallSides& sides, double maxThickness) const {
-    const std::vector<std::uint32_t> ofA = crossingsOf(sides.a), ofB = crossingsOf(sides.b);
+    const std::vector<std::uint32_t> ofA = crossingsAt(surface_, around_, sides.a),
+                                     ofB = crossingsAt(surface_, around_, sides.b);
     std::vector<Through> out;
     for (const std::uint32_t c : ofA) {
       for (const int step : {1, -1}) {
@@ -112,20 +118,8 @@ class Layer {
     const Vec3 local = at.array() - at.array().floor();
     return std::min(local.minCoeff(), 1 - local.maxCoeff()) / 2;
   }
-  TrianglesAround::const_iterator firstAt(std::int32_t v) const {
-    return std::lower_bound(around_.begin(), around_.end(), std::pair(v, std::int32_t{-1}));
-  }
-  std::vector<std::uint32_t> crossingsOf(std::int32_t v) const {
-    std::vector<std::uint32_t> out;
-    for (auto at = firstAt(v); at != around_.end() && at->first == v; ++at) {
-      out.push_back(surface_.crossingOf[at->second]);
-    }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-    return out;
-  }
   void addNormals(std::int32_t v, double sign, std::vector<Vec3>& out) const {
-    for (auto at = firstAt(v); at != around_.end() && at->first == v; ++at) {
+    for (auto at = firstAt(around_, v); at != around_.end() && at->first == v; ++at) {
       const auto& [p, q, r] = surface_.mesh.triangles[at->second];
       const auto& x = surface_.mesh.vertices;
       const Vec3 n = (x[q] - x[p]).cross(x[r] - x[p]);
@@ -140,6 +134,16 @@ class Layer {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> crossingsAt(const Surface& surface, const TrianglesAround& around,
+                                       std::int32_t vertex) {
+  std::vector<std::uint32_t> crossings;
+  for (auto at = firstAt(around, vertex); at != around.end() && at->first == vertex; ++at) {
+    crossings.push_back(surface.crossingOf[at->second]);
+  }
+  sortUnique(crossings);
+  return crossings;
+}
 
 std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections& pairs) {
   const auto& triangles = surface.mesh.triangles;

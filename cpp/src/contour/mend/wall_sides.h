@@ -24,6 +24,10 @@ namespace swept {
 /// Pairs of a vertex and a triangle at it that belongs to a crossing's polygon; sorted.
 using TrianglesAround = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
+/// The crossings whose polygons meet in a vertex, in rising order.
+std::vector<std::uint32_t> crossingsAt(const Surface& surface, const TrianglesAround& around,
+                                       std::int32_t vertex);
+
 /// Two component vertices of one cell, one on each side of the wall.
 struct WallSides {
   std::int32_t a, b;

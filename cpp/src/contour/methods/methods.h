@@ -28,12 +28,6 @@ void findEquivalence(const Cell& cell, Components& out);
 /// two cells of a face may decide differently.
 void findGreedy(const Cell& cell, const Crossing* crossings, Components& out);
 
-/// Number (x + 2 y + 4 z) of the corner at the low (0) or high (1) end of an edge.
-constexpr int cornerOf(int edge, int end) {
-  const int a = edge >> 2, b = (a + 1) % 3, c = (a + 2) % 3;
-  return end << a | (edge & 1) << b | (edge >> 1 & 1) << c;
-}
-
 /// Where walks from the corners stop, for one configuration of crossed edges: one set for each
 /// group of corners that uncrossed edges join. Bit 2 * edge + direction; direction 0 goes from the
 /// low end to the high end.

@@ -85,21 +85,6 @@ class ItemSampler {
  public:
   ItemSampler(const SamplerInput& input, RecordChunk& out) : input_(input), out_(out) {}
 
-  void add(std::uint32_t code, std::uint32_t placement) {
-    element_ = static_cast<std::uint32_t>(out_.elements.size());
-    out_.elements.push_back({code, placement});
-  }
-  void triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c) {
-    rasteriseAllAxes(a, b, c,
-                     [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
-                       push(axis, i, j, k, f);
-                     });
-  }
-  /// Removes the last element again if it crosses no lattice edge.
-  void finish() {
-    if (out_.records.empty() || out_.records.back().element != element_) out_.elements.pop_back();
-  }
-
   void pose(std::size_t placement, std::vector<SnappedPoint>& points) const {
     const Placement p = input_.grid.toGrid(input_.motion.placements[placement]);
     points.resize(input_.body.vertices.size());
@@ -111,9 +96,10 @@ class ItemSampler {
   }
   void face(std::size_t f, std::size_t placement, const std::vector<SnappedPoint>& points) {
     const auto& t = input_.body.triangles[f];
-    add(static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(placement));
-    triangle(points[t[0]], points[t[1]], points[t[2]]);
-    finish();
+    out_.add({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(placement)},
+             [&](const auto& emit) {
+               rasteriseAllAxes(points[t[0]], points[t[1]], points[t[2]], emit);
+             });
   }
   /// Faces that slide within themselves cross the same lattice edges at every placement. When there
   /// are many crossings, those that cannot be first or last on their edge any more are removed.
@@ -125,21 +111,16 @@ class ItemSampler {
   }
   void sidePatch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
                  const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
-    add(static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit,
-        static_cast<std::uint32_t>(step));
-    triangle(now[e.a], now[e.b], next[e.b]);
-    triangle(now[e.a], next[e.b], next[e.a]);
-    finish();
+    const auto code = static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit;
+    out_.add({code, static_cast<std::uint32_t>(step)}, [&](const auto& emit) {
+      rasteriseAllAxes(now[e.a], now[e.b], next[e.b], emit);
+      rasteriseAllAxes(now[e.a], next[e.b], next[e.a], emit);
+    });
   }
 
  private:
-  void push(int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) {
-    out_.records.push_back(CrossingRecord::make(axis, i, j, k, fraction, element_));
-  }
-
   const SamplerInput& input_;
   RecordChunk& out_;
-  std::uint32_t element_ = 0;
   bool thinned_ = false;
   std::size_t limit_ =
       std::max(kMinThinRecords, 3 * static_cast<std::size_t>(input_.grid.points[0]) *

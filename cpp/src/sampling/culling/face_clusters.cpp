@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "geometry/half_edges.h"
 
 namespace swept {
 namespace {
@@ -13,25 +14,6 @@ namespace {
 constexpr std::uint32_t kMaxFaces = 24;
 constexpr float kMinCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
-
-/// The neighbours of each face across edges that have exactly two, equally oriented faces.
-struct Neighbours {
-  std::vector<std::uint32_t> of;  // three per face; kNone where there is no neighbour
-
-  Neighbours(const TriMesh& body, const BodyTopology& topology)
-      : of(3 * body.triangles.size(), kNone) {
-    const auto link = [&](std::int32_t face, std::int32_t other) {
-      auto* slot = &of[3 * static_cast<std::size_t>(face)];
-      while (*slot != kNone) ++slot;
-      *slot = static_cast<std::uint32_t>(other);
-    };
-    for (const BodyEdge& e : topology.edges) {
-      if (e.right < 0 || e.opposed || e.left == e.right) continue;
-      link(e.left, e.right);
-      link(e.right, e.left);
-    }
-  }
-};
 
 void measure(const TriMesh& body, const BodyTopology& topology, const FaceClusters& all,
              FaceCluster& cluster) {
@@ -107,7 +89,8 @@ std::vector<FaceClusters::EdgeEnds> endsOf(const BodyTopology& topology, const F
 /// Grows clusters breadth first from the first face that has none.
 void growClusters(const TriMesh& body, const BodyTopology& topology, FaceClusters& out) {
   const auto faces = static_cast<std::uint32_t>(body.triangles.size());
-  const Neighbours neighbours(body, topology);
+  const Adjacency adjacency = findAdjacency(body);
+  const auto startOf = [&](std::uint32_t h) { return body.triangles[h / 3][h % 3]; };
   out.faces.reserve(faces);
   out.clusterOf.assign(faces, kNone);
   for (std::uint32_t seed = 0; seed < faces; ++seed) {
@@ -119,10 +102,11 @@ void growClusters(const TriMesh& body, const BodyTopology& topology, FaceCluster
     out.clusterOf[seed] = id;
     for (std::size_t next = cluster.firstFace;
          next < out.faces.size() && out.faces.size() - cluster.firstFace < kMaxFaces; ++next) {
-      for (int n = 0; n < 3; ++n) {
-        const std::uint32_t other =
-            neighbours.of[3 * static_cast<std::size_t>(out.faces[next]) + n];
-        if (other == kNone || out.clusterOf[other] != kNone) continue;
+      for (std::uint32_t h = 3 * out.faces[next]; h < 3 * out.faces[next] + 3; ++h) {
+        const std::uint32_t across = adjacency.across[h];
+        if (across == kNoNeighbour || startOf(across) == startOf(h)) continue;
+        const std::uint32_t other = across / 3;
+        if (out.clusterOf[other] != kNone) continue;
         if (topology.normals[other].dot(topology.normals[seed]) < kMinCosine) continue;
         out.clusterOf[other] = id;
         out.faces.push_back(other);

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
+#include "sampling/dense/dense_sampler.h"
 
 namespace swept::dense {
 namespace {
@@ -34,16 +36,18 @@ struct Query {
 class CandidateSearch {
  public:
   CandidateSearch(const SamplerInput& input, const PlacementSpace& space,
-                  const CandidateSettings& settings, RunContext& run)
+                  const DenseSettings& settings, const ListsByKey<>& corners, RunContext& run)
       : input_(input),
         space_(space),
         settings_(settings),
+        slack_(static_cast<float>(settings.slackCells * input.grid.cell + space.remainder())),
+        corners_(corners),
         run_(run),
         vertices_(input.body.vertices.size()),
         normals_(vertices_, Eigen::Vector3d::Zero()),
         winners_(vertices_),
         queries_(vertices_) {
-    collectNeighbours();
+    setNormals();
   }
 
   FacePlacements find() {
@@ -59,28 +63,16 @@ class CandidateSearch {
   }
 
  private:
-  void collectNeighbours() {
-    const auto& triangles = input_.body.triangles;
-    faceStart_.assign(vertices_ + 1, 0);
-    for (const auto& t : triangles) {
-      for (const std::int32_t v : t) ++faceStart_[v];
-    }
-    exclusiveScan(faceStart_);
-    faces_.resize(faceStart_.back());
-    std::vector<std::uint32_t> next(faceStart_);
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-      const auto& t = triangles[f];
+  void setNormals() {
+    for (const auto& t : input_.body.triangles) {
       const Eigen::Vector3d& a = input_.body.vertices[t[0]];
       const Eigen::Vector3d twice =
           (input_.body.vertices[t[1]] - a).cross(input_.body.vertices[t[2]] - a);
-      for (const std::int32_t v : t) {
-        faces_[next[v]++] = static_cast<std::uint32_t>(f);
-        normals_[v] += twice;
-      }
+      for (const std::int32_t v : t) normals_[v] += twice;
     }
-    for (std::size_t v = 0; v < vertices_; ++v) {
-      const double length = normals_[v].norm();
-      normals_[v] = length > 0 ? Eigen::Vector3d(normals_[v] / length) : Eigen::Vector3d::UnitZ();
+    for (Eigen::Vector3d& normal : normals_) {
+      const double length = normal.norm();
+      normal = length > 0 ? Eigen::Vector3d(normal / length) : Eigen::Vector3d::UnitZ();
     }
   }
 
@@ -123,8 +115,9 @@ class CandidateSearch {
       ++count;
     };
     put(normals_[v]);
-    for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1] && count < kMaxNormals; ++i) {
-      put(input_.topology.normals[faces_[i]].cast<double>());
+    for (const std::uint32_t corner : corners_.asTheyStand(v)) {
+      if (count == kMaxNormals) break;
+      put(input_.topology.normals[corner / 3].cast<double>());
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
@@ -160,9 +153,8 @@ class CandidateSearch {
 
   bool isNear(std::size_t v, std::uint32_t placement) const {
     const Point6& point = space_.point(placement);
-    const auto slack = static_cast<float>(settings_.slack);
     for (const Query& q : queries_[v]) {
-      if (dot(q.gradient, point) >= q.best - slack) return true;
+      if (dot(q.gradient, point) >= q.best - slack_) return true;
     }
     return false;
   }
@@ -177,16 +169,15 @@ class CandidateSearch {
       Set offered;
       for (std::size_t v = begin; v < end; ++v) {
         offered.clear();
-        for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1]; ++i) {
-          for (const std::int32_t u : input_.body.triangles[faces_[i]]) {
+        for (const std::uint32_t corner : corners_.asTheyStand(v)) {
+          for (const std::int32_t u : input_.body.triangles[corner / 3]) {
             if (static_cast<std::size_t>(u) == v) continue;
             offered.insert(offered.end(), fresh_[u].begin(), fresh_[u].end());
           }
         }
-        std::sort(offered.begin(), offered.end());
-        offered.erase(std::unique(offered.begin(), offered.end()), offered.end());
+        sortUnique(offered);
         for (const std::uint32_t placement : offered) {
-          if (winners_[v].size() + next[v].size() >= settings_.maxPlacements) break;
+          if (winners_[v].size() + next[v].size() >= settings_.maxAtVertex) break;
           if (std::binary_search(winners_[v].begin(), winners_[v].end(), placement)) continue;
           if (freely || isNear(v, placement)) next[v].push_back(placement);
         }
@@ -208,41 +199,27 @@ class CandidateSearch {
     const auto& triangles = input_.body.triangles;
     FacePlacements out;
     out.start.assign(triangles.size() + 1, 0);
-    const auto unite = [&](std::size_t f, Set& both) {
-      both.clear();
+    out.placement = gather<std::uint32_t>(triangles.size(), kBlock, [&](std::size_t f, Set& part) {
+      Set both;
       for (const std::int32_t v : triangles[f]) {
         both.insert(both.end(), winners_[v].begin(), winners_[v].end());
       }
-      std::sort(both.begin(), both.end());
-      both.erase(std::unique(both.begin(), both.end()), both.end());
-    };
-    parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      Set both;
-      for (std::size_t f = begin; f < end; ++f) {
-        unite(f, both);
-        out.start[f] = both.size();
-      }
+      sortUnique(both);
+      out.start[f] = both.size();
+      part.insert(part.end(), both.begin(), both.end());
     });
     exclusiveScan(out.start);
-    out.placement.resize(out.start.back());
-    parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      Set both;
-      for (std::size_t f = begin; f < end; ++f) {
-        unite(f, both);
-        std::copy(both.begin(), both.end(),
-                  out.placement.begin() + static_cast<std::ptrdiff_t>(out.start[f]));
-      }
-    });
     return out;
   }
 
   const SamplerInput& input_;
   const PlacementSpace& space_;
-  const CandidateSettings& settings_;
+  const DenseSettings& settings_;
+  float slack_;  // mm: how far behind the local best a winner that has spread is still kept
+  const ListsByKey<>& corners_;
   RunContext& run_;
   std::size_t vertices_;
   std::vector<Eigen::Vector3d> normals_;
-  std::vector<std::uint32_t> faceStart_, faces_;
   std::vector<Set> winners_, fresh_;
   std::vector<std::vector<Query>> queries_;
 };
@@ -250,8 +227,9 @@ class CandidateSearch {
 }  // namespace
 
 FacePlacements findCandidates(const SamplerInput& input, const PlacementSpace& space,
-                              const CandidateSettings& settings, RunContext& run) {
-  return CandidateSearch(input, space, settings, run).find();
+                              const DenseSettings& settings, const ListsByKey<>& corners,
+                              RunContext& run) {
+  return CandidateSearch(input, space, settings, corners, run).find();
 }
 
 }  // namespace swept::dense

@@ -15,24 +15,22 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/lists_by_key.h"
 #include "sampling/dense/placement_space.h"
 #include "sampling/sampler.h"
 
 namespace swept::dense {
 
-struct CandidateSettings {
-  double slack = 0;   ///< mm: how far behind the local best a spread winner is still kept
-  int freeRings = 1;  ///< rings over which winners spread whatever their advance
-  int rings = 8;      ///< rings over which winners spread within the slack
-  std::size_t maxPlacements = 96;  ///< a vertex accepts no more placements beyond this number
-};
+struct DenseSettings;
 
 struct FacePlacements {
   std::vector<std::uint64_t> start;      ///< per face, and one entry behind the last
   std::vector<std::uint32_t> placement;  ///< sorted within a face
 };
 
+/// corners: the half-edges round every vertex of the body (geometry/half_edges.h), sorted.
 FacePlacements findCandidates(const SamplerInput& input, const PlacementSpace& space,
-                              const CandidateSettings& settings, RunContext& run);
+                              const DenseSettings& settings, const ListsByKey<>& corners,
+                              RunContext& run);
 
 }  // namespace swept::dense

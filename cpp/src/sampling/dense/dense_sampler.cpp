@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "base/parallel.h"
+#include "base/sort_unique.h"
+#include "geometry/half_edges.h"
 #include "sampling/dense/candidates.h"
 #include "sampling/dense/leak_repair.h"
 #include "sampling/dense/pair_sampler.h"
@@ -32,14 +33,13 @@ std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t 
   }
   chosen.push_back(nearest);
   for (int axis = 0; axis < 6 && static_cast<int>(chosen.size()) < count; ++axis) {
-    for (const float way : {-1.0f, 1.0f}) {
+    for (const float direction : {-1.0f, 1.0f}) {
       Point6 g{};
-      g[static_cast<std::size_t>(axis)] = way;
+      g[static_cast<std::size_t>(axis)] = direction;
       chosen.push_back(space.support(g, nearest).placement);
     }
   }
-  std::sort(chosen.begin(), chosen.end());
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  sortUnique(chosen);
   return chosen;
 }
 
@@ -47,20 +47,20 @@ class DenseRun {
  public:
   DenseRun(const SamplerInput& input, const PlacementSpace& space, const DenseSettings& settings,
            RunContext& run)
-      : input_(input), space_(space), settings_(settings), run_(run), sampler_(input, run) {
-    linkFaces();
+      : input_(input),
+        space_(space),
+        settings_(settings),
+        run_(run),
+        sampler_(input, run),
+        corners_(halfEdgesByVertex(input.body)) {
+    for (std::size_t v = 0; v < corners_.keys(); ++v) corners_.of(v);
   }
 
   /// Returns nothing if too much stayed open.
   std::optional<DenseSurface> sample(bool mayGiveUp) {
     const std::size_t faces = input_.body.triangles.size();
     const double cell = input_.grid.cell;
-    CandidateSettings wanted;
-    wanted.slack = settings_.slackCells * cell + space_.remainder();
-    wanted.freeRings = settings_.freeRings;
-    wanted.rings = settings_.rings;
-    wanted.maxPlacements = settings_.maxAtVertex;
-    const FacePlacements candidates = findCandidates(input_, space_, wanted, run_);
+    const FacePlacements candidates = findCandidates(input_, space_, settings_, corners_, run_);
     for (std::uint32_t f = 0; f < faces; ++f) {
       sampler_.add(f, candidates.placement.data() + candidates.start[f],
                    candidates.placement.data() + candidates.start[f + 1]);
@@ -91,32 +91,17 @@ class DenseRun {
   }
 
  private:
-  void linkFaces() {
-    const auto& triangles = input_.body.triangles;
-    faceStart_.assign(input_.body.vertices.size() + 1, 0);
-    for (const auto& t : triangles) {
-      for (const std::int32_t v : t) ++faceStart_[v];
-    }
-    exclusiveScan(faceStart_);
-    faces_.resize(faceStart_.back());
-    std::vector<std::uint32_t> next(faceStart_);
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-      for (const std::int32_t v : triangles[f]) faces_[next[v]++] = static_cast<std::uint32_t>(f);
-    }
-  }
-
   /// Samples the missing pairs together with the faces around them.
   void close(const LeakSearch& leaks) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const auto& [face, placement] : leaks.missing) {
       for (const std::int32_t v : input_.body.triangles[face]) {
-        for (std::uint32_t i = faceStart_[v]; i < faceStart_[v + 1]; ++i) {
-          pairs.emplace_back(faces_[i], placement);
+        for (const std::uint32_t corner : corners_.asTheyStand(v)) {
+          pairs.emplace_back(corner / 3, placement);
         }
       }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    sortUnique(pairs);
     for (const auto& pair : pairs) sampler_.add(pair.first, &pair.second, &pair.second + 1);
     sampler_.flush();
   }
@@ -141,7 +126,7 @@ class DenseRun {
   const DenseSettings& settings_;
   RunContext& run_;
   PairSampler sampler_;
-  std::vector<std::uint32_t> faceStart_, faces_;
+  ListsByKey<> corners_;  // of the body, by vertex; sorted
 };
 
 }  // namespace

@@ -9,8 +9,6 @@
 // Only the (face, placement) pairs that can reach the envelope are sampled (candidates.h), besides
 // a few whole copies that close the inside. What this choice left open is searched for against all
 // placements and closed, round by round (leak_repair.h).
-// placements and closed, round by round (leak_repair.h). Its result errs towards the outside only,
-// and by what the finding "DensePruned" says. Brute force (sampleCpu) is the oracle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -28,11 +26,14 @@ struct DenseSettings {
   double maxTurn = 0.15;    ///< rad, from the mean placement
   double maxReach = 0.25;   ///< fraction of the body's radius, from the mean placement
   double maxRemainder = 2;  ///< cells, of the linearisation
-  double slackCells = 0.3;  ///< see CandidateSettings; the remainder is added
+  /// How far behind the local best a winner that has spread is still kept; the remainder of the
+  /// linearisation is added.
+  double slackCells = 0.3;
   /// A placement that reaches less far beyond a point does not count as missed.
   double marginCells = 0.05;
-  int freeRings = 1, rings = 8;
-  std::size_t maxAtVertex = 96;
+  int freeRings = 1;  ///< rings of vertices over which winners spread whatever their advance
+  int rings = 8;      ///< rings over which they spread within the slack
+  std::size_t maxAtVertex = 96;  ///< a vertex accepts no more placements beyond this number
   int wholeCopies = 12;
   /// Fraction of the surface points still open: above it, brute force takes over ...
   double maxOpenFraction = 1e-3;

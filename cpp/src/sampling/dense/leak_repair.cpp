@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "geometry/box_tree.h"
 #include "geometry/ray_columns.h"
 #include "signs/contributing_edges.h"
@@ -36,10 +37,7 @@ class LeakFinder {
   LeakSearch find() {
     seed();
     while (!front_.empty() && out_.complete) follow();
-    auto& missing = out_.missing;
-    std::sort(missing.begin(), missing.end());
-    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-    out_.followed = static_cast<std::int64_t>(cover_.size());
+    sortUnique(out_.missing);
     return std::move(out_);
   }
 
@@ -185,17 +183,6 @@ class LeakFinder {
     if (cover_.size() > kMaxFollowed) out_.complete = false;
   }
 
-  bool isMarked(const Lattice& low, int axis) const {
-    const LayerEdges& layer = marked_.layers[static_cast<std::size_t>(low[0])];
-    const auto& start = layer.columnStart[axis];
-    const auto begin = layer.edges[axis].begin() + start[low[1]];
-    const auto end = layer.edges[axis].begin() + start[low[1] + 1];
-    const auto at = std::lower_bound(begin, end, low[2], [](const MarkedEdge& e, std::int32_t k) {
-      return static_cast<std::int32_t>(e.k) < k;
-    });
-    return at != end && static_cast<std::int32_t>(at->k) == low[2];
-  }
-
   /// Goes from one covered point to its six neighbours.
   void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
             std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
@@ -205,7 +192,8 @@ class LeakFinder {
         Lattice to = g;
         to[axis] += direction;
         if (to[axis] < 0 || to[axis] >= input_.grid.points[axis]) continue;
-        if (isMarked(direction < 0 ? to : g, axis) || cover_.contains(pack(to))) continue;
+        const Lattice& low = direction < 0 ? to : g;
+        if (marked_.isMarked(axis, low[0], low[1], low[2]) || cover_.contains(pack(to))) continue;
         const Eigen::Vector3d y = inBody(to, from.placement);
         if (isInside(y)) {
           covered.push_back({pack(to), from.placement, 0});

@@ -26,11 +26,10 @@
 namespace swept::dense {
 
 struct LeakSearch {
-  std::int64_t tested = 0;    ///< surface points (ends of contributing edges) that were tested
-  std::int64_t covered = 0;   ///< of these, covered by a placement although called outside
-  double deepest = 0;         ///< mm: largest advance by which one of these was missed
-  std::int64_t followed = 0;  ///< covered lattice points on the way to the holes
-  bool complete = true;       ///< false: stopped at a limit
+  std::int64_t tested = 0;   ///< surface points (ends of contributing edges) that were tested
+  std::int64_t covered = 0;  ///< of these, covered by a placement although called outside
+  double deepest = 0;        ///< mm: largest advance by which one of these was missed
+  bool complete = true;      ///< false: stopped at a limit
   /// (face, placement), sorted, without repetition
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };

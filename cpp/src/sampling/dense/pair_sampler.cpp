@@ -15,24 +15,6 @@ constexpr double kBatchCrossings = 24e6;  // 12 bytes each, twice while they are
 // Crossings per task: a batch makes 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
-class ElementSampler {
- public:
-  explicit ElementSampler(RecordChunk& out) : out_(out) {}
-  void sample(std::uint32_t face, std::uint32_t placement, const SnappedPoint& a,
-              const SnappedPoint& b, const SnappedPoint& c) {
-    const auto element = static_cast<std::uint32_t>(out_.elements.size());
-    const std::size_t before = out_.records.size();
-    rasteriseAllAxes(a, b, c,
-                     [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
-                       out_.records.push_back(CrossingRecord::make(axis, i, j, k, f, element));
-                     });
-    if (out_.records.size() != before) out_.elements.push_back({face, placement});
-  }
-
- private:
-  RecordChunk& out_;
-};
-
 }  // namespace
 
 PairSampler::PairSampler(const SamplerInput& input, RunContext& run)
@@ -67,10 +49,11 @@ void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {
   const auto& t = input_.body.triangles[item.face];
   const auto &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
              &c = input_.body.vertices[t[2]];
-  ElementSampler sampler(chunk);
   for (const std::uint32_t* k = item.begin; k != item.end; ++k) {
     const Placement& p = placements_[*k];
-    sampler.sample(item.face, *k, snap(p, a), snap(p, b), snap(p, c));
+    chunk.add({item.face, *k}, [&](const auto& emit) {
+      rasteriseAllAxes(snap(p, a), snap(p, b), snap(p, c), emit);
+    });
   }
 }
 

@@ -104,9 +104,9 @@ Point6 PlacementSpace::gradient(const Eigen::Vector3d& x, const Eigen::Vector3d&
   return g;
 }
 
-PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t guess) const {
-  constexpr float kRounding = 1e-5f;  // mm: bounds and dot products add in a different order
-  Best best{guess, dot(g, points_[guess])};
+/// Calls visit(leaf) best branches first, as long as isWanted(bound of a branch) says so.
+template <class IsWanted, class Visit>
+void PlacementSpace::descend(const Point6& g, const IsWanted& isWanted, const Visit& visit) const {
   struct Open {
     std::uint32_t node;
     float bound;
@@ -117,15 +117,10 @@ PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t gues
   stack[open++] = {0, bound(nodes_[0], split)};
   while (open > 0) {
     const Open top = stack[--open];
-    if (top.bound + kRounding < best.advance) continue;
+    if (!isWanted(top.bound)) continue;
     const Node& node = nodes_[top.node];
     if (node.right == 0) {
-      for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        const float advance = dot(g, sorted_[i]);
-        if (advance > best.advance || (advance == best.advance && order_[i] < best.placement)) {
-          best = {order_[i], advance};
-        }
-      }
+      visit(node);
       continue;
     }
     const Open left{top.node + 1, bound(nodes_[top.node + 1], split)};
@@ -134,37 +129,33 @@ PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t gues
     stack[open++] = leftFirst ? right : left;
     stack[open++] = leftFirst ? left : right;
   }
+}
+
+PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t guess) const {
+  constexpr float kRounding = 1e-5f;  // mm: bounds and dot products add in a different order
+  Best best{guess, dot(g, points_[guess])};
+  const auto isWanted = [&](float bound) { return bound + kRounding >= best.advance; };
+  descend(g, isWanted, [&](const Node& leaf) {
+    for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
+      const float advance = dot(g, sorted_[i]);
+      if (advance > best.advance || (advance == best.advance && order_[i] < best.placement)) {
+        best = {order_[i], advance};
+      }
+    }
+  });
   return best;
 }
 
 void PlacementSpace::above(const Point6& g, float minAdvance, std::size_t maxCount,
                            std::vector<Best>& out) const {
   out.clear();
-  struct Open {
-    std::uint32_t node;
-    float bound;
-  };
-  std::array<Open, 64> stack;
-  std::size_t open = 0;
-  const Split split(g);
-  stack[open++] = {0, bound(nodes_[0], split)};
-  while (open > 0 && out.size() < maxCount) {
-    const Open top = stack[--open];
-    if (top.bound < minAdvance) continue;
-    const Node& node = nodes_[top.node];
-    if (node.right == 0) {
-      for (std::uint32_t i = node.begin; i < node.end && out.size() < maxCount; ++i) {
-        const float advance = dot(g, sorted_[i]);
-        if (advance > minAdvance) out.push_back({order_[i], advance});
-      }
-      continue;
+  const auto isWanted = [&](float bound) { return bound >= minAdvance && out.size() < maxCount; };
+  descend(g, isWanted, [&](const Node& leaf) {
+    for (std::uint32_t i = leaf.begin; i < leaf.end && out.size() < maxCount; ++i) {
+      const float advance = dot(g, sorted_[i]);
+      if (advance > minAdvance) out.push_back({order_[i], advance});
     }
-    const Open left{top.node + 1, bound(nodes_[top.node + 1], split)};
-    const Open right{node.right, bound(nodes_[node.right], split)};
-    const bool leftFirst = left.bound >= right.bound;
-    stack[open++] = leftFirst ? right : left;
-    stack[open++] = leftFirst ? left : right;
-  }
+  });
 }
 
 }  // namespace swept::dense

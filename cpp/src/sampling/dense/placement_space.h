@@ -66,6 +66,8 @@ class PlacementSpace {
     std::uint32_t right = 0;
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  template <class IsWanted, class Visit>
+  void descend(const Point6& gradient, const IsWanted& isWanted, const Visit& visit) const;
   /// A gradient split for bounds over boxes: its positive part applies to their high sides, the
   /// rest to their low sides.
   struct Split {

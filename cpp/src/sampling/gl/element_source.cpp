@@ -16,31 +16,21 @@ std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
   const std::size_t placements = input.motion.placements.size();
   const std::size_t group = std::max<std::size_t>(1, placements / 128);
   const std::size_t items = (placements + group - 1) / group;
-  std::vector<std::vector<SweptElement>> parts(items);
-  parallelFor(items, [&](std::size_t item) {
+  return gather<SweptElement>(items, 1, [&](std::size_t item, std::vector<SweptElement>& part) {
     const std::size_t begin = item * group, end = std::min(begin + group, placements);
     KeptElements kept(input, clusters);
     kept.start(begin);
     for (std::size_t k = begin; k < end; ++k) {
       run.checkpoint(Phase::Sampling);
       const auto placement = static_cast<std::uint32_t>(k);
-      kept.forFaces([&](std::uint32_t f) { parts[item].push_back({f, placement}); });
+      kept.forFaces([&](std::uint32_t f) { part.push_back({f, placement}); });
       if (k == input.motion.steps()) break;
       kept.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
-        parts[item].push_back({e | SweptElement::kSidePatchBit, placement});
+        part.push_back({e | SweptElement::kSidePatchBit, placement});
       });
       if (k + 1 < end) kept.advance();
     }
   });
-  std::size_t total = 0;
-  for (const auto& part : parts) total += part.size();
-  std::vector<SweptElement> list;
-  list.reserve(total);
-  for (auto& part : parts) {
-    list.insert(list.end(), part.begin(), part.end());
-    std::vector<SweptElement>().swap(part);
-  }
-  return list;
 }
 
 }  // namespace

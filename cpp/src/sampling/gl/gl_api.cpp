@@ -3,17 +3,15 @@
 
 #include <dlfcn.h>
 
-#include <cstdlib>
-
 namespace swept::gl {
 namespace {
 
 class SystemLoader : public GlLoader {
  public:
+  explicit SystemLoader(const std::string& name) : name_(name) {}
   bool open(std::string& why) override {
     if (library_) return true;
-    const char* chosen = std::getenv("SWEPT_EGL_LIBRARY");
-    const char* name = chosen && *chosen ? chosen : "libEGL.so.1";
+    const char* name = name_.c_str();
     // The library is never closed, because drivers leave threads and exit handlers behind.
     library_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
     if (!library_) {
@@ -39,13 +37,16 @@ class SystemLoader : public GlLoader {
 
  private:
   using Getter = void (*(*)(const char*))();
+  std::string name_;
   void* library_ = nullptr;
   Getter getProc_ = nullptr;
 };
 
 }  // namespace
 
-std::shared_ptr<GlLoader> systemLoader() { return std::make_shared<SystemLoader>(); }
+std::shared_ptr<GlLoader> systemLoader(const std::string& library) {
+  return std::make_shared<SystemLoader>(library);
+}
 
 bool EglApi::load(GlLoader& loader, std::string& missing) {
 #define SWEPT_LOAD(type, name)                             \

@@ -23,8 +23,8 @@ class GlLoader {
   virtual void* find(const char* name) = 0;
 };
 
-/// libEGL.so.1 of this system, or the file that SWEPT_EGL_LIBRARY names.
-std::shared_ptr<GlLoader> systemLoader();
+/// The EGL library of this name or in this file.
+std::shared_ptr<GlLoader> systemLoader(const std::string& library = "libEGL.so.1");
 
 #define SWEPT_EGL_FUNCTIONS(X)                      \
   X(PFNEGLGETDISPLAYPROC, GetDisplay)               \

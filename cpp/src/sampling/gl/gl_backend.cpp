@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -95,8 +96,17 @@ void setSetupForTests(const GlSetup* setup) {
 GlSetup currentSetup() {
   const std::lock_guard lock(setupMutex);
   if (testSetup) return *testSetup;
+  const auto variable = [](const char* name) {
+    const char* text = std::getenv(name);
+    return std::string(text != nullptr ? text : "");
+  };
   GlSetup setup;
-  setup.wish = wishFromEnvironment();
+  setup.wish.name = variable("SWEPT_GL_DEVICE");
+  const std::string library = variable("SWEPT_EGL_LIBRARY");
+  if (!library.empty()) setup.loader = systemLoader(library);
+  const std::uint64_t megabytes =
+      std::strtoull(variable("SWEPT_GL_MEMORY_MB").c_str(), nullptr, 10);
+  if (megabytes > 0) setup.settings.budgetBytes = megabytes << 20;
   return setup;
 }
 

@@ -26,8 +26,10 @@ std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
 SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool mustBeFaster,
                            const FindSigns& findSigns, RunContext& run);
 
-/// Testing hook: what sampleSurface() uses from now on; null: the system's.
-void setSetupForTests(const GlSetup* setup);
+/// What the variables of the environment in docs/gpu.md ask for; else the system's. No other part
+/// of this room reads them.
 GlSetup currentSetup();
+/// Testing hook: what currentSetup() says from now on; null: the above.
+void setSetupForTests(const GlSetup* setup);
 
 }  // namespace swept::gl

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstdlib>
 #include <iterator>
 
 #include "base/number_text.h"
@@ -45,11 +44,6 @@ struct GlContext::Candidate {
   EGLDisplay display;
   bool software;
 };
-
-DeviceWish wishFromEnvironment() {
-  const char* name = std::getenv("SWEPT_GL_DEVICE");
-  return {name ? name : "", false};
-}
 
 /// The devices one by one where EGL lists them, else the surfaceless platform, else the default
 /// display.
@@ -107,44 +101,35 @@ std::unique_ptr<GlContext> GlContext::open(std::shared_ptr<GlLoader> loader,
     std::string reason;
     if (wish.hardwareOnly && candidate.software) {
       reason = "is a software rasteriser";
-    } else if (context->tryOpen(candidate, wish, reason)) {
-      return context;
+    } else {
+      reason = context->tryOpen(candidate, wish);
+      if (reason.empty()) return context;
+      context->release();
     }
     reasons += (reasons.empty() ? "" : "; ") + candidate.label + " " + reason;
   }
   unavailable(reasons);
 }
 
-bool GlContext::tryOpen(const Candidate& candidate, const DeviceWish& wish, std::string& why) {
-  if (candidate.display == EGL_NO_DISPLAY) {
-    why = "has no display (EGL error " + hex(static_cast<unsigned>(egl_.GetError())) + ")";
-    return false;
-  }
+std::string GlContext::tryOpen(const Candidate& candidate, const DeviceWish& wish) {
+  const auto error = [&] {
+    return " (EGL error " + hex(static_cast<unsigned>(egl_.GetError())) + ")";
+  };
+  if (candidate.display == EGL_NO_DISPLAY) return "has no display" + error();
   EGLint major = 0, minor = 0;
-  if (!egl_.Initialize(candidate.display, &major, &minor)) {
-    why = "cannot be initialised (EGL error " + hex(static_cast<unsigned>(egl_.GetError())) + ")";
-    return false;
-  }
+  if (!egl_.Initialize(candidate.display, &major, &minor)) return "cannot be initialised" + error();
   display_ = candidate.display;
   const char* traits = egl_.QueryString(display_, EGL_EXTENSIONS);
-  if (!contains(traits, "EGL_KHR_surfaceless_context")) {
-    why = "cannot render without a surface";
-    return false;
-  }
-  if (!egl_.BindAPI(EGL_OPENGL_API)) {
-    why = "has no desktop OpenGL";
-    return false;
-  }
+  if (!contains(traits, "EGL_KHR_surfaceless_context")) return "cannot render without a surface";
+  if (!egl_.BindAPI(EGL_OPENGL_API)) return "has no desktop OpenGL";
   EGLConfig config = EGL_NO_CONFIG_KHR;
   if (!contains(traits, "EGL_KHR_no_config_context") &&
       !contains(traits, "EGL_MESA_configless_context")) {
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                              EGL_NONE};
     EGLint found = 0;
-    if (!egl_.ChooseConfig(display_, wanted, &config, 1, &found) || found == 0) {
-      why = "has no configuration for desktop OpenGL";
-      return false;
-    }
+    if (!egl_.ChooseConfig(display_, wanted, &config, 1, &found) || found == 0)
+      return "has no configuration for desktop OpenGL";
   }
   // A robust context reports a reset; where there is none, fences still notice a loss.
   const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,       4,
@@ -160,32 +145,16 @@ bool GlContext::tryOpen(const Candidate& candidate, const DeviceWish& wish, std:
     context_ = egl_.CreateContext(display_, config, EGL_NO_CONTEXT, attributes->data());
     if (context_ != EGL_NO_CONTEXT) break;
   }
-  if (context_ == EGL_NO_CONTEXT) {
-    why = "gives no OpenGL 4.5 core context (EGL error " +
-          hex(static_cast<unsigned>(egl_.GetError())) + ")";
-    return false;
-  }
-  if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-    why = "cannot make its context current (EGL error " +
-          hex(static_cast<unsigned>(egl_.GetError())) + ")";
-    release();
-    return false;
-  }
+  if (context_ == EGL_NO_CONTEXT) return "gives no OpenGL 4.5 core context" + error();
+  if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+    return "cannot make its context current" + error();
   std::string missing;
-  if (!gl_.load(*loader_, missing)) {
-    why = "has no " + missing;
-    release();
-    return false;
-  }
+  if (!gl_.load(*loader_, missing)) return "has no " + missing;
   software_ = candidate.software;
-  if (!describe(wish, why)) {
-    release();
-    return false;
-  }
-  return true;
+  return describe(wish);
 }
 
-bool GlContext::describe(const DeviceWish& wish, std::string& why) {
+std::string GlContext::describe(const DeviceWish& wish) {
   const auto text = [&](GLenum what) {
     const GLubyte* s = gl_.GetString(what);
     return s ? std::string(reinterpret_cast<const char*>(s)) : std::string("?");
@@ -198,18 +167,10 @@ bool GlContext::describe(const DeviceWish& wish, std::string& why) {
     return static_cast<int>(value);
   };
   const int version = 10 * integer(GL_MAJOR_VERSION) + integer(GL_MINOR_VERSION);
-  if (version < 45) {
-    why = "(" + device_ + ") is older than OpenGL 4.5";
-    return false;
-  }
-  if (!wish.name.empty() && lower(device_).find(lower(wish.name)) == std::string::npos) {
-    why = "(" + device_ + ") is not the device asked for, \"" + wish.name + "\"";
-    return false;
-  }
-  if (wish.hardwareOnly && software_) {
-    why = "(" + device_ + ") is a software rasteriser";
-    return false;
-  }
+  if (version < 45) return "(" + device_ + ") is older than OpenGL 4.5";
+  if (!wish.name.empty() && lower(device_).find(lower(wish.name)) == std::string::npos)
+    return "(" + device_ + ") is not the device asked for, \"" + wish.name + "\"";
+  if (wish.hardwareOnly && software_) return "(" + device_ + ") is a software rasteriser";
   GLint64 storage = 0;
   gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
   GLint viewport[2] = {0, 0};
@@ -224,7 +185,7 @@ bool GlContext::describe(const DeviceWish& wish, std::string& why) {
   limits_.fragmentImages = integer(GL_MAX_FRAGMENT_IMAGE_UNIFORMS);
   limits_.geometryInvocations = integer(GL_MAX_GEOMETRY_SHADER_INVOCATIONS);
   limits_.viewports = integer(GL_MAX_VIEWPORTS);
-  return true;
+  return {};
 }
 
 void GlContext::release() {

@@ -19,8 +19,6 @@ struct DeviceWish {
   std::string name;           ///< part of vendor, renderer or version, any case; empty: any device
   bool hardwareOnly = false;  ///< do not even open software rasterisers
 };
-/// The device named in SWEPT_GL_DEVICE ("llvmpipe", "NVIDIA", ...).
-DeviceWish wishFromEnvironment();
 
 struct Limits {
   std::int64_t storageBytes = 0;  ///< one shader storage block
@@ -43,7 +41,6 @@ class GlContext {
   const GlApi& gl() const { return gl_; }
   const Limits& limits() const { return limits_; }
   const std::string& device() const { return device_; }  ///< vendor, renderer, version
-  bool isSoftware() const { return software_; }
 
   /// Waits until all work so far is done. Throws Error(DeviceLost) if the context was reset, an
   /// error was raised, or nothing came back within `timeoutSeconds`. Returns the seconds waited.
@@ -53,8 +50,9 @@ class GlContext {
  private:
   struct Candidate;
   GlContext() = default;
-  bool tryOpen(const Candidate& candidate, const DeviceWish& wish, std::string& why);
-  bool describe(const DeviceWish& wish, std::string& why);
+  /// Both say why the candidate cannot be used; nothing if it can.
+  std::string tryOpen(const Candidate& candidate, const DeviceWish& wish);
+  std::string describe(const DeviceWish& wish);
   std::vector<Candidate> candidates() const;
   void release();
 

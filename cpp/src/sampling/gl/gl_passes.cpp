@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -39,14 +38,6 @@ enum Uniform {
 
 }  // namespace
 
-std::uint64_t budgetOf(const GlSettings& settings) {
-  if (settings.budgetBytes != 0) return settings.budgetBytes;
-  constexpr std::uint64_t kDefaultMb = 192;
-  const char* text = std::getenv("SWEPT_GL_MEMORY_MB");
-  const std::uint64_t mb = text ? std::strtoull(text, nullptr, 10) : 0;
-  return (mb > 0 ? mb : kDefaultMb) << 20;
-}
-
 GlPasses::GlPasses(const GlDevice& device, const SamplerInput& input, const ElementSource& source,
                    const GlSettings& settings)
     : device_(device),
@@ -57,7 +48,7 @@ GlPasses::GlPasses(const GlDevice& device, const SamplerInput& input, const Elem
       batch_(settings.firstBatch) {
   requireLimits();
   const auto storage = static_cast<std::uint64_t>(context_.limits().storageBytes);
-  const std::uint64_t budget = budgetOf(settings);
+  const std::uint64_t budget = settings.budgetBytes;
   std::uint64_t chunkBytes = settings.chunkBytes != 0 ? settings.chunkBytes : budget / 4;
   chunkBytes = std::min(chunkBytes, storage);
   chunks_ = planChunks(source, chunkBytes);

@@ -13,19 +13,18 @@
 
 #include "sampling/gl/brick_plan.h"
 #include "sampling/gl/element_source.h"
-#include "sampling/gl/gl_device.h"
+#include "sampling/gl/gl_program.h"
 
 namespace swept::gl {
 
 struct GlSettings {
-  std::uint64_t budgetBytes = 0;  ///< marks, lists and chunks; 0: SWEPT_GL_MEMORY_MB or 192 MiB
-  std::uint64_t chunkBytes = 0;   ///< placements or elements at one time; 0: from the limits
+  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< marks, lists and chunks
+  std::uint64_t chunkBytes = 0;  ///< placements or elements at one time; 0: from the limits
   double fenceTimeoutSeconds = 10;
   std::uint32_t firstBatch = 1024;  ///< elements in the first draw; later draws adapt
   bool adaptBatch = true;
   std::uint64_t epochElements = 0xfffffff0u;  ///< elements that 32-bit numbers can distinguish
 };
-std::uint64_t budgetOf(const GlSettings& settings);
 
 /// What pass 2 finds for a contributing edge; element numbers count from the first element of the
 /// epoch.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sampling/gl/gl_program.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "sampling/gl/shader_sources.h"
@@ -16,6 +17,16 @@ namespace {
                   (log.empty() ? "(nothing)" : log) + "; use --backend cpu or auto");
 }
 
+/// What the driver says of a shader or a program, through the two calls for its kind.
+template <class GetNumber, class GetLog>
+std::string logOf(GetNumber getNumber, GetLog getLog, unsigned id) {
+  GLint length = 0;
+  getNumber(id, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(std::max(length, 0)), '\0');
+  if (length > 0) getLog(id, length, nullptr, log.data());
+  return log.c_str();  // without the zero bytes at its end
+}
+
 unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::string>& files) {
   const GlApi& gl = context.gl();
   std::vector<const char*> parts{"#version 450 core\n"};
@@ -27,14 +38,12 @@ unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::
   const unsigned shader = gl.CreateShader(stage);
   gl.ShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
   gl.CompileShader(shader);
-  GLint done = 0, length = 0;
+  GLint done = 0;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
   if (done) return shader;
-  gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-  std::string log(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
-  if (length > 0) gl.GetShaderInfoLog(shader, length, nullptr, log.data());
+  const std::string log = logOf(gl.GetShaderiv, gl.GetShaderInfoLog, shader);
   gl.DeleteShader(shader);
-  failed(context, "shader " + files.back() + " does not compile", log.c_str());
+  failed(context, "shader " + files.back() + " does not compile", log);
 }
 
 }  // namespace
@@ -56,13 +65,11 @@ Program::Program(const GlContext& context, const std::string& fragment) : contex
       gl.DeleteShader(shader);  // the program keeps it alive
     }
     gl.LinkProgram(id_);
-    GLint done = 0, length = 0;
+    GLint done = 0;
     gl.GetProgramiv(id_, GL_LINK_STATUS, &done);
     if (done) return;
-    gl.GetProgramiv(id_, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
-    if (length > 0) gl.GetProgramInfoLog(id_, length, nullptr, log.data());
-    failed(context, "the program of " + fragment + " does not link", log.c_str());
+    failed(context, "the program of " + fragment + " does not link",
+           logOf(gl.GetProgramiv, gl.GetProgramInfoLog, id_));
   } catch (...) {
     gl.DeleteProgram(id_);
     throw;

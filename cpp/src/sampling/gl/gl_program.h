@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "sampling/gl/gl_context.h"
 
@@ -21,6 +23,15 @@ class Program {
  private:
   const GlContext& context_;
   unsigned id_ = 0;
+};
+
+/// A context with the sampler's programs, opened and tested before any run relies on it.
+struct GlDevice {
+  std::unique_ptr<GlContext> context;
+  Program mark, winner;
+
+  explicit GlDevice(std::unique_ptr<GlContext> opened)
+      : context(std::move(opened)), mark(*context, "mark.frag"), winner(*context, "winner.frag") {}
 };
 
 }  // namespace swept::gl

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "grid/crossing_records.h"
 #include "signs/contributing_edges.h"
 #include "swept/types.h"
@@ -119,7 +120,7 @@ GlSampler::GlSampler(const SamplerInput& input, OpenDevice openDevice, const GlS
     : input_(input), openDevice_(std::move(openDevice)), settings_(settings) {
   source_ = planElements(input, run);
   open();
-  bricks_ = planBricks(input.grid, device_->context->limits(), budgetOf(settings_) / 2);
+  bricks_ = planBricks(input.grid, device_->context->limits(), settings_.budgetBytes / 2);
 }
 
 GlSampler::~GlSampler() = default;
@@ -241,8 +242,7 @@ void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& 
   // The edges refer to the list of discoveries; each element is then stored once, in the order of
   // its number.
   std::vector<std::uint64_t> used(winners_);
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  sortUnique(used);
   marked.elements.clear();
   marked.elements.reserve(used.size());
   for (const std::uint64_t number : used) marked.elements.push_back(source_.at(number));

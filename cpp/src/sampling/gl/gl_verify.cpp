@@ -33,16 +33,6 @@ std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
   return textOf(6, "lattice edge (", i, ", ", j, ", ", k, ") along ") + "xyz"[axis];
 }
 
-bool isMarked(const MarkedEdges& marked, int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
-  const LayerEdges& layer = marked.layers[static_cast<std::size_t>(i)];
-  const auto& start = layer.columnStart[axis];
-  const auto begin = layer.edges[axis].begin() + start[static_cast<std::size_t>(j)];
-  const auto end = layer.edges[axis].begin() + start[static_cast<std::size_t>(j) + 1];
-  const auto at = std::lower_bound(
-      begin, end, k, [](const MarkedEdge& e, std::int32_t value) { return e.k < value; });
-  return at != end && at->k == k;
-}
-
 /// An octahedron that turns and moves: it has faces, side patches, ties with the lattice, and two
 /// bricks.
 struct KnownField {
@@ -139,7 +129,7 @@ void verifyMarks(const SamplerInput& input, const ElementSource& source, const M
     if (!source.exists(element)) continue;
     elementCrossings(input, element,
                      [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double) {
-                       if (isMarked(marked, axis, i, j, k)) return;
+                       if (marked.isMarked(axis, i, j, k)) return;
                        reportGarbage(device, "no mark on " + edgeName(axis, i, j, k));
                      });
   }

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/carrier/carrier.h"
 
+#include <array>
 #include <cmath>
 
 namespace swept::step {
 
 const char* surfaceKindName(CarrierKind kind) {
-  switch (kind) {
-    case CarrierKind::Facet:
-      return "facet";
-    case CarrierKind::Plane:
-      return "plane";
-    case CarrierKind::Cylinder:
-      return "cylinder";
-    case CarrierKind::Cone:
-      return "cone";
-    case CarrierKind::Sphere:
-      return "sphere";
-    case CarrierKind::Torus:
-      return "torus";
-    case CarrierKind::Extrusion:
-      return "extrusion";
-    case CarrierKind::Revolution:
-      return "revolution";
-  }
-  return "?";
+  constexpr std::array<const char*, 8> kNames{"facet",  "plane", "cylinder",  "cone",
+                                              "sphere", "torus", "extrusion", "revolution"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 Eigen::Vector3d anyOrthogonal(const Eigen::Vector3d& axis) {

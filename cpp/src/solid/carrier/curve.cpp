@@ -231,8 +231,40 @@ Curve curveThrough(std::vector<Vector3d> points, bool closed, double eps,
   return splineThrough(inOrder(points), closed, surfaces);
 }
 
+std::size_t farthestPoint(const std::vector<Vector3d>& points, std::size_t from, std::size_t to,
+                          double& distance) {
+  const Vector3d a = points[from], ab = points[to] - a;
+  const double length2 = ab.squaredNorm();
+  std::size_t best = from;
+  distance = -1;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const Vector3d d = points[i] - a;
+    const double t = length2 > 0 ? std::clamp(d.dot(ab) / length2, 0.0, 1.0) : 0.0;
+    const double here = (d - t * ab).norm();
+    if (here <= distance) continue;
+    distance = here;
+    best = i;
+  }
+  return best;
+}
+
+void keepBends(const std::vector<Vector3d>& points,
+               std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
+               std::vector<char>& kept) {
+  while (!spans.empty()) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    double distance = 0;
+    const std::size_t split = farthestPoint(points, from, to, distance);
+    if (distance <= tolerance) continue;
+    kept[split] = 1;
+    spans.emplace_back(from, split);
+    spans.emplace_back(split, to);
+  }
+}
+
 Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolerance) {
-  // Keep the points that a polyline within the tolerance needs; a spline then rounds its corners.
+  // A spline rounds the corners of the polyline.
   std::vector<char> kept(points.size(), 0);
   kept.front() = kept.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};
@@ -241,24 +273,7 @@ Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolera
     spans = {{0, third}, {third, 2 * third}, {2 * third, points.size() - 1}};
     kept[third] = kept[2 * third] = 1;
   }
-  while (!spans.empty()) {
-    const auto [from, to] = spans.back();
-    spans.pop_back();
-    const Curve line = lineThrough(points[from], points[to]);
-    double worst = tolerance;
-    std::size_t split = from;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const Vector3d d = points[i] - line.start;
-      const double height = (d - std::clamp(d.dot(line.axis), 0.0, line.last) * line.axis).norm();
-      if (height <= worst) continue;
-      worst = height;
-      split = i;
-    }
-    if (split == from) continue;
-    kept[split] = 1;
-    spans.push_back({from, split});
-    spans.push_back({split, to});
-  }
+  keepBends(points, std::move(spans), tolerance, kept);
   std::vector<Vector3d> left;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (kept[i]) left.push_back(points[i]);

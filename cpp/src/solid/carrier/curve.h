@@ -1,12 +1,13 @@
 // Edge curves, and points where carriers intersect.
 // In: points in order, or carriers. Out: the simplest curve within a tolerance. Units: mm, rad.
 // Parameters: Line 0..length, Circle 0..sweep, Spline 0..1. Cost: O(points).
-// Source: least-squares circle and cubic B-splines as in Piegl and Tiller, "The NURBS Book";
-// polylines by Douglas and Peucker 1973.
+// Source: circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
+// NURBS Book"); polylines (Douglas and Peucker 1973).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "solid/carrier/carrier.h"
@@ -40,6 +41,16 @@ Curve profileOf(const Carrier& surface);
 /// their normals.
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
                    const std::vector<const Carrier*>& surfaces);
+
+/// The point of a polyline between two others that lies farthest from the segment that joins these;
+/// a distance of -1 if there is none between them.
+std::size_t farthestPoint(const std::vector<Eigen::Vector3d>& points, std::size_t from,
+                          std::size_t to, double& distance);
+
+/// Marks the points within the spans that a polyline within the tolerance needs besides their ends.
+void keepBends(const std::vector<Eigen::Vector3d>& points,
+               std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
+               std::vector<char>& kept);
 
 /// A line or spline along a jagged polyline, smoothed within the tolerance; the ends stay.
 Curve curveAlong(const std::vector<Eigen::Vector3d>& points, bool closed, double tolerance);

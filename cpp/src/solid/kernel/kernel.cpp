@@ -144,12 +144,6 @@ void KernelSession::set(const char* name, const std::string& value) {
   Interface_Static::SetCVal(name, value.c_str());
 }
 
-void KernelSession::setReal(const char* name, double value) {
-  state_->undo.push_back(
-      [name, old = Interface_Static::RVal(name)] { Interface_Static::SetRVal(name, old); });
-  Interface_Static::SetRVal(name, value);
-}
-
 void KernelSession::setHealing([[maybe_unused]] bool on) {
 #if OCC_VERSION_HEX < 0x070900
   if (!state_->asItStands) {

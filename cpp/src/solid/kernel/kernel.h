@@ -21,7 +21,6 @@ class KernelSession {
 
   /// Sets a text option of the STEP translators until the end of the session.
   void set(const char* name, const std::string& value);
-  void setReal(const char* name, double value);
   /// Whether the kernel heals what this thread reads (its default), or leaves it as it is in the
   /// file, until the end of the session. (Kernels from 7.9 on always heal.)
   void setHealing(bool on);

@@ -186,8 +186,8 @@ std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, R
   return result;
 }
 
-ShapeCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to) {
-  ShapeCheck check;
+SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to) {
+  SolidCheck check;
   if (shape.IsNull()) {
     check.complaint = "no shape";
     return check;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "swept/run_context.h"
+#include "swept/solid.h"
 
 namespace swept::step {
 
@@ -24,13 +25,7 @@ std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, R
 /// Whether the face is a sound plane triangle with straight edges.
 bool isPlaneTriangle(const TopoDS_Face& face);
 
-struct ShapeCheck {
-  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
-  bool valid = false;     ///< every face valid, every shell closed and consistently oriented
-  std::string complaint;  ///< empty if valid
-  double volume = 0;      ///< mm^3
-};
-
-ShapeCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to);
+/// What is sound, and how much of it there is.
+SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to);
 
 }  // namespace swept::step

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
 #include "solid/kernel/read_check.h"
 #include "solid/kernel/shape_check.h"
@@ -13,7 +14,6 @@
 #include "solid/model/deviation.h"
 #include "solid/recognise/facets_saved.h"
 #include "solid/recognise/recognise.h"
-#include "solid/recognise/tidy_patches.h"
 
 namespace swept::step {
 namespace {
@@ -59,8 +59,7 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
     std::vector<std::int32_t> vertices;
     for (const std::int32_t t : first.patches[p].triangles)
       vertices.insert(vertices.end(), dense.triangles[t].begin(), dense.triangles[t].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sortUnique(vertices);
     const NearestTriangle nearest(now.mesh.points, open);
     std::int32_t home = -1;
     for (const std::int32_t v : vertices) {
@@ -100,8 +99,7 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
       for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
     }
   }
-  std::sort(refused.begin(), refused.end());
-  refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+  sortUnique(refused);
   return again;
 }
 

@@ -119,6 +119,13 @@ Eigen::Vector3d HalfEdgeMesh::areaVector(std::int32_t triangle) const {
   return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
 }
 
+std::int64_t countOuterShells(const std::vector<std::int32_t>& shellOwner) {
+  std::int64_t count = 0;
+  for (std::size_t s = 0; s < shellOwner.size(); ++s)
+    count += shellOwner[s] == static_cast<std::int32_t>(s);
+  return count;
+}
+
 HalfEdgeMesh buildHalfEdges(const TriMesh& mesh, RunContext& run) {
   run.checkpoint(Phase::Export);
   checkNumbers(mesh);

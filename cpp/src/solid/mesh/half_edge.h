@@ -30,9 +30,16 @@ struct HalfEdgeMesh {
   static std::int32_t previous(std::int32_t h) { return previousHalfEdge(h); }
   std::int32_t origin(std::int32_t h) const { return triangles[h / 3][h % 3]; }
   std::int32_t target(std::int32_t h) const { return origin(next(h)); }
+  /// The triangles beyond the three edges of one.
+  std::array<std::int32_t, 3> neighbours(std::int32_t t) const {
+    return {opposite[3 * t] / 3, opposite[3 * t + 1] / 3, opposite[3 * t + 2] / 3};
+  }
   /// Twice the area times the unit normal.
   Eigen::Vector3d areaVector(std::int32_t triangle) const;
 };
+
+/// Number of shells that are no cavities, from HalfEdgeMesh::shellOwner.
+std::int64_t countOuterShells(const std::vector<std::int32_t>& shellOwner);
 
 HalfEdgeMesh buildHalfEdges(const TriMesh& mesh, RunContext& run);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
+
 namespace swept::step {
 namespace {
 
@@ -45,8 +47,7 @@ struct PlaneGrower {
   const HalfEdgeMesh& mesh;
   double tolerance;
   Partition& partition;
-  std::vector<double> height;           ///< smallest height per triangle
-  std::vector<Eigen::Vector3d> normal;  ///< unit
+  const TriangleShapes& shapes;
   std::vector<std::int32_t> inRegion;   ///< stamp per triangle
   std::vector<std::int32_t> pointSeen;  ///< stamp per vertex
   std::int32_t stamp = 0;
@@ -56,7 +57,7 @@ struct PlaneGrower {
     for (const std::int32_t v : mesh.triangles[t]) {
       if (std::abs(plane.distance(mesh.points[v])) > tolerance) return false;
     }
-    return height[t] <= 2 * tolerance || normal[t].dot(plane.axis) >= kMinCosine;
+    return shapes.height[t] <= 2 * tolerance || shapes.normal[t].dot(plane.axis) >= kMinCosine;
   }
 
   // Grows breadth first from the seed. refit: the plane is fitted again each time the region has
@@ -78,8 +79,7 @@ struct PlaneGrower {
     };
     addPoints(seed);
     for (std::size_t i = 0; i < region.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t other = mesh.opposite[3 * region[i] + k] / 3;
+      for (const std::int32_t other : mesh.neighbours(region[i])) {
         if (inRegion[other] == stamp || !accepts(other, plane)) continue;
         inRegion[other] = stamp;
         region.push_back(other);
@@ -94,34 +94,24 @@ struct PlaneGrower {
     return region;
   }
 
-  double deviation(const std::vector<std::int32_t>& region, const Carrier& plane) const {
-    double worst = 0;
-    for (const std::int32_t t : region) {
-      for (const std::int32_t v : mesh.triangles[t]) {
-        worst = std::max(worst, std::abs(plane.distance(mesh.points[v])));
-      }
-    }
-    return worst;
-  }
-
   void fromSeed(std::int32_t seed) {
     Carrier plane;
     plane.kind = CarrierKind::Plane;
-    plane.axis = normal[seed];
+    plane.axis = shapes.normal[seed];
     plane.point = mesh.points[mesh.triangles[seed][0]];
     std::vector<std::int32_t> region = grow(seed, plane, true);
     if (region.size() < 2) return;
-    if (deviation(region, plane) > tolerance) {
+    if (largestDistance(mesh, region, plane) > tolerance) {
       // The plane has moved away from early members: keep those that the final plane still reaches.
       if (!accepts(seed, plane)) {
-        plane.axis = normal[seed];
+        plane.axis = shapes.normal[seed];
         plane.point = mesh.points[mesh.triangles[seed][0]];
       }
       region = grow(seed, plane, false);
       if (region.size() < 2) return;
     }
     Patch patch;
-    patch.deviation = deviation(region, plane);
+    patch.deviation = largestDistance(mesh, region, plane);
     patch.surface = plane;
     for (const std::int32_t t : region) {
       partition.patchOf[t] = static_cast<std::int32_t>(partition.patches.size());
@@ -133,34 +123,60 @@ struct PlaneGrower {
 
 }  // namespace
 
+TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
+  const std::size_t count = mesh.triangles.size();
+  TriangleShapes shapes{std::vector<Eigen::Vector3d>(count), std::vector<double>(count),
+                        std::vector<double>(count), std::vector<char>(count)};
+  parallelBlocks(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const Eigen::Vector3d vector = mesh.areaVector(static_cast<std::int32_t>(t));
+      const double twice = vector.norm();
+      const double longest = std::max({(mesh.points[a] - mesh.points[b]).norm(),
+                                       (mesh.points[b] - mesh.points[c]).norm(),
+                                       (mesh.points[c] - mesh.points[a]).norm()});
+      shapes.area[t] = 0.5 * twice;
+      shapes.height[t] = longest > 0 ? twice / longest : 0;
+      shapes.normal[t] = twice > 0 ? Eigen::Vector3d(vector / twice) : Eigen::Vector3d::Zero();
+      shapes.thin[t] = twice < 0.05 * longest * longest;
+    }
+  });
+  return shapes;
+}
+
+double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles) {
+  double area = 0;
+  for (const std::int32_t t : triangles) area += 0.5 * mesh.areaVector(t).norm();
+  return area;
+}
+
+double largestDistance(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles,
+                       const Carrier& surface) {
+  double largest = 0;
+  for (const std::int32_t t : triangles) {
+    for (const std::int32_t v : mesh.triangles[t])
+      largest = std::max(largest, std::abs(surface.distance(mesh.points[v])));
+  }
+  return largest;
+}
+
 void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run) {
   const std::size_t count = mesh.triangles.size();
-  PlaneGrower grower{mesh, tolerance, partition, {}, {}, {}, {}};
-  grower.height.resize(count);
-  grower.normal.resize(count);
-  grower.inRegion.assign(count, 0);
-  grower.pointSeen.assign(mesh.points.size(), 0);
-  std::vector<double> area(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const Eigen::Vector3d vector = mesh.areaVector(static_cast<std::int32_t>(t));
-    area[t] = vector.norm();
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-      longest = std::max(
-          longest,
-          (mesh.points[mesh.triangles[t][k]] - mesh.points[mesh.triangles[t][(k + 1) % 3]]).norm());
-    }
-    grower.height[t] = longest > 0 ? area[t] / longest : 0;
-    grower.normal[t] = area[t] > 0 ? Eigen::Vector3d(vector / area[t]) : Eigen::Vector3d::Zero();
-  }
+  const TriangleShapes shapes = shapesOf(mesh);
+  PlaneGrower grower{mesh,
+                     tolerance,
+                     partition,
+                     shapes,
+                     std::vector<std::int32_t>(count, 0),
+                     std::vector<std::int32_t>(mesh.points.size(), 0)};
   std::vector<std::int32_t> order(count);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::int32_t a, std::int32_t b) { return area[a] > area[b]; });
+                   [&](std::int32_t a, std::int32_t b) { return shapes.area[a] > shapes.area[b]; });
   std::uint64_t done = 0;
   for (const std::int32_t seed : order) {
     if ((++done & 4095U) == 0) run.checkpoint(Phase::Export, done, 20 * count);
-    if (partition.patchOf[seed] < 0 && area[seed] > 0) grower.fromSeed(seed);
+    if (partition.patchOf[seed] < 0 && shapes.area[seed] > 0) grower.fromSeed(seed);
   }
 }
 

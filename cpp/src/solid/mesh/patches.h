@@ -33,6 +33,22 @@ struct Partition {
   std::vector<Cut> cuts;
 };
 
+/// Properties of every triangle that are needed again and again.
+struct TriangleShapes {
+  std::vector<Eigen::Vector3d> normal;  ///< unit; zero for a triangle without area
+  std::vector<double> area;             ///< mm^2
+  std::vector<double> height;           ///< mm, over the longest side
+  std::vector<char> thin;               ///< a needle, whose normal is unreliable
+};
+TriangleShapes shapesOf(const HalfEdgeMesh& mesh);
+
+/// mm^2: area of these triangles.
+double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles);
+
+/// mm: largest distance of a corner of these triangles from a surface.
+double largestDistance(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles,
+                       const Carrier& surface);
+
 /// Grows planes over triangles not yet assigned; a triangle that stays alone becomes a Facet
 /// through its corners.
 void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
+
+#include "solid/carrier/curve.h"
 
 namespace swept::step {
 namespace {
@@ -69,53 +72,32 @@ class Finder {
 
   std::int32_t vertexAt(const Chain& chain, std::size_t i) const { return chain.vertex(mesh_, i); }
 
-  std::size_t farthest(const Chain& chain, std::size_t from, std::size_t to,
-                       double& distance) const {
-    const Eigen::Vector3d a = mesh_.points[vertexAt(chain, from)];
-    const Eigen::Vector3d ab = mesh_.points[vertexAt(chain, to)] - a;
-    const double length2 = ab.squaredNorm();
-    std::size_t best = from;
-    distance = -1;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const Eigen::Vector3d d = mesh_.points[vertexAt(chain, i)] - a;
-      const double t = length2 > 0 ? std::clamp(d.dot(ab) / length2, 0.0, 1.0) : 0.0;
-      const double here = (d - t * ab).norm();
-      if (here > distance) {
-        distance = here;
-        best = i;
-      }
-    }
-    return best;
+  std::vector<Eigen::Vector3d> pointsOf(const Chain& chain) const {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i <= chain.halfEdges.size(); ++i)
+      points.push_back(mesh_.points[vertexAt(chain, i)]);
+    return points;
   }
 
-  // Keeps the vertices that a polyline within the tolerance needs (split repeatedly at the farthest
-  // one, Douglas and Peucker 1973).
+  // Keeps the vertices that a polyline within the tolerance needs.
   void keepBends(const Chain& chain) {
     const std::size_t last = chain.halfEdges.size();
-    std::vector<std::pair<std::size_t, std::size_t>> spans;
+    const std::vector<Eigen::Vector3d> points = pointsOf(chain);
+    std::vector<std::pair<std::size_t, std::size_t>> spans{{0, last}};
+    std::vector<char> kept(points.size(), 0);
     if (chain.closed) {
       double distance = 0;
-      const std::size_t middle = farthest(chain, 0, last, distance);
-      kept_[vertexAt(chain, 0)] = kept_[vertexAt(chain, middle)] = 1;
+      const std::size_t middle = farthestPoint(points, 0, last, distance);
       // A closed line needs three corners, whatever the tolerance.
-      const std::size_t third = middle > 1 ? farthest(chain, 0, middle, distance)
-                                           : farthest(chain, middle, last, distance);
-      kept_[vertexAt(chain, third)] = 1;
+      const std::size_t third = middle > 1 ? farthestPoint(points, 0, middle, distance)
+                                           : farthestPoint(points, middle, last, distance);
       const auto [low, high] = std::minmax({middle, third});
       spans = {{0, low}, {low, high}, {high, last}};
-    } else {
-      spans = {{0, last}};
+      kept[0] = kept[low] = kept[high] = 1;
     }
-    while (!spans.empty()) {
-      const auto [from, to] = spans.back();
-      spans.pop_back();
-      if (to - from < 2) continue;
-      double distance = 0;
-      const std::size_t split = farthest(chain, from, to, distance);
-      if (distance <= tolerance_) continue;
-      kept_[vertexAt(chain, split)] = 1;
-      spans.push_back({from, split});
-      spans.push_back({split, to});
+    step::keepBends(points, std::move(spans), tolerance_, kept);
+    for (std::size_t i = 0; i <= last; ++i) {
+      if (kept[i]) kept_[vertexAt(chain, i)] = 1;
     }
   }
 
@@ -150,7 +132,7 @@ class Finder {
     while (!kept_[vertexAt(chains_[c], to)]) ++to;
     if (to - from < 2) return false;
     double distance = 0;
-    kept_[vertexAt(chains_[c], farthest(chains_[c], from, to, distance))] = 1;
+    kept_[vertexAt(chains_[c], farthestPoint(pointsOf(chains_[c]), from, to, distance))] = 1;
     return true;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/union_find.h"
 #include "solid/model/chains.h"
 
 namespace swept::step {
@@ -84,16 +85,12 @@ class Builder {
     }
   }
 
-  std::int32_t root(std::int32_t v) {
-    while (same_[v] != v) v = same_[v] = same_[same_[v]];
-    return v;
-  }
+  std::int32_t root(std::int32_t v) { return findRoot(same_, v); }
 
   // Jagged borders meet in several vertices that belong to one corner of the solid: the chains
   // between them shrink to a point.
   void dropShrunkChains() {
-    same_.resize(mesh_.points.size());
-    for (std::size_t v = 0; v < same_.size(); ++v) same_[v] = static_cast<std::int32_t>(v);
+    same_ = singleSets<std::int32_t>(mesh_.points.size());
     const double eps = std::max(1e-6, 0.02 * tolerance_);
     auto coincide = [&](std::int32_t a, std::int32_t b) {
       return a != b && (position_[a] - position_[b]).norm() <= eps;

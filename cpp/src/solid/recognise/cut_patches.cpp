@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/recognise/cut_patches.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
+
+#include "solid/recognise/region_finder.h"
+#include "solid/recognise/steps.h"
 
 namespace swept::step {
 namespace {
@@ -230,65 +231,38 @@ class Cutter {
   // around it.
   std::vector<std::int32_t> halve(std::int32_t p, const Carrier& plane) {
     const std::vector<std::int32_t> members = partition_.patches[p].triangles;
-    std::vector<char> side(members.size());
-    local_.resize(mesh_.triangles.size(), -1);
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      side[i] = plane.distance(centreOf(mesh_, members[i])) > 0;
-      local_[members[i]] = static_cast<std::int32_t>(i);
-    }
-    std::vector<std::int32_t> component(members.size(), -1);
-    std::vector<std::vector<std::int32_t>> components;
-    auto collect = [&] {
-      std::fill(component.begin(), component.end(), -1);
-      components.clear();
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        if (component[i] >= 0) continue;
-        std::vector<std::int32_t> stack{static_cast<std::int32_t>(i)};
-        component[i] = static_cast<std::int32_t>(components.size());
-        for (std::size_t at = 0; at < stack.size(); ++at) {
-          for (int k = 0; k < 3; ++k) {
-            const std::int32_t t = mesh_.opposite[3 * members[stack[at]] + k] / 3;
-            if (partition_.patchOf[t] != p) continue;
-            const std::int32_t j = local_[t];
-            if (component[j] >= 0 || side[j] != side[i]) continue;
-            component[j] = component[i];
-            stack.push_back(j);
-          }
-        }
-        components.push_back(std::move(stack));
-      }
+    side_.resize(mesh_.triangles.size());
+    for (const std::int32_t t : members) side_[t] = plane.distance(centreOf(mesh_, t)) > 0;
+    const auto collect = [&] {
+      return connectedPieces(mesh_, members,
+                             [&](std::int32_t a, std::int32_t b) { return side_[a] == side_[b]; });
     };
-    collect();
+    std::vector<std::vector<std::int32_t>> pieces = collect();
     bool changed = false;
-    for (const auto& piece : components) {
+    for (const auto& piece : pieces) {
       if (piece.size() * 50 >= members.size()) continue;
-      for (const std::int32_t i : piece) side[i] = !side[i];
+      for (const std::int32_t t : piece) side_[t] = !side_[t];
       changed = true;
     }
-    if (changed) collect();
+    if (changed) pieces = collect();
     std::vector<std::int32_t> result;
-    for (std::size_t c = 0; c < components.size(); ++c) {
+    for (auto& piece : pieces) {
       std::int32_t target = p;
-      if (c > 0) {
+      if (!result.empty()) {
         target = static_cast<std::int32_t>(partition_.patches.size());
         const Patch copy{partition_.patches[p].surface, {}, 0, partition_.patches[p].surfaceId};
         partition_.patches.push_back(copy);
       }
-      partition_.patches[target].triangles.clear();
-      for (const std::int32_t i : components[c]) {
-        partition_.patches[target].triangles.push_back(members[i]);
-      }
+      for (const std::int32_t t : piece) partition_.patchOf[t] = target;
+      partition_.patches[target].triangles = std::move(piece);
       result.push_back(target);
-    }
-    for (const std::int32_t q : result) {
-      for (const std::int32_t t : partition_.patches[q].triangles) partition_.patchOf[t] = q;
     }
     return result;
   }
 
   const HalfEdgeMesh& mesh_;
   Partition& partition_;
-  std::vector<std::int32_t> local_;
+  std::vector<char> side_;  // per triangle of the patch that is being cut
 };
 
 }  // namespace

@@ -64,12 +64,6 @@ double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double toler
 
 }  // namespace
 
-double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles) {
-  double area = 0;
-  for (const std::int32_t t : triangles) area += 0.5 * mesh.areaVector(t).norm();
-  return area;
-}
-
 double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   const Carrier& s = patch.surface;
   if (s.isPlanar()) return kFacetsOfPlane;

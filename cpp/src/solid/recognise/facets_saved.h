@@ -9,9 +9,6 @@
 
 namespace swept::step {
 
-/// mm^2: area of these triangles.
-double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles);
-
 /// Approximate number of facets that the best triangulation of the patch within the tolerance
 /// needs.
 double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance);

@@ -12,33 +12,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct PointSpread {
-  Vector3d mean = Vector3d::Zero();
-  double size = 0;  // root mean square distance from the mean
-};
-
-PointSpread spreadOf(const Samples& samples) {
-  PointSpread spread;
-  const auto count = static_cast<double>(samples.points.size());
-  for (const Vector3d& p : samples.points) spread.mean += p / count;
-  for (const Vector3d& p : samples.points) spread.size += (p - spread.mean).squaredNorm() / count;
-  spread.size = std::sqrt(spread.size);
-  return spread;
-}
-
-void orient(const Samples& samples, Carrier& surface) {
-  surface.reversed = false;
-  double sum = 0;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    sum += surface.normal(samples.points[i]).dot(samples.normals[i]);
-  }
-  if (surface.isPlanar()) {
-    if (sum < 0) surface.axis = -surface.axis;
-  } else {
-    surface.reversed = sum < 0;
-  }
-}
-
 std::optional<Carrier> guessPlane(const Samples& samples, const PointSpread& spread) {
   Matrix3d covariance = Matrix3d::Zero();
   for (const Vector3d& p : samples.points) {
@@ -134,25 +107,13 @@ std::optional<Carrier> guessCone(const Samples& samples, const PointSpread& spre
   return surface;
 }
 
-// The axis is the line that all normals meet: the eigenvector of the line complex with the smallest
-// eigenvalue (Pottmann and Randrup 1998).
 std::optional<Carrier> guessTorus(const Samples& samples, const PointSpread& spread) {
-  Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    Eigen::Matrix<double, 6, 1> line;
-    line << ((samples.points[i] - spread.mean) / spread.size).cross(samples.normals[i]),
-        samples.normals[i];
-    moments += line * line.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(moments);
-  const Vector3d direction = solver.eigenvectors().col(0).head<3>();
-  const Vector3d moment = solver.eigenvectors().col(0).tail<3>();
-  if (!(direction.norm() > 1e-3)) return std::nullopt;
+  const NormalsAxis axis = axisOfNormals(samples, spread);
+  if (!(axis.direction.norm() > 1e-3)) return std::nullopt;
   Carrier surface;
   surface.kind = CarrierKind::Torus;
-  surface.axis = direction.normalized();
-  const Vector3d foot =
-      spread.mean + spread.size * direction.cross(moment) / direction.squaredNorm();
+  surface.axis = axis.direction.normalized();
+  const Vector3d& foot = axis.point;
   // The circle through the profile (rho, height), again from points and normals.
   std::vector<Vector3d> points, normals;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
@@ -251,6 +212,44 @@ std::vector<int> freeParameters(CarrierKind kind) {
 }
 
 }  // namespace
+
+PointSpread spreadOf(const Samples& samples) {
+  PointSpread spread;
+  const auto count = static_cast<double>(samples.points.size());
+  for (const Vector3d& p : samples.points) spread.mean += p / count;
+  for (const Vector3d& p : samples.points) spread.size += (p - spread.mean).squaredNorm() / count;
+  spread.size = std::sqrt(spread.size);
+  return spread;
+}
+
+NormalsAxis axisOfNormals(const Samples& samples, const PointSpread& spread) {
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  Matrix6d moments = Matrix6d::Zero();
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    Eigen::Matrix<double, 6, 1> line;
+    line << ((samples.points[i] - spread.mean) / spread.size).cross(samples.normals[i]),
+        samples.normals[i];
+    moments += line * line.transpose() / static_cast<double>(samples.points.size());
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(moments);
+  NormalsAxis axis{solver.eigenvectors().col(0).head<3>(), solver.eigenvectors().col(0).tail<3>(),
+                   spread.mean, solver.eigenvalues()[0], solver.eigenvalues()[1]};
+  axis.point += spread.size * axis.direction.cross(axis.moment) / axis.direction.squaredNorm();
+  return axis;
+}
+
+void orient(const Samples& samples, Carrier& surface) {
+  surface.reversed = false;
+  double sum = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    sum += surface.normal(samples.points[i]).dot(samples.normals[i]);
+  }
+  if (surface.isPlanar()) {
+    if (sum < 0) surface.axis = -surface.axis;
+  } else {
+    surface.reversed = sum < 0;
+  }
+}
 
 std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples) {
   if (samples.points.size() < 6) return std::nullopt;

@@ -20,6 +20,24 @@ struct Samples {
   std::vector<Eigen::Vector3d> normals;
 };
 
+struct PointSpread {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  double size = 0;  ///< mm, root mean square distance from the mean
+};
+PointSpread spreadOf(const Samples& samples);
+
+/// The line that the normals meet most nearly: the eigenvector of their linear complex with the
+/// smallest eigenvalue. Not normalised: a direction that is short against 1 is none.
+struct NormalsAxis {
+  Eigen::Vector3d direction, moment;  ///< the moment about the mean, in units of the spread
+  Eigen::Vector3d point;              ///< of the line, nearest to the mean
+  double smallest = 0, second = 0;    ///< eigenvalues
+};
+NormalsAxis axisOfNormals(const Samples& samples, const PointSpread& spread);
+
+/// Sets on which side of the surface the material lies.
+void orient(const Samples& samples, Carrier& surface);
+
 /// First guess; nothing if the samples do not determine the surface.
 std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples);
 

@@ -214,11 +214,7 @@ std::optional<Profile> fitProfile(const Cloud& cloud, double exact) {
 
 std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, double& spread) {
   const auto count = static_cast<double>(samples.points.size());
-  Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& p : samples.points) mean += p / count;
-  double size = 0;
-  for (const Vector3d& p : samples.points) size += (p - mean).squaredNorm() / count;
-  size = std::sqrt(size);
+  const PointSpread around = spreadOf(samples);
   Carrier surface;
   surface.kind = kind;
   if (kind == CarrierKind::Extrusion) {
@@ -229,29 +225,20 @@ std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, doubl
     if (!(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-3)) return std::nullopt;
     spread = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
     surface.axis = solver.eigenvectors().col(0).normalized();
-    surface.point = mean;
+    surface.point = around.mean;
   } else {
-    using Matrix6d = Eigen::Matrix<double, 6, 6>;
-    Matrix6d moments = Matrix6d::Zero();
-    for (std::size_t i = 0; i < samples.points.size(); ++i) {
-      Eigen::Matrix<double, 6, 1> line;
-      line << ((samples.points[i] - mean) / size).cross(samples.normals[i]), samples.normals[i];
-      moments += line * line.transpose() / count;
-    }
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(moments);
-    const Vector3d direction = solver.eigenvectors().col(0).head<3>();
-    const Vector3d moment = solver.eigenvectors().col(0).tail<3>();
-    if (!(direction.norm() > 0.05) ||
-        !(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-6))
+    const NormalsAxis axis = axisOfNormals(samples, around);
+    if (!(axis.direction.norm() > 0.05) || !(axis.second > 4 * axis.smallest + 1e-6))
       return std::nullopt;
     // A helix has no axis of revolution.
-    if (std::abs(direction.dot(moment)) > 0.02 * direction.squaredNorm()) return std::nullopt;
-    surface.axis = direction.normalized();
-    surface.point = mean + size * direction.cross(moment) / direction.squaredNorm();
+    if (std::abs(axis.direction.dot(axis.moment)) > 0.02 * axis.direction.squaredNorm())
+      return std::nullopt;
+    surface.axis = axis.direction.normalized();
+    surface.point = axis.point;
     double sum = 0;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-      const Vector3d around = surface.axis.cross(samples.points[i] - surface.point).normalized();
-      sum += std::pow(around.dot(samples.normals[i]), 2) / count;
+      const Vector3d turning = surface.axis.cross(samples.points[i] - surface.point).normalized();
+      sum += std::pow(turning.dot(samples.normals[i]), 2) / count;
     }
     spread = std::sqrt(sum);
   }
@@ -260,19 +247,14 @@ std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, doubl
 }
 
 bool fitAlong(const Samples& samples, double exact, Carrier& surface) {
-  Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& p : samples.points) mean += p / static_cast<double>(samples.points.size());
+  const Vector3d mean = spreadOf(samples).mean;
   double size = 0;
   for (const Vector3d& p : samples.points) size = std::max(size, (p - mean).norm());
   for (int round = 0; round <= kAxisRounds; ++round) {
     std::optional<Profile> profile = fitProfile(cloudOf(samples, surface), exact);
     if (!profile) return false;
     surface.profile = std::make_shared<const Profile>(std::move(*profile));
-    surface.reversed = false;
-    double sum = 0;
-    for (std::size_t i = 0; i < samples.points.size(); ++i)
-      sum += surface.normal(samples.points[i]).dot(samples.normals[i]);
-    surface.reversed = sum < 0;
+    orient(samples, surface);
     if (round == kAxisRounds) break;
     const Carrier before = surface;
     const double step = improveAxis(samples, mean, size, surface);

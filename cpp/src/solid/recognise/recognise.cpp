@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
-#include "solid/recognise/cut_patches.h"
 #include "solid/recognise/fit.h"
-#include "solid/recognise/seek_profile.h"
 #include "solid/recognise/seek_surface.h"
-#include "solid/recognise/tidy_patches.h"
+#include "solid/recognise/steps.h"
 
 namespace swept::step {
 namespace {
@@ -32,19 +29,14 @@ class Recogniser {
 
   void recognise() {
     const auto count = static_cast<std::int32_t>(tried_.size());
-    // Seeds in a fixed scattered order, because neighbours in the list are neighbours on the mesh.
-    std::int32_t stride = static_cast<std::int32_t>(0.618 * count) | 1;
-    while (std::gcd(stride, count) != 1) stride += 2;
-    std::int64_t at = 0;
     std::vector<std::int32_t> seeds;
-    for (std::int32_t i = 0; i < count; ++i, at = (at + stride) % count) {
+    forScattered(count, [&](std::int32_t i, std::int32_t t) {
       if ((i & 255) == 0) run_.checkpoint(Phase::Export, i, 12ULL * count);
-      if (isOpen(static_cast<std::int32_t>(at))) seeds.push_back(static_cast<std::int32_t>(at));
-      if (seeds.size() == kBatch || i + 1 == count) {
-        trySeeds(seeds);
-        seeds.clear();
-      }
-    }
+      if (isOpen(t)) seeds.push_back(t);
+      if (seeds.size() < kBatch && i + 1 < count) return;
+      trySeeds(seeds);
+      seeds.clear();
+    });
   }
 
  private:
@@ -88,18 +80,6 @@ class Recogniser {
   std::vector<SurfaceSeeker> seekers_;
 };
 
-void setDeviations(const HalfEdgeMesh& mesh, Partition& partition) {
-  for (Patch& patch : partition.patches) {
-    patch.deviation = 0;
-    for (const std::int32_t t : patch.triangles) {
-      for (const std::int32_t v : mesh.triangles[t]) {
-        patch.deviation =
-            std::max(patch.deviation, std::abs(patch.surface.distance(mesh.points[v])));
-      }
-    }
-  }
-}
-
 /// Of the height of triangles: vertices that lie on the surface itself.
 constexpr double kMinScatter = 0.03;
 constexpr double kMaxMoved = 0.2;  // of the tolerance
@@ -124,18 +104,11 @@ void offsetSurface(Carrier& surface, double outward) {
 // it joins.
 void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
   for (int round = 0; round < 2; ++round) {
-    std::vector<std::pair<double, std::int32_t>> distances;
-    for (const std::int32_t t : patch.triangles) {
-      const std::int32_t v = mesh.triangles[t][0];
-      distances.emplace_back(std::abs(patch.surface.distance(mesh.points[v])), v);
-    }
-    std::vector<double> values;
-    for (const auto& entry : distances) values.push_back(entry.first);
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    const double limit = kMaxMedians * values[values.size() / 2];
+    const double limit = kMaxMedians * medianDistance(mesh, patch.surface, patch.triangles);
     Samples samples;
-    for (const auto& [distance, v] : distances) {
-      if (distance <= limit) samples.points.push_back(mesh.points[v]);
+    for (const std::int32_t t : patch.triangles) {
+      const Eigen::Vector3d& p = mesh.points[mesh.triangles[t][0]];
+      if (std::abs(patch.surface.distance(p)) <= limit) samples.points.push_back(p);
     }
     refineSurface(samples, patch.surface, kMaxSamples);
   }
@@ -209,7 +182,8 @@ void recogniseSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, doub
     tidyPatches(mesh, shapes, tolerance, partition);
   centreSurfaces(mesh, whole, tolerance, partition);
   cutRoundPatches(mesh, partition);
-  setDeviations(mesh, partition);
+  for (Patch& patch : partition.patches)
+    patch.deviation = largestDistance(mesh, patch.triangles, patch.surface);
 }
 
 }  // namespace swept::step

@@ -2,7 +2,7 @@
 // In: HalfEdgeMesh, tolerance in mm. Out: patches in a Partition: planes, cylinders, cones,
 // spheres, tori, extrusions and revolutions, each edge-connected and with every mesh vertex within
 // the tolerance; triangles that fit nothing stay unassigned. Patches that close on themselves are
-// cut (cut_patches.h). Cost: O(triangles x surfaces tried).
+// cut (steps.h). Cost: O(triangles x surfaces tried).
 // Source: region growing with refitting (Besl and Jain 1988); surveys in Varady, Martin and Cox
 // 1997.
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -8,16 +8,13 @@
 namespace swept::step {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr int kSeedTriangles = 60;       // size of the first guess
 constexpr int kMaxSeedTriangles = 4000;  // and of the largest
-constexpr double kCreaseCosine = 0.88;   // seeds do not cross edges sharper than about 28 degrees
-constexpr double kSurfaceCosine =
-    0.90;                             // a triangle may lean this much (26 degrees) from its surface
+/// A triangle may lean this much (26 degrees) from its surface.
+constexpr double kSurfaceCosine = 0.90;
 constexpr double kMinFraction = 0.1;  // of the tolerance; this much is always allowed
-constexpr double kExactFraction =
-    0.1;  // of the tolerance: how closely half of the vertices must lie
+/// Of the tolerance: how closely half of the vertices must lie.
+constexpr double kExactFraction = 0.1;
 constexpr int kRimRings = 3;
 constexpr std::size_t kFewSamples = 80;  // for a first guess; most guesses fail
 constexpr double kMinMore = 1.25;        // a more complicated surface must cover this much more
@@ -38,13 +35,10 @@ bool isBetter(const Candidate& next, const Candidate& best, double tolerance) {
 SurfaceSeeker::SurfaceSeeker(const HalfEdgeMesh& mesh, const TriangleShapes& shapes,
                              double tolerance, const Partition& partition)
     : mesh_(mesh),
-      normal_(shapes.normal),
-      area_(shapes.area),
-      thin_(shapes.thin),
+      shapes_(shapes),
       tolerance_(tolerance),
       partition_(partition),
-      stampOf_(mesh.triangles.size(), 0),
-      pointStamp_(mesh.points.size(), 0) {}
+      finder_(mesh, shapes) {}
 
 Found SurfaceSeeker::seek(std::int32_t seed, char tried) {
   found_ = {};
@@ -59,66 +53,28 @@ Found SurfaceSeeker::seek(std::int32_t seed, char tried) {
 }
 
 std::vector<std::int32_t> SurfaceSeeker::seedRegion(std::int32_t seed, std::size_t size) {
-  ++stamp_;
-  std::vector<std::int32_t> region{seed};
-  stampOf_[seed] = stamp_;
-  for (std::size_t i = 0; i < region.size() && region.size() < size; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t other = mesh_.opposite[3 * region[i] + k] / 3;
-      if (stampOf_[other] == stamp_ || partition_.patchOf[other] >= 0 || thin_[other]) continue;
-      if (normal_[other].dot(normal_[region[i]]) < kCreaseCosine) continue;
-      stampOf_[other] = stamp_;
-      region.push_back(other);
-    }
-  }
-  return region;
+  return finder_.grow(seed, size, [&](std::int32_t t, std::int32_t from) {
+    return partition_.patchOf[t] < 0 && !shapes_.thin[t] && finder_.isSmooth(t, from);
+  });
 }
 
-// One sample per vertex, with the mean normal of the region's triangles there.
 Samples SurfaceSeeker::samplesOf(const std::vector<std::int32_t>& region) {
-  ++pointMark_;
-  Samples samples;
-  const std::size_t stride = std::max<std::size_t>(1, region.size() / 400);
-  for (std::size_t i = 0; i < region.size(); i += stride) {
-    const std::int32_t t = region[i];
-    for (const std::int32_t v : mesh_.triangles[t]) {
-      if (pointStamp_[v] >= pointMark_) {
-        continue;
-      }
-      pointStamp_[v] = pointMark_;
-      samples.points.push_back(mesh_.points[v]);
-      samples.normals.push_back(normal_[t]);
-    }
-  }
-  return samples;
+  return finder_.samplesOf(region, 400, true);
 }
 
 bool SurfaceSeeker::accepts(std::int32_t t, const Carrier& surface, double tolerance) const {
-  if (partition_.patchOf[t] >= 0) return false;
-  Vector3d centre = Vector3d::Zero();
-  for (const std::int32_t v : mesh_.triangles[t]) {
-    if (!(std::abs(surface.distance(mesh_.points[v])) <= tolerance)) return false;
-    centre += mesh_.points[v] / 3;
-  }
-  return thin_[t] || surface.normal(centre).dot(normal_[t]) >= kSurfaceCosine;
+  return partition_.patchOf[t] < 0 && liesOn(mesh_, shapes_, t, surface, tolerance, kSurfaceCosine);
 }
 
 // Grows breadth first; the surface is fitted again when the region has reached refitAt, and each
 // time it has doubled.
 std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Carrier& surface, double tolerance,
                                               std::size_t refitAt) {
-  ++stamp_;
-  std::vector<std::int32_t> region;
-  if (!accepts(seed, surface, tolerance)) return region;
-  region.push_back(seed);
-  stampOf_[seed] = stamp_;
+  if (!accepts(seed, surface, tolerance)) return {};
+  std::vector<std::int32_t> region = finder_.start(seed);
   for (std::size_t i = 0; i < region.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t other = mesh_.opposite[3 * region[i] + k] / 3;
-      if (stampOf_[other] == stamp_ || !accepts(other, surface, tolerance)) continue;
-      stampOf_[other] = stamp_;
-      region.push_back(other);
-    }
+    finder_.extend(region, i, i + 1,
+                   [&](std::int32_t t, std::int32_t) { return accepts(t, surface, tolerance); });
     if (region.size() >= refitAt) {
       const Samples samples = samplesOf(region);
       refineSurface(samples, surface);
@@ -128,12 +84,6 @@ std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Carrier& surfac
     }
   }
   return region;
-}
-
-double SurfaceSeeker::areaOf(const std::vector<std::int32_t>& region) const {
-  double sum = 0;
-  for (const std::int32_t t : region) sum += area_[t];
-  return sum;
 }
 
 std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t seed,
@@ -169,7 +119,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
   }
   if (!isWorthIt(candidate)) return std::nullopt;
   addRim(candidate);
-  candidate.area = areaOf(candidate.region);
+  candidate.area = areaOf(mesh_, candidate.region);
   return candidate;
 }
 
@@ -183,14 +133,9 @@ void SurfaceSeeker::addRim(Candidate& candidate) {
   std::size_t from = 0;
   for (int ring = 0; ring < kRimRings; ++ring) {
     const std::size_t to = candidate.region.size();
-    for (std::size_t i = from; i < to; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t other = mesh_.opposite[3 * candidate.region[i] + k] / 3;
-        if (stampOf_[other] == stamp_ || !accepts(other, candidate.surface, tolerance_)) continue;
-        stampOf_[other] = stamp_;
-        candidate.region.push_back(other);
-      }
-    }
+    finder_.extend(candidate.region, from, to, [&](std::int32_t t, std::int32_t) {
+      return accepts(t, candidate.surface, tolerance_);
+    });
     from = ring == 0 ? 0 : to;
   }
 }
@@ -202,14 +147,7 @@ bool SurfaceSeeker::isWorthIt(const Candidate& candidate) const {
   if (candidate.region.size() < kMinTriangles) return false;
   // Many free forms come within the tolerance of some surface; only one that fits much better is
   // recognised.
-  if (candidate.median > kExactFraction * tolerance_) return false;
-  // The normals must turn enough to distinguish the surface from a plane.
-  const Vector3d first = normal_[candidate.region.front()];
-  double smallest = 1;
-  for (const std::int32_t t : candidate.region) {
-    if (!thin_[t]) smallest = std::min(smallest, first.dot(normal_[t]));
-  }
-  return smallest < 0.98;
+  return candidate.median <= kExactFraction * tolerance_ && finder_.bends(candidate.region);
 }
 
 std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,

@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "solid/mesh/patches.h"
-#include "solid/recognise/fit.h"
-#include "solid/recognise/tidy_patches.h"
+#include "solid/recognise/region_finder.h"
 
 namespace swept::step {
 
@@ -49,7 +47,6 @@ class SurfaceSeeker {
   bool accepts(std::int32_t t, const Carrier& surface, double tolerance) const;
   std::vector<std::int32_t> grow(std::int32_t seed, Carrier& surface, double tolerance,
                                  std::size_t refitAt);
-  double areaOf(const std::vector<std::int32_t>& region) const;
   std::optional<Candidate> tryKind(CarrierKind kind, std::int32_t seed, const Samples& first);
   double tightOf(double median) const;
   void addRim(Candidate& candidate);
@@ -58,16 +55,13 @@ class SurfaceSeeker {
   void preferFlats(Candidate& best);
 
   const HalfEdgeMesh& mesh_;
-  const std::vector<Eigen::Vector3d>& normal_;
-  const std::vector<double>& area_;
-  const std::vector<char>& thin_;
+  const TriangleShapes& shapes_;
   double tolerance_;
   const Partition& partition_;
   Found found_;
   std::int32_t seed_ = -1;  // the current seed
   char triedAtSeed_ = 0;    // kinds that were tried there before
-  std::vector<std::int32_t> stampOf_, pointStamp_;
-  std::int32_t stamp_ = 0, pointMark_ = 0;
+  RegionFinder finder_;
 };
 
 }  // namespace swept::step

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/recognise/tidy_patches.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "solid/recognise/facets_saved.h"
+#include "solid/recognise/region_finder.h"
+#include "solid/recognise/steps.h"
 
 namespace swept::step {
 namespace {
@@ -16,6 +17,7 @@ using Eigen::Vector3d;
 /// Of the whole: a smaller patch has to save this many facets.
 constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSaved = 8;
+constexpr double kMinCosine = 0.5;     // a triangle may lean this much from the surface it joins
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make one facet outside
 constexpr std::size_t kMaxSpeck = 6;   // triangles
 constexpr double kMaxSpeckArea = 30;   // of the squared tolerance
@@ -30,11 +32,7 @@ class Tidier {
  public:
   Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
          Partition& partition)
-      : mesh_(mesh),
-        normal_(shapes.normal),
-        thin_(shapes.thin),
-        tolerance_(tolerance),
-        partition_(partition) {}
+      : mesh_(mesh), shapes_(shapes), tolerance_(tolerance), partition_(partition) {}
 
   void tidy() {
     absorbLeftovers();
@@ -61,13 +59,11 @@ class Tidier {
         const std::int32_t patch = partition_.patchOf[t] < 0 ? hostOf(t, 1) : -1;
         if (patch < 0) continue;
         join(t, patch);
-        for (int k = 0; k < 3; ++k) {
-          const std::int32_t other = mesh_.opposite[3 * t + k] / 3;
+        for (const std::int32_t other : mesh_.neighbours(t)) {
           if (partition_.patchOf[other] < 0) next.push_back(other);
         }
       }
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
+      sortUnique(next);
     }
   }
 
@@ -76,8 +72,8 @@ class Tidier {
   std::int32_t hostOf(std::int32_t t, double tolerances) const {
     std::int32_t best = -1;
     double smallest = tolerances * tolerance_;
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t patch = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+    for (const std::int32_t other : mesh_.neighbours(t)) {
+      const std::int32_t patch = partition_.patchOf[other];
       if (patch < 0) continue;
       const Carrier& surface = partition_.patches[patch].surface;
       double worst = 0;
@@ -86,7 +82,9 @@ class Tidier {
         worst = std::max(worst, std::abs(surface.distance(mesh_.points[v])));
         centre += mesh_.points[v] / 3;
       }
-      if (tolerances <= 1 && !thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) continue;
+      if (tolerances <= 1 && !shapes_.thin[t] &&
+          surface.normal(centre).dot(shapes_.normal[t]) < kMinCosine)
+        continue;
       if (worst > smallest) continue;
       smallest = worst;
       best = patch;
@@ -113,13 +111,7 @@ class Tidier {
       });
       if (mixed || around < 0 || island.size() > kMinTriangles) continue;
       const Carrier& surface = partition_.patches[around].surface;
-      const bool near = std::all_of(island.begin(), island.end(), [&](std::int32_t t) {
-        return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
-                           [&](std::int32_t v) {
-                             return std::abs(surface.distance(mesh_.points[v])) <= tolerance_;
-                           });
-      });
-      if (!near) continue;
+      if (!(largestDistance(mesh_, island, surface) <= tolerance_)) continue;
       if (own >= 0) partition_.patches[own].triangles.clear();
       for (const std::int32_t t : island) join(t, around);
     }
@@ -157,8 +149,7 @@ class Tidier {
     std::vector<std::int32_t> region{first};
     seen[first] = 1;
     for (std::size_t i = 0; i < region.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t t = mesh_.opposite[3 * region[i] + k] / 3;
+      for (const std::int32_t t : mesh_.neighbours(region[i])) {
         if (!accepts(t) || seen[t]) continue;
         seen[t] = 1;
         region.push_back(t);
@@ -172,16 +163,11 @@ class Tidier {
     partition_.patches[patch].triangles.push_back(t);
   }
 
-  bool liesOn(const std::vector<std::int32_t>& triangles, const Carrier& surface) const {
-    for (const std::int32_t t : triangles) {
-      Vector3d centre = Vector3d::Zero();
-      for (const std::int32_t v : mesh_.triangles[t]) {
-        if (!(std::abs(surface.distance(mesh_.points[v])) <= tolerance_)) return false;
-        centre += mesh_.points[v] / 3;
-      }
-      if (!thin_[t] && surface.normal(centre).dot(normal_[t]) < 0.5) return false;
-    }
-    return true;
+  bool patchLiesOn(std::int32_t patch, const Carrier& surface) const {
+    const std::vector<std::int32_t>& triangles = partition_.patches[patch].triangles;
+    return std::all_of(triangles.begin(), triangles.end(), [&](std::int32_t t) {
+      return liesOn(mesh_, shapes_, t, surface, tolerance_, kMinCosine);
+    });
   }
 
   // Pieces of one surface that were found separately become one patch; the smaller joins the
@@ -195,19 +181,18 @@ class Tidier {
     for (const std::int32_t p : order) {
       std::vector<std::int32_t> neighbours;
       for (const std::int32_t t : partition_.patches[p].triangles) {
-        for (int k = 0; k < 3; ++k) {
-          const std::int32_t q = partition_.patchOf[mesh_.opposite[3 * t + k] / 3];
+        for (const std::int32_t other : mesh_.neighbours(t)) {
+          const std::int32_t q = partition_.patchOf[other];
           if (q >= 0 && q != p) neighbours.push_back(q);
         }
       }
-      std::sort(neighbours.begin(), neighbours.end());
-      neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+      sortUnique(neighbours);
       std::int32_t best = -1;
       for (const std::int32_t q : neighbours) {
         const std::size_t size = partition_.patches[q].triangles.size();
         if (size < partition_.patches[p].triangles.size()) continue;
         if (best >= 0 && size <= partition_.patches[best].triangles.size()) continue;
-        if (liesOn(partition_.patches[p].triangles, partition_.patches[q].surface)) best = q;
+        if (patchLiesOn(p, partition_.patches[q].surface)) best = q;
       }
       if (best < 0) continue;
       for (const std::int32_t t : partition_.patches[p].triangles) partition_.patchOf[t] = best;
@@ -294,35 +279,12 @@ class Tidier {
   }
 
   const HalfEdgeMesh& mesh_;
-  const std::vector<Vector3d>& normal_;
-  const std::vector<char>& thin_;
+  const TriangleShapes& shapes_;
   double tolerance_;
   Partition& partition_;
 };
 
 }  // namespace
-
-TriangleShapes shapesOf(const HalfEdgeMesh& mesh) {
-  const std::size_t count = mesh.triangles.size();
-  TriangleShapes shapes{std::vector<Vector3d>(count), std::vector<double>(count),
-                        std::vector<char>(count)};
-  parallelBlocks(count, 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const Vector3d vector = mesh.areaVector(static_cast<std::int32_t>(t));
-      const double twice = vector.norm();
-      double longest = 0;
-      for (int k = 0; k < 3; ++k) {
-        longest = std::max(longest, (mesh.points[mesh.triangles[t][k]] -
-                                     mesh.points[mesh.triangles[t][(k + 1) % 3]])
-                                        .norm());
-      }
-      shapes.area[t] = 0.5 * twice;
-      shapes.normal[t] = twice > 0 ? Vector3d(vector / twice) : Vector3d::Zero();
-      shapes.thin[t] = twice < 0.05 * longest * longest;
-    }
-  });
-  return shapes;
-}
 
 void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
                  Partition& partition) {

@@ -34,8 +34,7 @@ class Writer {
       for (const ModelEdge& edge : model_.edges) writeEdge(edge);
     }
     std::vector<std::vector<Id>> shellFaces(model_.shellOwner.size());
-    for (const ModelFace& face : model_.faces)
-      shellFaces[face.shell].push_back(faceted_ ? writeFacet(face) : writeFace(face));
+    for (const ModelFace& face : model_.faces) shellFaces[face.shell].push_back(writeFace(face));
     const std::vector<Id> made = solids(shellFaces);
     const Id context = sections_.context(statedAccuracy(model_));
     std::vector<Id> items{
@@ -156,15 +155,21 @@ class Writer {
     return id;
   }
 
+  // In a file of corners alone, a loop has these; the edges between them follow.
   Id writeFace(const ModelFace& face) {
     std::vector<Id> bounds, uses;
     for (const auto& loop : face.loops) {
       uses.clear();
       for (const ModelUse& use : loop) {
+        const ModelEdge& edge = model_.edges[use.edge];
+        if (faceted_) {
+          uses.push_back(vertexPoint_[use.forward ? edge.start : edge.end]);
+          continue;
+        }
         uses.push_back(lines_.begin("ORIENTED_EDGE"));
         lines_.raw("'',*,*,").id(edge_[use.edge]).raw(use.forward ? ",.T." : ",.F.").end();
       }
-      const Id ring = lines_.begin("EDGE_LOOP");
+      const Id ring = lines_.begin(faceted_ ? "POLY_LOOP" : "EDGE_LOOP");
       lines_.raw("'',").ids(uses).end();
       bounds.push_back(lines_.begin(face.loops.size() == 1 ? "FACE_OUTER_BOUND" : "FACE_BOUND"));
       lines_.raw("'',").id(ring).raw(",.T.").end();
@@ -172,28 +177,8 @@ class Writer {
     const Id geometry = surface(face);
     // The surface of a bore faces into the material; the loops run as the face sees them.
     const bool against = !face.surface.isPlanar() && face.surface.reversed;
-    const Id id = lines_.begin("ADVANCED_FACE");
+    const Id id = lines_.begin(faceted_ ? "FACE_SURFACE" : "ADVANCED_FACE");
     lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(against ? ",.F." : ",.T.").end();
-    return id;
-  }
-
-  // Writes the corners alone; the edges between them follow.
-  Id writeFacet(const ModelFace& face) {
-    std::vector<Id> bounds, corners;
-    for (const auto& loop : face.loops) {
-      corners.clear();
-      for (const ModelUse& use : loop) {
-        const ModelEdge& edge = model_.edges[use.edge];
-        corners.push_back(vertexPoint_[use.forward ? edge.start : edge.end]);
-      }
-      const Id ring = lines_.begin("POLY_LOOP");
-      lines_.raw("'',").ids(corners).end();
-      bounds.push_back(lines_.begin(face.loops.size() == 1 ? "FACE_OUTER_BOUND" : "FACE_BOUND"));
-      lines_.raw("'',").id(ring).raw(",.T.").end();
-    }
-    const Id geometry = surface(face);
-    const Id id = lines_.begin("FACE_SURFACE");
-    lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(",.T.").end();
     return id;
   }
 
@@ -240,11 +225,8 @@ bool isFlat(const Model& model) {
 }
 
 bool isFaceted(const Model& model) {
-  if (static_cast<std::int64_t>(model.faces.size()) < kManyFaces || !isFlat(model)) return false;
-  for (std::size_t s = 0; s < model.shellOwner.size(); ++s) {
-    if (model.shellOwner[s] != static_cast<std::int32_t>(s)) return false;
-  }
-  return true;
+  return std::ssize(model.faces) >= kManyFaces && isFlat(model) &&
+         countOuterShells(model.shellOwner) == std::ssize(model.shellOwner);
 }
 
 double statedAccuracy(const Model& model) {

@@ -228,13 +228,6 @@ class Reader {
   bool atStart_ = false;
 };
 
-std::int64_t outerShells(const HalfEdgeMesh& mesh) {
-  std::int64_t count = 0;
-  for (std::size_t s = 0; s < mesh.shellOwner.size(); ++s)
-    count += mesh.shellOwner[s] == static_cast<std::int32_t>(s);
-  return count;
-}
-
 void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
   const double allowed =
       kSameVolume * written.area * std::sqrt(written.area) + 1e-12 * std::abs(written.volume);
@@ -296,7 +289,7 @@ StepReport writeTessellated(const TriMesh& input, const std::string& path,
   compare(read, mesh);
   report.faces = static_cast<std::int64_t>(read.triangles.size());
   report.edges = 3 * report.faces / 2;
-  report.solids = outerShells(read);
+  report.solids = countOuterShells(read.shellOwner);
   report.facesByKind = {{"triangle", report.faces}};
   report.valid = true;
   report.volume = read.volume;

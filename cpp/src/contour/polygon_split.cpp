@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contour/polygon_builder.h"
+#include "contour/polygon_split.h"
 
 #include <cmath>
 
@@ -40,14 +40,14 @@ constexpr double kFanMiss = 0.05;  ///< cells: a quad that misses its crossing b
 
 }  // namespace
 
-Split PolygonBuilder::choose(int axis, std::int32_t i, const Eigen::Vector3d& point,
-                             std::uint32_t crossing) const {
+Split chooseSplit(const DualSurface& dual, int axis, std::int32_t i, const Eigen::Vector3d& point,
+                  std::uint32_t crossing) {
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
   std::array<Eigen::Vector3d, 4> v;
   for (int corner = 0; corner < 4; ++corner) {
-    const std::uint32_t global = vertex(axis, i, crossing, corner);
-    const std::int32_t layer = global >= dual_.firstVertex[i] ? i : i - 1;
-    const Eigen::Vector3d p = position(global, layer) - point;
+    const std::uint32_t global = dual.vertex(axis, i, crossing, corner);
+    const std::int32_t layer = global >= dual.firstVertex[i] ? i : i - 1;
+    const Eigen::Vector3d p = dual.position(global, layer) - point;
     v[corner] = {p[b], p[c], p[axis]};
   }
   const Diagonal d02 = rate(v, 0), d13 = rate(v, 1);
