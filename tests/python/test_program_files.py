@@ -187,8 +187,8 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
     assert done.returncode == 1 and not (inputs / "o.step").exists(), done.stderr
 
 
-def test_capped_chord_is_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
-    """A cone of many long triangles, turned fast: following its edges is given up."""
+def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
+    """A cone of many long triangles, turned fast: following its edges takes memory."""
     count = 5000
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rim = np.stack([100 * np.cos(angles), 100 * np.sin(angles), 0 * angles], axis=1)
@@ -201,11 +201,22 @@ def test_capped_chord_is_a_finding_and_strict_a_failure(call, inputs):  # noqa: 
     rows = [f"{i},0,0,0,{np.sin(i / 2)},0,0,{np.cos(i / 2)}" for i in range(3)]
     (inputs / "slide.csv").write_text("\n".join(rows) + "\n")
     words = envelope(inputs, "o.ply", "--resolution", 16, "--chord", "0.005")
+
+    def report():
+        return json.loads((inputs / "r.json").read_text())
+
     done = call(*words, "--strict", "--report", inputs / "r.json")
+    assert done.returncode == 0, done.stderr
+    assert 0 < report()["chord_error"] <= 0.005 * report()["cell"] * (1 + 1e-6)
+    (inputs / "o.ply").unlink()
+    little = [*words, "--memory-limit", 64]
+    done = call(*little, "--strict", "--report", inputs / "r.json")
     assert done.returncode == 1 and "ChordCapped" in done.stderr, done.stderr
-    report = json.loads((inputs / "r.json").read_text())
-    assert report["code"] == "ChordCapped" and report["chord_error"] > 0.01 * report["cell"]
+    assert report()["code"] == "ChordCapped"
+    assert report()["chord_error"] > 0.005 * report()["cell"]
     assert not (inputs / "o.ply").exists()
+    done = call(*little, "--quiet")
+    assert done.returncode == 0 and "ChordCapped" in done.stderr and done.stdout == ""
 
 
 @SOLIDS

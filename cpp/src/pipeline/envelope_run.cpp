@@ -107,11 +107,9 @@ void EnvelopeRun::describePlan() {
   report_.refinedPlacements = static_cast<std::int64_t>(prepared_.motion.placements.size());
   report_.largestStepTravel = prepared_.motion.largestStepTravel;
   report_.chordError = prepared_.motion.chordError;
-  // Arc and warp of a step keep the bound each, so both together keep twice of it, but for
-  // rounding; more remains only where refinement stopped at its cap (step_path.cpp).
-  constexpr double kUncapped = 2 * (1 + 1e-6);
+  constexpr double kRounding = 1 + 1e-6;
   const double asked = options_.chordTolerance * report_.cellSize;
-  if (!sketch_ && report_.chordError > kUncapped * asked) {
+  if (!sketch_ && report_.chordError > kRounding * asked) {
     report_.warnings.push_back(
         {"ChordCapped",
          1,
@@ -119,8 +117,8 @@ void EnvelopeRun::describePlan() {
          "the motion is followed to " + numberText(report_.chordError, 3) + " mm (" +
              numberText(report_.chordError / report_.cellSize, 2) + " cells) instead of " +
              numberText(asked, 3) +
-             " mm, because more placements between the poses would take too long; give more "
-             "poses, a body with fewer triangles, or a larger --chord"});
+             " mm, because more placements between the poses would take too much memory; "
+             "give the run more memory, a body with fewer triangles, or a larger chord"});
   }
 }
 
