@@ -270,17 +270,21 @@ def write_solid(
     author: str = "",
     organization: str = "",
     colour: Tuple[float, float, float] = (0.93, 0.78, 0.20),
+    strict: bool = False,
+    no_clobber: bool = False,
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
     """Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked
-    before it replaces an old one. tolerance: mm, 0 for exact unless a limit asks for more. Returns
-    solids, faces, faces_by_kind, valid, tolerance, deviation, note, volume ..."""
+    before it replaces an old one, which no_clobber refuses. tolerance: mm, 0 for exact unless a limit
+    asks for more; strict refuses a solid that is farther from the mesh. Returns solids, faces,
+    faces_by_kind, valid, tolerance, deviation, volume, warnings ... as "solid" in README.md."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
         body.vertices,
         body.triangles,
         run,
+        no_clobber,
         tolerance=tolerance,
         exact=exact,
         recognise=recognise,
@@ -291,9 +295,9 @@ def write_solid(
         author=author,
         organization=organization,
         colour=colour,
+        strict=strict,
     )
-    if report["note"]:
-        logger.info("%s", report["note"])
+    _log(report["warnings"])
     return report
 
 

@@ -97,7 +97,9 @@ def read_body(
     resolution: int = 128,
     run: Optional[RunContext] = None,
 ) -> Mesh: ...
-def write_mesh(path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike) -> None: ...
+def write_mesh(
+    path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike, no_clobber: bool = False
+) -> None: ...
 
 _Poses = Tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], npt.NDArray[np.float64]]
 
@@ -108,6 +110,7 @@ def write_solid(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,
     run: Optional[RunContext] = None,
+    no_clobber: bool = False,
     **options: Any,
 ) -> Dict[str, Any]: ...
 def estimate_solid(

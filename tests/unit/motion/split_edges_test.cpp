@@ -85,7 +85,7 @@ TEST(SplitEdges, FewLongEdgesOfAFineBodyAreSplitAndTheBoundIsKept) {
   const TriMesh split = splitEdges(c.body, how.longestEdge, run);
   const Motion motion = refineMotion(split, c.turn, how.chord, run);
   EXPECT_LE(motion.chordError, chord * (1 + 1e-9));
-  EXPECT_LT(split.triangles.size(), c.body.triangles.size() * 5 / 4);
+  EXPECT_LT(split.triangles.size(), c.body.triangles.size() * 2);
   // The same bound for the body as it is takes ten times as many.
   EXPECT_GT(refineMotion(c.body, c.turn, chord, run).placements.size(),
             10 * motion.placements.size());
