@@ -72,10 +72,13 @@ Arguments, result and errors as those of the module's compute(). From one thread
 the surface alone, neither mended nor checked (finding NotChecked), in half the time; to be drawn.)";
 
 constexpr const char* kEstimateDoc =
-    R"(estimate(vertices, triangles, motion, interpolation='linear', **options) -> dict
+    R"(estimate(vertices, triangles, motion, interpolation='linear', trial=False, run=None, **options)
+-> dict
 
-What compute() would take: grid (3 ints), cell (mm), memory_bytes, seconds, triangles; the last three
-are rough. Arguments and errors as those of compute().)";
+What compute() would take: grid (3 ints), cell (mm), memory_bytes, seconds, triangles, and
+useful_filter (mm) where a position filter would leave out most poses without changing more than the
+chord does. From boxes, in milliseconds; with trial after sampling some steps, which takes up to a
+second. Arguments and errors as those of compute().)";
 
 constexpr const char* kCheckMeshDoc =
     R"(check_mesh(vertices, triangles, run=None) -> dict

@@ -154,19 +154,23 @@ ComputeResult pyPreview(PreviewSession& session, const py::object& motion,
 }
 
 py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
-                    const py::object& motion, const std::string& interpolation,
-                    const py::kwargs& keywords) {
-  RunContext run;
-  const Options options = optionsFrom(keywords, run);
+                    const py::object& motion, const std::string& interpolation, bool trial,
+                    const py::object& run, const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const Options options = optionsFrom(keywords, *context);
   const TriMesh body = meshFromArrays(vertices, triangles);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
-  const Estimate found = runWithoutLock(run, [&] { return estimate(body, trajectory, options); });
+  const Estimate found = runWithoutLock(*context, [&] {
+    return trial ? estimateByTrial(body, trajectory, options, *context)
+                 : estimate(body, trajectory, options);
+  });
   py::dict result;
   result["grid"] = py::cast(found.grid);
   result["cell"] = found.cellSize;
   result["memory_bytes"] = found.memoryBytes;
   result["seconds"] = found.seconds;
   result["triangles"] = found.triangles;
+  if (found.usefulFilter > 0) result["useful_filter"] = found.usefulFilter;
   return result;
 }
 
@@ -236,7 +240,8 @@ void bindFunctions(py::module_& module) {
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none());
   module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),
-             py::arg("motion"), py::arg("interpolation") = "linear");
+             py::arg("motion"), py::arg("interpolation") = "linear", py::arg("trial") = false,
+             py::arg("run") = py::none());
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
 }

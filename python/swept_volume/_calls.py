@@ -209,14 +209,20 @@ def estimate(
     interpolation: Optional[str] = None,
     resolution: Optional[int] = None,
     cell: Optional[float] = None,
+    trial: bool = True,
+    run: Optional[RunContext] = None,
     **options: Any,
 ) -> Dict[str, Any]:
     """What compute() with the same options would take: grid (3 ints), cell (mm), memory_bytes,
-    seconds, triangles; the last three are rough."""
+    seconds, triangles, and useful_filter (mm) where such a position_filter would leave out most poses
+    without changing the result by more than the chord does. trial: some steps are sampled for it,
+    which takes up to a second; without, memory, seconds and triangles are from boxes, and rough."""
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
     arrays = (way.times, way.quaternions, way.translations)
-    return _core.estimate(body.vertices, body.triangles, arrays, way.interpolation, **given)
+    return _core.estimate(
+        body.vertices, body.triangles, arrays, way.interpolation, trial, run, **given
+    )
 
 
 class PreviewSession:

@@ -83,6 +83,8 @@ def estimate(
     triangles: npt.ArrayLike,
     motion: Any,
     interpolation: str = "linear",
+    trial: bool = False,
+    run: Optional[RunContext] = None,
     **options: Any,
 ) -> Dict[str, Any]: ...
 def check_mesh(

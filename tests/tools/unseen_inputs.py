@@ -109,12 +109,12 @@ def _way(rng, s):
     if kind == 0:
         way = s[:, None] * [1.0, 0, 0]
     elif kind == 1:
-        angle = rng.uniform(0.3, 2 * math.pi) * s
-        way = np.stack([np.cos(angle), np.sin(angle), 0 * s], axis=1) / angle[-1]
+        whole = rng.uniform(0.3, 2 * math.pi)
+        way = np.stack([np.cos(whole * s), np.sin(whole * s), 0 * s], axis=1) / whole
     elif kind == 2:
-        turns = rng.integers(2, 12)
-        angle = 2 * math.pi * turns * s
-        way = np.stack([np.cos(angle), np.sin(angle), angle / 6], axis=1) / angle[-1]
+        whole = 2 * math.pi * rng.integers(2, 12)
+        angle = whole * s
+        way = np.stack([np.cos(angle), np.sin(angle), angle / 6], axis=1) / whole
     else:
         waves = rng.normal(size=(6, 3)) / np.arange(1, 7)[:, None]
         phases = rng.uniform(0, 2 * math.pi, (6, 3))
@@ -129,7 +129,7 @@ def draw_motion(rng, poses, size):
     if rng.random() < 0.2:  # to and fro
         s = 0.5 - 0.5 * np.cos(2 * math.pi * rng.integers(1, 6) * s)
     travel = _logarithmic(rng, 0.01, 100) * size
-    places = travel * _way(rng, np.maximum(s, 1e-9))
+    places = travel * _way(rng, s)
     turn = rng.uniform(0, 4 * math.pi) if rng.random() < 0.5 else 0.0
     turn = min(turn, LARGEST_TURN * max(1, poses - 1))
     axis = rng.normal(size=3)

@@ -64,6 +64,7 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
 
   planRun(prepared_, options_, run_);
   describePlan();
+  adviseFilter();
   if (warm_ != nullptr && prepared_.body.mesh.triangles != warm_->body.mesh.triangles) {
     warm_->setBody(prepared_.body);  // long edges have been split
   }
@@ -120,6 +121,18 @@ void EnvelopeRun::describePlan() {
              " mm, because more placements between the poses would take too much memory; "
              "give the run more memory, a body with fewer triangles, or a larger chord"});
   }
+}
+
+void EnvelopeRun::adviseFilter() {
+  const double distance = warm_ == nullptr ? usefulFilterOf(prepared_, options_) : 0;
+  if (!(distance > 0)) return;
+  report_.warnings.push_back(
+      {"FilterUseful",
+       1,
+       {},
+       "a position filter of " + numberText(distance, 3) +
+           " mm would leave out most of the poses and of the time, and change the envelope by no "
+           "more than the bound on the chord"});
 }
 
 SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) const {

@@ -9,6 +9,7 @@
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
 #include "motion/split_edges.h"
+#include "pipeline/trial_steps.h"
 #include "sampling/dense/dense_sampler.h"
 
 namespace swept {
@@ -157,6 +158,21 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   return e;
 }
 
+double usefulFilterOf(const Prepared& p, const Options& options) {
+  constexpr std::size_t kManyPoses = 1000, kLeftOut = 3;
+  const std::size_t poses = p.trajectory.trajectory.poses.size();
+  const double distance = options.chordTolerance * p.grid.cell;
+  if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
+  // What all copies together take has nothing to win.
+  if (options.backend != Backend::Gpu &&
+      dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
+    return 0;
+  }
+  const FilteredTrajectory kept =
+      filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), distance);
+  return kLeftOut * kept.trajectory.poses.size() <= poses ? distance : 0;
+}
+
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {
   const std::uint64_t limit = memoryLimit(run);
   return limit == 0 || e.memoryBytes <= limit / times;
@@ -173,14 +189,35 @@ void requireMemory(const Estimate& e, const RunContext& run) {
                      " MB; the smallest cell that fits is about ", e.cellSize * ratio, " mm"));
 }
 
+namespace {
+
+Prepared preparedFor(CheckedBody body, const Trajectory& trajectory, const Options& options,
+                     RunContext& run) {
+  Prepared prepared;
+  prepared.body = std::move(body);
+  prepareTrajectory(prepared, trajectory, options);
+  planRun(prepared, options, run);
+  return prepared;
+}
+
+}  // namespace
+
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {
   checkOptions(options);
   RunContext run;
-  Prepared prepared;
-  prepared.body.mesh = body;
-  prepareTrajectory(prepared, trajectory, options);
-  planRun(prepared, options, run);
-  return estimateOf(prepared, options);
+  CheckedBody unchecked;
+  unchecked.mesh = body;
+  return estimateOf(preparedFor(std::move(unchecked), trajectory, options, run), options);
+}
+
+Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, const Options& options,
+                         RunContext& run) {
+  checkOptions(options);
+  const Prepared prepared = preparedFor(checkBody(body, options, run), trajectory, options, run);
+  Estimate found = estimateByTrial(estimateOf(prepared, options), prepared,
+                                   buildTopology(prepared.body.mesh), options, run);
+  found.usefulFilter = usefulFilterOf(prepared, options);
+  return found;
 }
 
 }  // namespace swept

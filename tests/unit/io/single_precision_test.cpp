@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "check/mesh_check.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"
+#include "swept/compute.h"
 #include "swept/io.h"
 
 namespace swept::test {
