@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "base/safe_file.h"
 #include "docstrings.h"
 #include "errors.h"
 #include "job.h"

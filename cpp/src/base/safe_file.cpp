@@ -13,6 +13,7 @@
 #include <unistd.h>
 #endif
 
+#include "swept/io.h"
 #include "swept/types.h"
 
 namespace swept {

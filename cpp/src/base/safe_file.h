@@ -24,10 +24,6 @@ std::string suffixOf(const std::string& path);
 /// folder nor a device nor write-protected. To be called before minutes of computing.
 void checkTarget(const std::string& path);
 
-/// Throws Error(ExportFailed, "Exists") if there is such a file, folder or link. `role`: what it is
-/// to the caller ("--output").
-void requireAbsent(const std::string& role, const std::string& path);
-
 /// Name of a file that is removed at the end, also when opening it created it and then failed.
 struct TemporaryName {
   std::filesystem::path path;  ///< empty: nothing to remove

@@ -16,10 +16,10 @@ namespace {
 
 /// Copies of triangles that are sampled, and placements.
 constexpr double kTrialCopies = 6e6;
-constexpr std::size_t kFewest = 8, kMost = 64;
+constexpr std::size_t kFewest = 8, kMost = 192;
 /// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
 /// step takes is their difference, without the copies at both ends that a whole motion has once.
-constexpr std::size_t kWindows = 4;
+constexpr std::size_t kWindows = 8;
 /// Of what the longer trial takes in the mean, a step takes this at least.
 constexpr double kLeastShare = 0.2;
 
@@ -28,10 +28,11 @@ constexpr double kLeastShare = 0.2;
 /// cells where walls may end.
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6,
                  kElementSeconds = 6e-7;
-/// Bytes: sorting needs each record twice; elements and marks are kept.
-constexpr double kRecordBytes = 24, kElementBytes = 12;
-/// sampling/cpu thins the records of a work item beyond so many; there are about so many items.
-constexpr double kThinRecords = 1 << 20, kItems = 48;
+/// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
+constexpr double kSortedBytes = 16, kElementBytes = 12;
+/// sampling/cpu makes about so many work items of a motion, and keeps no more crossings of one than
+/// about so many, in a buffer that each thread has.
+constexpr double kItems = 48, kThinCrossings = 1 << 20;
 
 double threadSeconds() {
   timespec now{};
@@ -53,11 +54,11 @@ Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
 
 /// CPU seconds, and counts.
 struct Cost {
-  double seconds = 0, records = 0, elements = 0;
+  double seconds = 0, crossings = 0, elements = 0;
 
   void add(const Cost& other, double times) {
     seconds += times * other.seconds;
-    records += times * other.records;
+    crossings += times * other.crossings;
     elements += times * other.elements;
   }
 };
@@ -91,7 +92,7 @@ class Trials {
       sum.add(one, -times(count, kWindows * steps));
       least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
     }
-    return {std::max(sum.seconds, least.seconds), std::max(sum.records, least.records),
+    return {std::max(sum.seconds, least.seconds), std::max(sum.crossings, least.crossings),
             std::max(sum.elements, least.elements)};
   }
 
@@ -102,15 +103,14 @@ class Trials {
 
   Cost of(const Motion& motion) const {
     const double start = threadSeconds();
-    const MarkedEdges marks = sampleCpu(
-        {p_.body.mesh, topology_, motion, p_.grid, options_.cull, p_.body.orientable, &clusters_},
-        run_);
+    std::uint64_t crossings = 0;
+    const MarkedEdges marks = sampleCpu({p_.body.mesh, topology_, motion, p_.grid, options_.cull,
+                                         p_.body.orientable, &clusters_, nullptr, &crossings},
+                                        run_);
     Cost cost;
     cost.seconds = threadSeconds() - start;
     cost.elements = static_cast<double>(marks.elements.size());
-    for (const LayerEdges& layer : marks.layers) {
-      for (const auto& edges : layer.edges) cost.records += static_cast<double>(edges.size());
-    }
+    cost.crossings = static_cast<double>(crossings);
     return cost;
   }
 
@@ -141,10 +141,10 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   better.seconds = before + (sampling.seconds + surface * kCrossingSeconds +
                              sampling.elements * kElementSeconds) /
                                 threads;
-  const double kept =
-      p.motion.continuous ? std::min(sampling.records, kItems * kThinRecords) : sampling.records;
+  const bool thins = p.motion.continuous && sampling.crossings > kItems * kThinCrossings;
+  const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
   better.memoryBytes +=
-      static_cast<std::uint64_t>(kept * kRecordBytes + sampling.elements * kElementBytes);
+      static_cast<std::uint64_t>(kept * kSortedBytes + sampling.elements * kElementBytes);
   return better;
 }
 
