@@ -72,10 +72,13 @@ Arguments, result and errors as those of the module's compute(). From one thread
 the surface alone, neither mended nor checked (finding NotChecked), in half the time; to be drawn.)";
 
 constexpr const char* kEstimateDoc =
-    R"(estimate(vertices, triangles, motion, interpolation='linear', **options) -> dict
+    R"(estimate(vertices, triangles, motion, interpolation='linear', trial=False, run=None, **options)
+-> dict
 
-What compute() would take: grid (3 ints), cell (mm), memory_bytes, seconds, triangles; the last three
-are rough. Arguments and errors as those of compute().)";
+What compute() would take: grid (3 ints), cell (mm), memory_bytes, seconds, triangles, and
+useful_filter (mm) where a position filter would leave out most poses without changing more than the
+chord does. From boxes, in milliseconds; with trial after sampling some steps, which takes up to a
+second. Arguments and errors as those of compute().)";
 
 constexpr const char* kCheckMeshDoc =
     R"(check_mesh(vertices, triangles, run=None) -> dict
@@ -98,10 +101,10 @@ body, tessellated within tolerance (mm), else within 0.02 of cell (mm), else wit
 smallest cell that resolution can give for such a body. Mesh.chord_error and Mesh.findings say how.)";
 
 constexpr const char* kWriteMeshDoc =
-    R"(write_mesh(path, vertices, triangles)
+    R"(write_mesh(path, vertices, triangles, no_clobber=False)
 
-Writes PLY (double precision), STL, OBJ or OFF (single precision), in mm. An existing file is replaced
-only when the new one is complete. Raises ExportFailed.)";
+Writes PLY (double precision), STL, OBJ, OFF or 3MF (single precision), in mm. An existing file is
+replaced only when the new one is complete; with no_clobber it is refused. Raises ExportFailed.)";
 
 constexpr const char* kReadTrajectoryDoc =
     R"(read_trajectory_csv(path, unit='mm') -> (times (K,), quaternions (K, 4), translations (K, 3))
@@ -111,17 +114,18 @@ times in s, quaternions x, y, z, w, translations in mm. Raises InvalidInput (cod
 EmptyTrajectory, NotRigid, BadPose) with line and column.)";
 
 constexpr const char* kWriteSolidDoc =
-    R"(write_solid(path, vertices, triangles, run=None, **options) -> dict
+    R"(write_solid(path, vertices, triangles, run=None, no_clobber=False, **options) -> dict
 
 Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked before
-it replaces an old one. Returns solids, faces, faces_by_kind, edges, valid, tolerance, deviation,
-note, volume, mesh_volume, file_bytes and seconds. Raises ExportFailed, Cancelled.
+it replaces an old one, which no_clobber refuses. Returns the key "solid" of the program's reports,
+and warnings. Raises ExportFailed, Cancelled.
 
 Options: tolerance (mm, 0: exact, unless a limit asks for more), recognise=True, max_faces=20000,
 max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214',
 'ap242' or 'ap242-tessellated' (the triangles as they are, no tolerance), product_name='Swept
-envelope', author, organization, colour=(r, g, b), exact=False. Without a tolerance the solid gets
-the smallest one that meets the limits; with exact it is refused instead.)";
+envelope', author, organization, colour=(r, g, b), exact=False, strict=False. Without a tolerance the
+solid gets the smallest one that meets the limits; with exact it is refused instead. strict refuses
+a solid farther from the mesh than the tolerance.)";
 
 constexpr const char* kEstimateSolidDoc =
     R"(estimate_solid(vertices, triangles, run=None, **options) -> dict

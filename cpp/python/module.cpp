@@ -3,23 +3,18 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <optional>
-
 #include "arrays.h"
 #include "clearance_bindings.h"
 #include "docstrings.h"
 #include "drawing.h"
 #include "errors.h"
+#include "file_bindings.h"
 #include "job.h"
 #include "priority.h"
-#include "swept/body.h"
 #include "swept/check_text.h"
 #include "swept/compute.h"
-#include "swept/io.h"
 #include "swept/preview.h"
-#ifdef HAVE_SWEPT_SOLID
-#include "swept/solid.h"
-#endif
+#include "values.h"
 #include "warm_memory.h"
 
 #ifndef SWEPT_VERSION
@@ -28,24 +23,6 @@
 
 namespace swept::python {
 namespace {
-
-using RunPointer = std::shared_ptr<RunContext>;
-
-/// A mesh whose arrays Python looks at without copying.
-struct Mesh {
-  std::shared_ptr<const TriMesh> data;
-  double chordError = 0;           ///< mm, of a tessellated solid
-  py::list findings = py::list();  ///< of how it was read
-
-  py::array vertices() const {
-    return readOnlyView(reinterpret_cast<const double*>(data->vertices.data()),
-                        {static_cast<py::ssize_t>(data->vertices.size()), 3}, data);
-  }
-  py::array triangles() const {
-    return readOnlyView(reinterpret_cast<const std::int32_t*>(data->triangles.data()),
-                        {static_cast<py::ssize_t>(data->triangles.size()), 3}, data);
-  }
-};
 
 struct ComputeResult {
   std::shared_ptr<const Result> data;
@@ -68,10 +45,6 @@ std::uint64_t bytesFromMegabytes(double megabytes) {
                 "memory_limit_mb must be 0 (default) or a positive number of MiB");
   }
   return static_cast<std::uint64_t>(megabytes * 1048576.0);
-}
-
-RunPointer runFromObject(const py::object& run) {
-  return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
 }
 
 // One option of compute() and estimate(); what is no number, name or flag is a TypeError, a whole
@@ -181,19 +154,23 @@ ComputeResult pyPreview(PreviewSession& session, const py::object& motion,
 }
 
 py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
-                    const py::object& motion, const std::string& interpolation,
-                    const py::kwargs& keywords) {
-  RunContext run;
-  const Options options = optionsFrom(keywords, run);
+                    const py::object& motion, const std::string& interpolation, bool trial,
+                    const py::object& run, const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const Options options = optionsFrom(keywords, *context);
   const TriMesh body = meshFromArrays(vertices, triangles);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
-  const Estimate found = runWithoutLock(run, [&] { return estimate(body, trajectory, options); });
+  const Estimate found = runWithoutLock(*context, [&] {
+    return trial ? estimateByTrial(body, trajectory, options, *context)
+                 : estimate(body, trajectory, options);
+  });
   py::dict result;
   result["grid"] = py::cast(found.grid);
   result["cell"] = found.cellSize;
   result["memory_bytes"] = found.memoryBytes;
   result["seconds"] = found.seconds;
   result["triangles"] = found.triangles;
+  if (found.usefulFilter > 0) result["useful_filter"] = found.usefulFilter;
   return result;
 }
 
@@ -204,148 +181,6 @@ py::object pyCheckMesh(const py::object& vertices, const py::object& triangles,
   const MeshCheck check = runWithoutLock(*context, [&] { return checkMesh(mesh, *context); });
   return parseJson(toJson(check));
 }
-
-Mesh pyReadMesh(const py::object& path, const std::string& unit) {
-  const std::string name = pathFromObject(path);
-  const double scale = parseLengthUnit(unit);
-  auto mesh = std::make_shared<TriMesh>();
-  {
-    const py::gil_scoped_release release;
-    *mesh = readMesh(name, scale);
-  }
-  return {mesh, 0, py::list()};
-}
-
-Mesh pyReadBody(const py::object& path, const std::string& unit,
-                const std::optional<double>& tolerance, const std::optional<double>& cell,
-                int resolution, const py::object& run) {
-  const RunPointer context = runFromObject(run);
-  const std::string name = pathFromObject(path);
-  const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution};
-  Body body = runWithoutLock(*context, [&] { return readBody(name, options, *context); });
-  py::list findings;
-  for (const Finding& finding : body.findings) {
-    py::dict item;
-    item["code"] = finding.code;
-    item["count"] = finding.count;
-    item["first"] = py::cast(finding.first);
-    item["text"] = finding.text;
-    findings.append(item);
-  }
-  return {std::make_shared<const TriMesh>(std::move(body.mesh)), body.chordError, findings};
-}
-
-void pyWriteMesh(const py::object& path, const py::object& vertices, const py::object& triangles) {
-  const std::string name = pathFromObject(path);
-  const TriMesh mesh = meshFromArrays(vertices, triangles);
-  const py::gil_scoped_release release;
-  writeMesh(mesh, name);
-}
-
-py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
-  const std::string name = pathFromObject(path);
-  const double scale = parseLengthUnit(unit);
-  Trajectory trajectory;
-  {
-    const py::gil_scoped_release release;
-    trajectory = readTrajectoryCsv(name, scale, Interpolation::None);
-  }
-  return trajectoryToArrays(trajectory);
-}
-
-/// Rigid matrices as the quaternions and translations nearest to them.
-py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrices) {
-  return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
-}
-
-#ifdef HAVE_SWEPT_SOLID
-StepOptions solidOptions(const py::dict& keywords) {
-  StepOptions options;
-  for (const auto& [key, value] : keywords) {
-    const std::string name = py::cast<std::string>(key);
-    if (name == "merge_coplanar") {
-      options.mergeCoplanar = py::cast<bool>(value);
-    } else if (name == "planar_tolerance") {
-      options.planarTolerance = py::cast<double>(value);
-    } else if (name == "tolerance") {
-      options.tolerance = py::cast<double>(value);
-    } else if (name == "exact") {
-      options.exact = py::cast<bool>(value);
-    } else if (name == "recognise") {
-      options.recognise = py::cast<bool>(value);
-    } else if (name == "max_faces") {
-      options.maxFaces = py::cast<std::int64_t>(value);
-    } else if (name == "max_megabytes") {
-      options.maxMegabytes = py::cast<double>(value);
-    } else if (name == "product_name") {
-      options.productName = py::cast<std::string>(value);
-    } else if (name == "schema") {
-      options.schema = parseStepSchema(py::cast<std::string>(value));
-    } else if (name == "author") {
-      options.author = py::cast<std::string>(value);
-    } else if (name == "organization") {
-      options.organization = py::cast<std::string>(value);
-    } else if (name == "colour") {
-      options.colour = py::cast<std::array<double, 3>>(value);
-    } else {
-      throw Error(Status::InvalidInput, "BadOption",
-                  "unknown option '" + name + "'; see help(_swept.write_solid)");
-    }
-  }
-  return options;
-}
-
-py::dict solidReport(const StepReport& report) {
-  py::dict result, kinds;
-  for (const auto& [kind, count] : report.facesByKind) kinds[kind.c_str()] = count;
-  result["solids"] = report.solids;
-  result["faces"] = report.faces;
-  result["faces_by_kind"] = kinds;
-  result["edges"] = report.edges;
-  result["valid"] = report.valid;
-  result["tolerance"] = report.tolerance;
-  result["deviation"] = report.deviation;
-  result["note"] = report.note;
-  result["volume"] = report.volume;
-  result["mesh_volume"] = report.meshVolume;
-  result["file_bytes"] = report.fileBytes;
-  result["seconds_build"] = report.secondsBuild;
-  result["seconds_write"] = report.secondsWrite;
-  result["seconds_reread"] = report.secondsReread;
-  return result;
-}
-
-py::dict pyWriteSolid(const py::object& path, const py::object& vertices,
-                      const py::object& triangles, const py::object& run,
-                      const py::kwargs& keywords) {
-  const RunPointer context = runFromObject(run);
-  const std::string name = pathFromObject(path);
-  const TriMesh mesh = meshFromArrays(vertices, triangles);
-  const StepOptions options = solidOptions(keywords);
-  return solidReport(
-      runWithoutLock(*context, [&] { return writeSolid(mesh, name, options, *context); }));
-}
-
-py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles,
-                         const py::object& run, const py::kwargs& keywords) {
-  const RunPointer context = runFromObject(run);
-  const TriMesh mesh = meshFromArrays(vertices, triangles);
-  const StepOptions options = solidOptions(keywords);
-  const SolidEstimate found =
-      runWithoutLock(*context, [&] { return estimateSolid(mesh, options, *context); });
-  py::dict result;
-  result["triangles"] = found.triangles;
-  result["faces"] = found.faces;
-  result["megabytes"] = found.megabytes;
-  result["seconds"] = found.seconds;
-  return result;
-}
-#else
-[[noreturn]] void refuseSolids(const py::args&, const py::kwargs&) {
-  throw Error(Status::ExportFailed, "BadFormat",
-              "this module was built without OpenCASCADE and cannot write solids");
-}
-#endif
 
 void bindClasses(py::module_& module) {
   py::class_<RunContext, RunPointer>(module, "RunContext", kRunContextDoc)
@@ -367,13 +202,6 @@ void bindClasses(py::module_& module) {
       .def_property_readonly("_checkpoints", &RunContext::checkpoints)
       .def("_cancel_at_checkpoint",
            [](RunContext& run, std::uint64_t n) { run.cancelAtCheckpoint = n; });
-  py::class_<Mesh>(module, "Mesh", kMeshDoc)
-      .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
-      .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only")
-      .def_readonly("chord_error", &Mesh::chordError,
-                    "mm: how far triangles of a solid may leave its surface; 0: a mesh file")
-      .def_readonly("findings", &Mesh::findings,
-                    "How a solid was read, as in a report's warnings.");
   py::class_<ComputeResult>(module, "Result", kResultDoc)
       .def_property_readonly("mesh", &ComputeResult::mesh)
       .def_property_readonly(
@@ -412,30 +240,10 @@ void bindFunctions(py::module_& module) {
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none());
   module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),
-             py::arg("motion"), py::arg("interpolation") = "linear");
+             py::arg("motion"), py::arg("interpolation") = "linear", py::arg("trial") = false,
+             py::arg("run") = py::none());
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
-  module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
-  module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
-             py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),
-             py::arg("resolution") = 128, py::arg("run") = py::none());
-  module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
-             py::arg("triangles"));
-  module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),
-             py::arg("unit") = "mm");
-  module.def("poses_from_matrices", &pyPosesFromMatrices,
-             "poses_from_matrices(times (K,), matrices (K, 4, 4)) -> (times, quaternions (K, 4), "
-             "translations (K, 3))",
-             py::arg("times"), py::arg("matrices"));
-#ifdef HAVE_SWEPT_SOLID
-  module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
-             py::arg("triangles"), py::arg("run") = py::none());
-  module.def("estimate_solid", &pyEstimateSolid, kEstimateSolidDoc, py::arg("vertices"),
-             py::arg("triangles"), py::arg("run") = py::none());
-#else
-  module.def("write_solid", &refuseSolids);
-  module.def("estimate_solid", &refuseSolids);
-#endif
 }
 
 }  // namespace
@@ -445,12 +253,8 @@ PYBIND11_MODULE(_swept, module) {
   using namespace swept::python;
   module.doc() = kModuleDoc;
   module.attr("__version__") = SWEPT_VERSION;
-#ifdef HAVE_SWEPT_SOLID
-  module.attr("HAS_SOLIDS") = true;
-#else
-  module.attr("HAS_SOLIDS") = false;
-#endif
   bindErrors(module);
+  bindFiles(module);
   bindClasses(module);
   bindPreview(module);
   bindFunctions(module);

@@ -209,14 +209,20 @@ def estimate(
     interpolation: Optional[str] = None,
     resolution: Optional[int] = None,
     cell: Optional[float] = None,
+    trial: bool = True,
+    run: Optional[RunContext] = None,
     **options: Any,
 ) -> Dict[str, Any]:
     """What compute() with the same options would take: grid (3 ints), cell (mm), memory_bytes,
-    seconds, triangles; the last three are rough."""
+    seconds, triangles, and useful_filter (mm) where such a position_filter would leave out most poses
+    without changing the result by more than the chord does. trial: some steps are sampled for it,
+    which takes up to a second; without, memory, seconds and triangles are from boxes, and rough."""
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
     arrays = (way.times, way.quaternions, way.translations)
-    return _core.estimate(body.vertices, body.triangles, arrays, way.interpolation, **given)
+    return _core.estimate(
+        body.vertices, body.triangles, arrays, way.interpolation, trial, run, **given
+    )
 
 
 class PreviewSession:
@@ -270,17 +276,21 @@ def write_solid(
     author: str = "",
     organization: str = "",
     colour: Tuple[float, float, float] = (0.93, 0.78, 0.20),
+    strict: bool = False,
+    no_clobber: bool = False,
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
     """Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked
-    before it replaces an old one. tolerance: mm, 0 for exact unless a limit asks for more. Returns
-    solids, faces, faces_by_kind, valid, tolerance, deviation, note, volume ..."""
+    before it replaces an old one, which no_clobber refuses. tolerance: mm, 0 for exact unless a limit
+    asks for more; strict refuses a solid that is farther from the mesh. Returns solids, faces,
+    faces_by_kind, valid, tolerance, deviation, volume, warnings ... as "solid" in README.md."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
         body.vertices,
         body.triangles,
         run,
+        no_clobber,
         tolerance=tolerance,
         exact=exact,
         recognise=recognise,
@@ -291,9 +301,9 @@ def write_solid(
         author=author,
         organization=organization,
         colour=colour,
+        strict=strict,
     )
-    if report["note"]:
-        logger.info("%s", report["note"])
+    _log(report["warnings"])
     return report
 
 

@@ -83,6 +83,8 @@ def estimate(
     triangles: npt.ArrayLike,
     motion: Any,
     interpolation: str = "linear",
+    trial: bool = False,
+    run: Optional[RunContext] = None,
     **options: Any,
 ) -> Dict[str, Any]: ...
 def check_mesh(
@@ -97,7 +99,9 @@ def read_body(
     resolution: int = 128,
     run: Optional[RunContext] = None,
 ) -> Mesh: ...
-def write_mesh(path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike) -> None: ...
+def write_mesh(
+    path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike, no_clobber: bool = False
+) -> None: ...
 
 _Poses = Tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], npt.NDArray[np.float64]]
 
@@ -108,6 +112,7 @@ def write_solid(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,
     run: Optional[RunContext] = None,
+    no_clobber: bool = False,
     **options: Any,
 ) -> Dict[str, Any]: ...
 def estimate_solid(

@@ -87,10 +87,10 @@ class Mesh:
         require_file(path)
         return cls._of_core(_core.read_mesh(path, unit))
 
-    def write(self, path: Path) -> None:
+    def write(self, path: Path, *, no_clobber: bool = False) -> None:
         """Writes PLY (double precision), STL, OBJ, OFF or 3MF; an old file is replaced only when the
-        new one is complete."""
-        _core.write_mesh(path, self.vertices, self.triangles)
+        new one is complete, and not at all with no_clobber."""
+        _core.write_mesh(path, self.vertices, self.triangles, no_clobber)
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _mesh_again, (
@@ -245,9 +245,9 @@ def read_mesh(path: Path, *, unit: str = "mm") -> Mesh:
     return Mesh.read(path, unit=unit)
 
 
-def write_mesh(path: Path, mesh: MeshLike) -> None:
+def write_mesh(path: Path, mesh: MeshLike, *, no_clobber: bool = False) -> None:
     """Mesh.write()."""
-    mesh_of(mesh).write(path)
+    mesh_of(mesh).write(path, no_clobber=no_clobber)
 
 
 def read_motion(path: Path, *, unit: str = "mm", interpolation: str = "linear") -> Motion:

@@ -313,6 +313,16 @@ class SolidAndFiles(Computed):
         self.assertAlmostEqual(shape.BoundBox.ZMin, 7, delta=obj.UsedCellSize.Value)
         self.assertAlmostEqual(shape.Volume, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
 
+    def test_scripts_can_keep_files_that_exist(self):
+        obj = self.computed()
+        for name in ("a.stl", "a.step"):
+            path = os.path.join(self.folder, name)
+            export.write(export.request(obj), path, no_clobber=True)
+            before = os.stat(path).st_mtime_ns
+            with self.assertRaisesRegex(InputProblem, name):
+                export.write(export.request(obj), path, no_clobber=True)
+            self.assertEqual(os.stat(path).st_mtime_ns, before)
+
     def test_tessellated_step(self):
         if not core.has_solids():
             self.skipTest("the core was built without OpenCASCADE")

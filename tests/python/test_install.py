@@ -15,23 +15,34 @@ with open({done!r}, "w") as file:
 """
 
 
-@pytest.fixture(scope="module")
-def mod(root, tmp_path_factory):
-    prefix = tmp_path_factory.mktemp("user") / ".local/share/FreeCAD"
+def install(root, component, prefix):
     build = pathlib.Path(os.environ.get("SWEPT_BUILD", root / "build"))
     if not (build / "cmake_install.cmake").exists():
         pytest.skip(f"no build in {build}")
-    command = [
-        "cmake",
-        "--install",
-        str(build),
-        "--component",
-        "workbench",
-        "--prefix",
-        str(prefix),
-    ]
-    subprocess.run(command, check=True, capture_output=True)
-    return prefix / "Mod/SweptVolume"
+    command = ["cmake", "--install", build, "--component", component, "--prefix", prefix]
+    subprocess.run(list(map(str, command)), check=True, capture_output=True)
+    return prefix
+
+
+@pytest.fixture(scope="module")
+def mod(root, tmp_path_factory):
+    prefix = tmp_path_factory.mktemp("user") / ".local/share/FreeCAD"
+    return install(root, "workbench", prefix) / "Mod/SweptVolume"
+
+
+def test_manual_and_completions_are_installed_as_the_program_prints_them(root, tmp_path):
+    share = install(root, "program", tmp_path) / "share"
+    pages = {
+        "man/man1/swept.1": ["manual"],
+        "bash-completion/completions/swept": ["completion", "bash"],
+        "zsh/site-functions/_swept": ["completion", "zsh"],
+        "zsh/vendor-completions/_swept": ["completion", "zsh"],
+        "fish/vendor_completions.d/swept.fish": ["completion", "fish"],
+    }
+    for page, words in pages.items():
+        done = subprocess.run([tmp_path / "bin/swept", *words], capture_output=True, check=True)
+        assert (share / page).read_bytes() == done.stdout, page
+    assert {p for p in share.rglob("*") if p.is_file()} == {share / page for page in pages}
 
 
 def test_the_installed_workbench_is_whole(root, mod):

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The program and its files: nothing is lost, pipes work, several files, help in every form."""
+import csv
+import io
 import json
 import os
 import shutil
 import signal
 import subprocess
 import time
+from collections import Counter
 
 import numpy as np
 import pytest
 
 import _swept
+from bodies import torus
 from test_program import call, envelope, inputs, long_run, wait_until_caught  # noqa: F401
 
 SOLIDS = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
@@ -175,7 +179,7 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
     """Turned bodies have many faces; the limit of faces asks for a simpler solid."""
     turn = "0,0,0,0,0,0,0,1\n1,5,0,0,0.5,0.5,0.5,0.5\n"
     (inputs / "slide.csv").write_text(turn)
-    words = envelope(inputs, "o.step", "--resolution", 24, "--max-faces", 100, "--quiet")
+    words = envelope(inputs, "o.step", "--resolution", 24, "--max-faces", 250, "--quiet")
     done = call(*words, "--report", "-")
     assert done.returncode == 0, done.stderr
     report = json.loads(done.stdout)
@@ -187,8 +191,8 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
     assert done.returncode == 1 and not (inputs / "o.step").exists(), done.stderr
 
 
-def test_capped_chord_is_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
-    """A cone of many long triangles, turned fast: following its edges is given up."""
+def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
+    """A cone of many long triangles, turned fast: following its edges takes memory."""
     count = 5000
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rim = np.stack([100 * np.cos(angles), 100 * np.sin(angles), 0 * angles], axis=1)
@@ -201,11 +205,80 @@ def test_capped_chord_is_a_finding_and_strict_a_failure(call, inputs):  # noqa: 
     rows = [f"{i},0,0,0,{np.sin(i / 2)},0,0,{np.cos(i / 2)}" for i in range(3)]
     (inputs / "slide.csv").write_text("\n".join(rows) + "\n")
     words = envelope(inputs, "o.ply", "--resolution", 16, "--chord", "0.005")
+
+    def report():
+        return json.loads((inputs / "r.json").read_text())
+
     done = call(*words, "--strict", "--report", inputs / "r.json")
+    assert done.returncode == 0, done.stderr
+    assert 0 < report()["chord_error"] <= 0.005 * report()["cell"] * (1 + 1e-6)
+    (inputs / "o.ply").unlink()
+    little = [*words, "--memory-limit", 64]
+    done = call(*little, "--strict", "--report", inputs / "r.json")
     assert done.returncode == 1 and "ChordCapped" in done.stderr, done.stderr
-    report = json.loads((inputs / "r.json").read_text())
-    assert report["code"] == "ChordCapped" and report["chord_error"] > 0.01 * report["cell"]
+    assert report()["code"] == "ChordCapped"
+    assert report()["chord_error"] > 0.005 * report()["cell"]
     assert not (inputs / "o.ply").exists()
+    done = call(*little, "--quiet")
+    assert done.returncode == 0 and "ChordCapped" in done.stderr and done.stdout == ""
+
+
+@SOLIDS
+def test_an_inaccurate_solid_is_refused_with_strict(call, inputs):  # noqa: F811
+    """A tolerance that a torus of few facets cannot meet with the surfaces that are recognised."""
+    body = torus(20, 8, 24, 12)
+    _swept.write_mesh(inputs / "torus.ply", *body)
+    for tolerance in (0.5, 1, 2, 4):
+        words = ("solid", inputs / "torus.ply", "-o", inputs / "t.step")
+        words += ("--solid-tolerance", tolerance, "--report", inputs / "r.json")
+        assert call(*words).returncode == 0
+        codes = {w["code"] for w in json.loads((inputs / "r.json").read_text())["warnings"]}
+        (inputs / "t.step").unlink()
+        done = call(*words, "--strict")
+        report = json.loads((inputs / "r.json").read_text())
+        assert (done.returncode == 0) == (report["status"] == "Ok") == (inputs / "t.step").exists()
+        if done.returncode == 0:
+            assert report["solid"]["deviation"] <= tolerance
+        else:
+            assert report["code"] == "SolidInaccurate" and "SolidInaccurate" in codes
+
+
+@SOLIDS
+def test_neighbours_are_called_as_the_products_of_a_step_file(call, inputs, shared):  # noqa: F811
+    assembly = shared / "cad" / "bracket_assembly_as1.step"
+    words = ("clearance", inputs / "box.ply", assembly, shared / "cad" / "link_rod.step")
+    done = call(*words, "--motion", inputs / "slide.csv", "--csv", "-", "-q",
+                "--report", inputs / "r.json")  # fmt: skip
+    assert done.returncode in (0, 3), done.stderr
+    names = [row["neighbour"] for row in csv.DictReader(io.StringIO(done.stdout))]
+    report = json.loads((inputs / "r.json").read_text())
+    assert names == [neighbour["name"] for neighbour in report["neighbours"]]
+    counts = Counter(name.rstrip("0123456789 ") for name in names)
+    assert counts == {"nut": 8, "bolt": 6, "l-bracket": 2, "plate": 1, "rod": 1, "link_rod": 1}
+    assert len(set(names)) == len(names) == 19 and {"nut 1", "bolt 6", "plate"} <= set(names)
+
+
+@pytest.mark.parametrize("suffix", ["stl", "obj", "off", "ply"])
+@pytest.mark.parametrize("far", [0, 10000])
+def test_check_finds_in_the_file_what_the_report_said(call, inputs, suffix, far):  # noqa: F811
+    """Ten metres from the origin STL's numbers are a micrometre apart."""
+    half = np.radians(45) / 2
+    rows = [f"0,{far},{0.7 * far},0,0,0,0,1",
+            f"1,{far + 40},{0.7 * far},0,0,0,{np.sin(half)},{np.cos(half)}"]  # fmt: skip
+    (inputs / "slide.csv").write_text("t,x,y,z,qx,qy,qz,qw\n" + "\n".join(rows) + "\n")
+    words = envelope(inputs, f"o.{suffix}", "--resolution", 120, "--report", inputs / "r.json")
+    done = call(*words)
+    assert done.returncode == 0, done.stderr
+    said = json.loads((inputs / "r.json").read_text())
+    checked = json.loads(call("check", inputs / f"o.{suffix}", "--report", "-").stdout)
+    keys = set(said) & set(checked) - {"report_version", "command", "input", "seconds", "warnings"}
+    keys -= {"vertices"} if suffix == "stl" and said["unused_vertices"] else set()
+    assert {"triangles", "closed", "self_intersections", "volume", "degenerate_triangles"} <= keys
+    assert {k: said[k] for k in keys} == pytest.approx({k: checked[k] for k in keys}, rel=1e-12)
+    codes = {w["code"] for w in said["warnings"]}
+    assert ("SinglePrecision" in codes) == ("SinglePrecision" in done.stderr)
+    if said["self_intersections"] > 0:
+        assert call(*words, "--strict").returncode == 1
 
 
 @SOLIDS

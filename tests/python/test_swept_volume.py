@@ -114,6 +114,25 @@ def test_files_that_are_not_there_raise_the_systems_own_errors(tmp_path):
             read(tmp_path)
 
 
+def test_files_that_exist_are_kept_if_asked_for(box, mesh, tmp_path):
+    target = tmp_path / "a.ply"
+    sv.write_mesh(target, box)
+    old = target.read_bytes()
+    for write in (lambda: mesh.write(target, no_clobber=True),
+                  lambda: sv.write_mesh(target, mesh, no_clobber=True)):  # fmt: skip
+        with pytest.raises(sv.ExportFailed, match="exists") as caught:
+            write()
+        assert caught.value.code == "Exists" and target.read_bytes() == old
+    sv.write_mesh(tmp_path / "new.ply", mesh, no_clobber=True)
+    if sv.HAS_SOLIDS:
+        solid = tmp_path / "a.step"
+        solid.symlink_to(tmp_path / "nowhere.step")  # a link to nothing is there as well
+        with pytest.raises(sv.ExportFailed, match="exists"):
+            sv.write_solid(solid, mesh, no_clobber=True)
+        report = sv.write_solid(tmp_path / "b.step", mesh, no_clobber=True)
+        assert report["closed"] and report["warnings"] == [] and report["seconds"]["build"] >= 0
+
+
 def test_masked_arrays_are_refused(box, slide, mesh):
     masked = np.ma.masked_equal(box[0], 30)
     for call in (lambda: sv.Mesh(masked, box[1]), lambda: sv.compute((masked, box[1]), slide)):

@@ -3,6 +3,7 @@
 
 Every writer writes beside the target, checks, then renames: an old file survives a failure.
 """
+import errno
 import os
 
 from . import core
@@ -41,9 +42,12 @@ def request(source, settings=None):
     return solid.request_for(source, world=True, **(settings or {}))
 
 
-def write(req, path, control=None):
-    """Any thread. Returns a dict: bytes, and for solids the core's report."""
+def write(req, path, control=None, no_clobber=False):
+    """Any thread. Returns a dict: bytes, and for solids the core's report. no_clobber: a file that
+    exists is refused, for scripts; the window's file dialog asks by itself."""
     check_target(path)
+    if no_clobber and os.path.lexists(path):
+        raise InputProblem('"{}": {}'.format(path, os.strerror(errno.EEXIST)))
     if is_solid_file(path):
         return req.write(path, control or core.Control())
     core.write_mesh(req.vertices, req.triangles, path)

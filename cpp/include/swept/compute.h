@@ -33,16 +33,23 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
 /// report.simplificationDeviation change. Throws Error; the result is then as before.
 void recut(Result& result, double tolerance, RunContext& run);
 
-/// What a run would take, computed in milliseconds from boxes only.
+/// What a run would take.
 struct Estimate {
   std::array<std::int64_t, 3> grid{0, 0, 0};
   double cellSize = 0;  ///< mm
   std::uint64_t memoryBytes = 0;
   double seconds = 0;          ///< rough, on this machine
   std::int64_t triangles = 0;  ///< rough
+  /// mm: a position filter that leaves out two thirds of the poses or more and changes the result
+  /// by no more than the chord does; 0: none
+  double usefulFilter = 0;
 };
-/// Throws Error as compute() would report it.
+/// In milliseconds, from boxes only. Throws Error as compute() would report it.
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options);
+/// The same after a look: the body is checked and a few steps are sampled. Takes up to a second or
+/// so, and never more than the run. Throws Error as compute() would report it.
+Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, const Options& options,
+                         RunContext& run);
 
 /// Checks any mesh: closed, manifold, oriented, self-intersections (docs/pipeline.md, "Check").
 MeshCheck checkMesh(const TriMesh& mesh, RunContext& run);

@@ -13,6 +13,13 @@ namespace swept {
 /// stands for the suffix where the name has none.
 TriMesh readMesh(const std::string& path, double millimetresPerUnit = 1.0,
                  const std::string& format = {});
+/// Throws Error(ExportFailed, "Exists") if there is such a file, folder or link. `role`: what it is
+/// to the caller ("--output").
+void requireAbsent(const std::string& role, const std::string& path);
+
+/// The mesh as a file of that suffix holds it: single precision in STL, with all vertices apart and
+/// all triangles that have area keeping it; unchanged in the other formats.
+TriMesh meshAsWritten(const TriMesh& mesh, const std::string& suffix);
 /// The same formats, and 3MF.
 void writeMesh(const TriMesh& mesh, const std::string& path);
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -28,6 +29,9 @@ struct StepOptions {
   /// left is simplified. 0: exact, unless a limit asks for more (see below).
   double tolerance = 0;
   bool exact = false;  ///< never leave the mesh: what exceeds a limit is refused at once
+  /// A solid that leaves the mesh by more than the tolerance is refused instead of a finding:
+  /// Error(ExportFailed, "SolidInaccurate").
+  bool strict = false;
   /// With a tolerance: planes, cylinders, cones, spheres, tori, extrusions and revolutions.
   bool recognise = true;
   /// Limits. Without a tolerance of its own the solid gets the smallest one that meets them, up to
@@ -56,7 +60,10 @@ struct StepReport {
   double meshVolume = 0;  ///< mm^3
   std::uint64_t fileBytes = 0;
   double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;
+  std::vector<Finding> warnings;  ///< SolidSimplified, SolidNote, SolidInaccurate
 };
+/// The key "solid" of a report as JSON text, without the warnings (docs/report.schema.json).
+std::string toJson(const StepReport& report);
 
 /// What a solid would take, from a look at the mesh; faces is an upper bound.
 struct SolidEstimate {
@@ -77,8 +84,10 @@ StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOp
                       RunContext& run);
 
 struct ImportedSolid {
-  std::string name;  ///< file name without suffix, numbered if there is more than one solid
-  TriMesh mesh;      ///< mm; every face has corners of its own
+  /// Of its product in a STEP file of several products, else the file's without suffix; numbered
+  /// where several have it.
+  std::string name;
+  TriMesh mesh;  ///< mm; every face has corners of its own
 };
 
 /// Every solid of the file; if there is none, all its faces as one open mesh. linearDeflection: mm,

@@ -13,6 +13,7 @@
 #include <unistd.h>
 #endif
 
+#include "swept/io.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -150,6 +151,12 @@ TemporaryName::~TemporaryName() {
 }
 
 // Permission bits do not tell the whole truth (read-only mounts, full quotas): it is tried.
+void requireAbsent(const std::string& role, const std::string& path) {
+  std::error_code code;
+  if (!fs::exists(fs::symlink_status(pathFromUtf8(path), code))) return;
+  refuse("Exists", role + " '" + path + "' exists and is not to be replaced; choose another name");
+}
+
 void checkTarget(const std::string& path) { const SafeFile probe(path); }
 
 SafeFile::SafeFile(const std::string& path) : name_(path) {

@@ -1,11 +1,10 @@
-// Mesh files: STL through OpenMesh's reader and STL, OBJ and OFF through its writers (see
-// openmesh_bridge.h for why not its mesh); the rest through readers and writers of our own.
+// Mesh files: STL through OpenMesh's reader (see openmesh_bridge.h for why not its mesh); the rest
+// through readers and writers of our own.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <iostream>
@@ -15,9 +14,11 @@
 #include "base/limits.h"
 #include "base/safe_file.h"
 #include "io/input_file.h"
+#include "io/mesh_writers.h"
 #include "io/openmesh_bridge.h"
 #include "io/ply_mesh.h"
 #include "io/polygon_split.h"
+#include "io/single_precision.h"
 #include "io/text_mesh.h"
 #include "io/three_mf.h"
 #include "swept/io.h"
@@ -120,43 +121,6 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
   return mesh;
 }
 
-// OpenMesh writes single precision only; a PLY file holds the very mesh that was checked instead.
-void writeExactPly(const TriMesh& mesh, std::ostream& stream) {
-  static_assert(std::endian::native == std::endian::little && sizeof(Eigen::Vector3d) == 24);
-  stream << "ply\nformat binary_little_endian 1.0\ncomment unit mm\nelement vertex "
-         << std::to_string(mesh.vertices.size())
-         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-         << std::to_string(mesh.triangles.size())
-         << "\nproperty list uchar int vertex_indices\nend_header\n";
-  stream.write(reinterpret_cast<const char*>(mesh.vertices.data()),
-               static_cast<std::streamsize>(24 * mesh.vertices.size()));
-  constexpr std::size_t kRow = 13;
-  std::vector<char> rows;
-  for (std::size_t first = 0; first < mesh.triangles.size(); first += 4096) {
-    const std::size_t end = std::min(mesh.triangles.size(), first + 4096);
-    rows.resize(kRow * (end - first));
-    for (std::size_t t = first; t < end; ++t) {
-      char* row = rows.data() + kRow * (t - first);
-      row[0] = 3;
-      std::memcpy(row + 1, mesh.triangles[t].data(), 12);
-    }
-    stream.write(rows.data(), static_cast<std::streamsize>(rows.size()));
-  }
-}
-
-void writeThroughOpenMesh(const TriMesh& mesh, const std::string& suffix, const std::string& path,
-                          std::ostream& stream) {
-  ListExporter exporter(mesh);
-  OpenMesh::IO::Options options;
-  if (suffix == "stl") options += OpenMesh::IO::Options::Binary | OpenMesh::IO::Options::LSB;
-  constexpr std::streamsize kDigits = 9;  // single precision, exactly
-  OpenMeshCall call;
-  if (!OpenMesh::IO::IOManager().write(stream, suffix, exporter, options, kDigits)) {
-    throw Error(Status::ExportFailed, "WriteFailed",
-                "writing '" + path + "' failed: " + call.said());
-  }
-}
-
 void scaleAndCheck(TriMesh& mesh, double factor) {
   if (!(factor > 0) || !std::isfinite(factor)) {
     throw Error(Status::InvalidInput, "BadOption",
@@ -211,6 +175,10 @@ TriMesh readMesh(const std::string& path, double millimetresPerUnit, const std::
   return mesh;
 }
 
+TriMesh meshAsWritten(const TriMesh& mesh, const std::string& suffix) {
+  return suffix == "stl" ? inSinglePrecision(mesh) : mesh;
+}
+
 void writeMesh(const TriMesh& mesh, const std::string& path) {
   const std::string suffix = suffixOf(path);
   if (!isMeshSuffix(suffix) && suffix != "3mf") {
@@ -232,13 +200,17 @@ void writeMesh(const TriMesh& mesh, const std::string& path) {
     }
   }
   SafeFile file(path);
-  if (suffix == "ply") {
-    writeExactPly(mesh, file.stream());
-  } else if (suffix == "3mf") {
+  if (suffix == "3mf") {
     file.close();
     writeThreeMf(mesh, file.temporary());
+  } else if (suffix == "ply") {
+    writePly(mesh, file.stream());
+  } else if (suffix == "obj") {
+    writeObj(mesh, file.stream());
+  } else if (suffix == "off") {
+    writeOff(mesh, file.stream());
   } else {
-    writeThroughOpenMesh(mesh, suffix, path, file.stream());
+    writeStl(meshAsWritten(mesh, suffix), file.stream());
   }
   file.commit();
 }

@@ -50,36 +50,4 @@ void ListImporter::reserve(unsigned int nV, unsigned int /*nE*/, unsigned int nF
   list.corners.reserve(std::min<std::uint64_t>(3 * static_cast<std::uint64_t>(nF), maxCorners_));
 }
 
-OpenMesh::Vec3d ListExporter::pointd(VertexHandle vertex) const {
-  const Eigen::Vector3d& p = mesh_.vertices[static_cast<std::size_t>(vertex.idx())];
-  return {p.x(), p.y(), p.z()};
-}
-
-OpenMesh::Vec3f ListExporter::point(VertexHandle vertex) const {
-  return OpenMesh::Vec3f(pointd(vertex));
-}
-
-unsigned int ListExporter::get_vhandles(FaceHandle face, std::vector<VertexHandle>& handles) const {
-  handles.clear();
-  for (const std::int32_t index : mesh_.triangles[static_cast<std::size_t>(face.idx())]) {
-    handles.emplace_back(index);
-  }
-  return 3;
-}
-
-OpenMesh::Vec3d ListExporter::normald(FaceHandle face) const {
-  const auto& t = mesh_.triangles[static_cast<std::size_t>(face.idx())];
-  const Eigen::Vector3d& a = mesh_.vertices[static_cast<std::size_t>(t[0])];
-  const Eigen::Vector3d& b = mesh_.vertices[static_cast<std::size_t>(t[1])];
-  const Eigen::Vector3d& c = mesh_.vertices[static_cast<std::size_t>(t[2])];
-  const Eigen::Vector3d n = (b - a).cross(c - a);
-  const double length = n.norm();
-  if (!(length > 0)) return OpenMesh::Vec3d(0.0);
-  return {n.x() / length, n.y() / length, n.z() / length};
-}
-
-OpenMesh::Vec3f ListExporter::normal(FaceHandle face) const {
-  return OpenMesh::Vec3f(normald(face));
-}
-
 }  // namespace swept

@@ -18,7 +18,7 @@ Placement asPlacement(const Pose& pose) {
 }  // namespace
 
 Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double chord,
-                    std::size_t triangles, RunContext& run) {
+                    RunContext& run) {
   const auto& poses = trajectory.poses;
   Motion motion;
   motion.continuous = trajectory.interpolation != Interpolation::None && poses.size() > 1;
@@ -37,12 +37,11 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
   }
   motion.placements.push_back(asPlacement(poses.front()));
   const double longest = longestEdge(body);
-  const double mostPieces = mostPiecesOf(static_cast<double>(triangles), poses.size() - 1);
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     run.checkpoint(Phase::Motion, i, poses.size());
     const StepPath path(poses[i], poses[i + 1], trajectory.interpolation);
     const double radius = path.radius(sphere);
-    const double wanted = piecesOf(radius, path.angle(), longest, chord, mostPieces);
+    const double wanted = piecesOf(radius, path.angle(), longest, chord);
     if (!(wanted < static_cast<double>(kMaxPlacements - motion.placements.size()))) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
                   "the motion between poses " + std::to_string(i) + " and " +

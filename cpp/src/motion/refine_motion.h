@@ -12,12 +12,7 @@
 namespace swept {
 
 /// chord: mm, > 0. Throws Error(ResourceLimit) when more than 4 million placements would be needed.
-/// `triangles`: those that the body had before its edges were split (split_edges.h).
 Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double chord,
-                    std::size_t triangles, RunContext& run);
-inline Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double chord,
-                           RunContext& run) {
-  return refineMotion(body, trajectory, chord, body.triangles.size(), run);
-}
+                    RunContext& run);
 
 }  // namespace swept

@@ -14,15 +14,12 @@ namespace {
 
 // What sampling takes, in ns: for a copy of a face with its share of side patches, and for a
 // crossing of that copy. Only their ratio matters.
-constexpr double kFaceCost = 400, kCrossingCost = 8;
+constexpr double kFaceCost = 150, kCrossingCost = 37;
 /// Nor is a body to take more memory than the envelope does.
 constexpr double kMaxTriangles = 2e6;
-/// A finer body has to be worth more than doubts about these figures.
-constexpr double kGain = 2;
-/// Where the placements are limited by what they cost, patches stay warped. Beyond so many cells
-/// the surface shows it: crossings of one patch leave the true surface by different lengths, and
-/// the sides of thin walls pass through one another. Flatter ones may cost so much more.
-constexpr double kShows = 0.1, kFlatterWorth = 1.5;
+/// A finer body has to be worth more than doubts about these figures: to be split at all, and to be
+/// split once more.
+constexpr double kGain = 2, kFurtherGain = 1.2;
 
 struct Step {
   double radius, angle;
@@ -36,11 +33,7 @@ struct Extent {
 /// What a run takes with edges of a given length.
 class SamplingCost {
  public:
-  SamplingCost(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
-               RunContext& run)
-      : chord_(chord),
-        most_(
-            mostPiecesOf(static_cast<double>(body.triangles.size()), trajectory.poses.size() - 1)) {
+  SamplingCost(const TriMesh& body, const Trajectory& trajectory, double cell, RunContext& run) {
     const Sphere sphere = boundingSphere(body);
     const auto& poses = trajectory.poses;
     for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
@@ -61,36 +54,49 @@ class SamplingCost {
     crossings_ = kThreeAxes * area / (cell * cell);
   }
 
-  /// ns
-  double of(double longest) const {
-    double triangles = 0;
+  double triangles(double longest) const {
+    double count = 0;
     for (const Extent& e : extents_) {
       // Halving leaves triangles of a quarter of the square of their longest edge.
-      triangles += e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
+      count += e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
     }
-    if (triangles > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
-      return std::numeric_limits<double>::infinity();
-    }
-    double placements = 1;
-    for (const Step& s : steps_) placements += pieces(s, longest);
-    return placements * (triangles * kFaceCost + crossings_ * kCrossingCost);
+    return count;
   }
 
-  /// By how much the triangles of side patches may leave the ruled surface, mm.
-  double warp(double longest) const {
-    double most = 0;
-    for (const Step& s : steps_) {
-      most = std::max(most, warpOf(s.angle / pieces(s, longest), longest));
+  double placements(double longest, double chord) const {
+    double count = 1;
+    for (const Step& s : steps_)
+      count += std::max(1.0, piecesOf(s.radius, s.angle, longest, chord));
+    return count;
+  }
+
+  double copies(double longest, double chord) const {
+    return triangles(longest) * placements(longest, chord);
+  }
+
+  /// ns
+  double of(double longest, double chord) const {
+    const double count = triangles(longest);
+    if (count > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
+      return std::numeric_limits<double>::infinity();
     }
-    return most;
+    return placements(longest, chord) * (count * kFaceCost + crossings_ * kCrossingCost);
+  }
+
+  /// `longest`: of the body as it is.
+  double bestEdge(double longest, double chord, double cell) const {
+    double best = longest, enough = of(longest, chord) / kGain;
+    for (double edge = longest / 2; edge > cell; edge /= 2) {
+      const double now = of(edge, chord);
+      if (now >= enough) continue;
+      enough = now / kFurtherGain;
+      best = edge;
+    }
+    return best;
   }
 
  private:
-  double pieces(const Step& s, double longest) const {
-    return std::max(1.0, piecesOf(s.radius, s.angle, longest, chord_, most_));
-  }
-
-  double chord_, most_, crossings_;
+  double crossings_ = 0;
   std::vector<Step> steps_;
   std::vector<Extent> extents_;
 };
@@ -115,25 +121,21 @@ class Midpoints {
 
 }  // namespace
 
-double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
-                    RunContext& run) {
+Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
+                        double cell, double mostCopies, bool maySplit, RunContext& run) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return kNone;
+  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) {
+    return {kNone, chord};
+  }
   const double longest = longestEdge(body);
-  if (longest / 2 <= cell) return kNone;
-  const SamplingCost cost(body, trajectory, chord, cell, run);
-  double best = longest, least = cost.of(longest) / kGain;
-  for (double edge = longest / 2; edge > cell; edge /= 2) {
-    const double now = cost.of(edge);
-    if (now >= least) continue;
-    least = now;
-    best = edge;
-  }
-  const double most = kFlatterWorth * cost.of(best);
-  while (cost.warp(best) > kShows * cell && best / 2 > cell && cost.of(best / 2) <= most) {
-    best /= 2;
-  }
-  return best < longest ? best : kNone;
+  const SamplingCost cost(body, trajectory, cell, run);
+  const auto bestAt = [&](double within) {
+    return maySplit ? cost.bestEdge(longest, within, cell) : longest;
+  };
+  const double most = std::max(mostCopies, 2 * cost.copies(bestAt(cell), cell));
+  double edge = bestAt(chord);
+  while (cost.copies(edge, chord) > most) edge = bestAt(chord *= 2);
+  return {edge < longest ? edge : kNone, chord};
 }
 
 TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {

@@ -13,11 +13,16 @@
 
 namespace swept {
 
-/// The longest edge that the body should have for the least work, or shorter where side patches
-/// would stay warped enough to be seen; infinite where splitting gains little. `chord` as for
-/// refineMotion().
-double findBestEdge(const TriMesh& body, const Trajectory& trajectory, double chord, double cell,
-                    RunContext& run);
+/// How a motion is followed.
+struct Following {
+  double longestEdge;  ///< mm, that the body should have; infinite where splitting gains little
+  double chord;        ///< mm, larger than asked for only where that would take too many copies
+};
+
+/// The edge that takes the least work. `mostCopies` of triangles are allowed, but never less than
+/// twice those that a chord of a cell takes. `maySplit`: false if the body stays as it is.
+Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
+                        double cell, double mostCopies, bool maySplit, RunContext& run);
 
 /// Halves the edges that are longer than `longest` until none is. Old vertices keep their numbers.
 TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run);

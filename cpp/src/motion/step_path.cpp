@@ -11,8 +11,6 @@ namespace {
 // away, which costs eps d / a of its places by rounding; the straight line is off by d a / 8. Both
 // are equal, and about 5e-9 d, at a = sqrt(8 eps).
 constexpr double kMinScrewAngle = 4e-8;
-// Triangles times placements that may be spent on flattening side patches.
-constexpr double kMaxFaceCopies = 4e6;
 
 }  // namespace
 
@@ -83,14 +81,9 @@ double longestEdge(const TriMesh& body) {
   return std::sqrt(longest);
 }
 
-double piecesOf(double radius, double angle, double longest, double chord, double mostPieces) {
-  // radius * angle^2 / (8 n^2) <= chord; the exact sagitta is a little smaller
-  return std::max(std::sqrt(radius * angle * angle / (8 * chord)),
-                  std::min(warpOf(angle, longest) / chord, mostPieces));
-}
-
-double mostPiecesOf(double triangles, std::size_t steps) {
-  return kMaxFaceCopies / triangles / static_cast<double>(steps);
+double piecesOf(double radius, double angle, double longest, double chord) {
+  const double warp = warpOf(angle, longest);
+  return (warp + std::sqrt(warp * warp + radius * angle * angle * chord / 2)) / (2 * chord);
 }
 
 }  // namespace swept

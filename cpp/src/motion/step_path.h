@@ -58,11 +58,9 @@ double longestEdge(const TriMesh& body);
 /// up to this, which bounds on the chords of points do not see.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
 
-/// Pieces that a step is cut into; not rounded. The chords of points leave their arcs by at most
-/// `chord`. So do side patches, as far as `mostPieces` allows.
-double piecesOf(double radius, double angle, double longest, double chord, double mostPieces);
-/// Many small triangles are flat enough by themselves and too many to be copied often, so the
-/// pieces of a step that flatten side patches are limited by what they cost.
-double mostPiecesOf(double triangles, std::size_t steps);
+/// Pieces that a step is cut into, so that the chords of points and the side patches together leave
+/// the true motion by at most `chord`; not rounded. With n pieces the arc is off by r a^2 / (8 n^2)
+/// (the exact sagitta is a little less) and the patch by warpOf(a, longest) / n.
+double piecesOf(double radius, double angle, double longest, double chord);
 
 }  // namespace swept

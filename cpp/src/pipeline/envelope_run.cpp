@@ -64,6 +64,7 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
 
   planRun(prepared_, options_, run_);
   describePlan();
+  adviseFilter();
   if (warm_ != nullptr && prepared_.body.mesh.triangles != warm_->body.mesh.triangles) {
     warm_->setBody(prepared_.body);  // long edges have been split
   }
@@ -107,11 +108,9 @@ void EnvelopeRun::describePlan() {
   report_.refinedPlacements = static_cast<std::int64_t>(prepared_.motion.placements.size());
   report_.largestStepTravel = prepared_.motion.largestStepTravel;
   report_.chordError = prepared_.motion.chordError;
-  // Arc and warp of a step keep the bound each, so both together keep twice of it, but for
-  // rounding; more remains only where refinement stopped at its cap (step_path.cpp).
-  constexpr double kUncapped = 2 * (1 + 1e-6);
+  constexpr double kRounding = 1 + 1e-6;
   const double asked = options_.chordTolerance * report_.cellSize;
-  if (!sketch_ && report_.chordError > kUncapped * asked) {
+  if (!sketch_ && report_.chordError > kRounding * asked) {
     report_.warnings.push_back(
         {"ChordCapped",
          1,
@@ -119,9 +118,21 @@ void EnvelopeRun::describePlan() {
          "the motion is followed to " + numberText(report_.chordError, 3) + " mm (" +
              numberText(report_.chordError / report_.cellSize, 2) + " cells) instead of " +
              numberText(asked, 3) +
-             " mm, because more placements between the poses would take too long; give more "
-             "poses, a body with fewer triangles, or a larger --chord"});
+             " mm, because more placements between the poses would take too much memory; "
+             "give the run more memory, a body with fewer triangles, or a larger chord"});
   }
+}
+
+void EnvelopeRun::adviseFilter() {
+  const double distance = warm_ == nullptr ? usefulFilterOf(prepared_, options_) : 0;
+  if (!(distance > 0)) return;
+  report_.warnings.push_back(
+      {"FilterUseful",
+       1,
+       {},
+       "a position filter of " + numberText(distance, 3) +
+           " mm would leave out most of the poses and of the time, and change the envelope by no "
+           "more than the bound on the chord"});
 }
 
 SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) const {

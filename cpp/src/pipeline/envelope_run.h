@@ -47,6 +47,7 @@ class EnvelopeRun {
   void stage(const char* name) { report_.seconds.push_back({name, timer_.lap()}); }
 
   void describePlan();
+  void adviseFilter();
   SamplerInput samplerInput(const BodyTopology& topology, bool cull) const;
 
   /// The swept volume as it is: result_.mesh.

@@ -9,6 +9,7 @@
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
 #include "motion/split_edges.h"
+#include "pipeline/trial_steps.h"
 #include "sampling/dense/dense_sampler.h"
 
 namespace swept {
@@ -40,24 +41,37 @@ Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
   return box;
 }
 
-/// `triangles`: of the body as it was given.
-Motion refined(const Prepared& p, const Options& options, double cell, std::size_t triangles,
-               RunContext& run) {
+/// Memory (bytes) that a copy of a triangle and its side patches takes, in the mean: most cross no
+/// line of the grid, or lie within the sweep.
+constexpr double kBytesPerCopy = 24;
+/// Previews are to be quick: copies of triangles that they may take to follow a turn.
+constexpr double kPreviewCopies = 4e6;
+
+/// Splits the long edges of a body that turns, where it may, and refines the motion within half of
+/// the memory.
+Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
+  const double chord = options.chordTolerance * cell;
   if (!(options.offset > 0 || options.conservative)) {
-    return refineMotion(p.body.mesh, trajectory, options.chordTolerance * cell, triangles, run);
+    const std::uint64_t limit = memoryLimit(run);
+    const double room = limit == 0 ? 1e300 : static_cast<double>(limit) / 2 / kBytesPerCopy;
+    const Following how =
+        planFollowing(p.body.mesh, trajectory, chord, cell,
+                      p.keepRoom ? std::min(room, kPreviewCopies) : room, maySplit, run);
+    if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
+    return refineMotion(p.body.mesh, trajectory, how.chord, run);
   }
   // The cover (offset/) flattens side patches by itself: only points need to be followed.
   // Offsets are measured from the chords, envelopes from the true motion beside them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;
-  return refineMotion(points, trajectory, options.chordTolerance / 2 * cell, run);
+  return refineMotion(points, trajectory, chord / 2, run);
 }
 
 /// False if the sweep leaves the last grid or fills too little of it.
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
-  Motion motion = refined(p, options, last.cell, p.body.mesh.triangles.size(), run);
+  Motion motion = refined(p, options, last.cell, false, run);
   const Eigen::AlignedBox3d box = grownBox(sweptBox(p.body.mesh, motion, run), last.cell, options);
   constexpr double kMinFilled = 0.75;
   double longest = 0;
@@ -106,18 +120,12 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
   const TriMesh given = p.body.mesh;  // its corners stay the outermost where edges are split
-  // Offsets flatten side patches by themselves.
-  if (!p.keepBody && !(options.offset > 0 || options.conservative)) {
-    // A cell that no grid has room for is refused before long edges are split for it.
-    if (options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
-      const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
-      planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
-    }
-    const double longest =
-        findBestEdge(p.body.mesh, trajectory, options.chordTolerance * cell, cell, run);
-    if (std::isfinite(longest)) p.body.mesh = splitEdges(given, longest, run);
+  // A cell that no grid has room for is refused before long edges are split for it.
+  if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
+    const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
+    planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
   }
-  p.motion = refined(p, options, cell, given.triangles.size(), run);
+  p.motion = refined(p, options, cell, !p.keepBody, run);
   const Eigen::AlignedBox3d box = grownBox(sweptBox(given, p.motion, run), cell, options);
   Options fixed = options;
   if (p.keepRoom) fixed.cellSize = cell;
@@ -150,6 +158,21 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   return e;
 }
 
+double usefulFilterOf(const Prepared& p, const Options& options) {
+  constexpr std::size_t kManyPoses = 1000, kLeftOut = 3;
+  const std::size_t poses = p.trajectory.trajectory.poses.size();
+  const double distance = options.chordTolerance * p.grid.cell;
+  if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
+  // What all copies together take has nothing to win.
+  if (options.backend != Backend::Gpu &&
+      dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
+    return 0;
+  }
+  const FilteredTrajectory kept =
+      filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), distance);
+  return kLeftOut * kept.trajectory.poses.size() <= poses ? distance : 0;
+}
+
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {
   const std::uint64_t limit = memoryLimit(run);
   return limit == 0 || e.memoryBytes <= limit / times;
@@ -166,14 +189,35 @@ void requireMemory(const Estimate& e, const RunContext& run) {
                      " MB; the smallest cell that fits is about ", e.cellSize * ratio, " mm"));
 }
 
+namespace {
+
+Prepared preparedFor(CheckedBody body, const Trajectory& trajectory, const Options& options,
+                     RunContext& run) {
+  Prepared prepared;
+  prepared.body = std::move(body);
+  prepareTrajectory(prepared, trajectory, options);
+  planRun(prepared, options, run);
+  return prepared;
+}
+
+}  // namespace
+
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options) {
   checkOptions(options);
   RunContext run;
-  Prepared prepared;
-  prepared.body.mesh = body;
-  prepareTrajectory(prepared, trajectory, options);
-  planRun(prepared, options, run);
-  return estimateOf(prepared, options);
+  CheckedBody unchecked;
+  unchecked.mesh = body;
+  return estimateOf(preparedFor(std::move(unchecked), trajectory, options, run), options);
+}
+
+Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, const Options& options,
+                         RunContext& run) {
+  checkOptions(options);
+  const Prepared prepared = preparedFor(checkBody(body, options, run), trajectory, options, run);
+  Estimate found = estimateByTrial(estimateOf(prepared, options), prepared,
+                                   buildTopology(prepared.body.mesh), options, run);
+  found.usefulFilter = usefulFilterOf(prepared, options);
+  return found;
 }
 
 }  // namespace swept

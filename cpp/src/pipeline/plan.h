@@ -43,6 +43,9 @@ void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
 
+/// See Estimate::usefulFilter. Needs the grid, and the poses without a filter.
+double usefulFilterOf(const Prepared& prepared, const Options& options);
+
 /// Does the run fit into its budget if it takes `times` what the estimate says?
 bool fitsMemory(const Estimate& estimate, const RunContext& run, std::uint64_t times = 1);
 /// Throws Error(ResourceLimit) if the run would take more memory than it may.

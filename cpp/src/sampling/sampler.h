@@ -27,6 +27,8 @@ struct SamplerInput {
   bool orientable = true;
   const FaceClusters* clusters = nullptr;  ///< of the body, where they are known already
   SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
+  /// Receives the number of crossings that the CPU sampler sorts, which is what its memory holds.
+  std::uint64_t* crossings = nullptr;
 };
 
 /// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of

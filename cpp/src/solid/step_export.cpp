@@ -26,6 +26,7 @@
 #include "solid/kernel/solid_file.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/mesh/patches.h"
+#include "solid/solid_findings.h"
 #include "solid/text/step_text.h"
 #include "solid/text/tessellated.h"
 #include "swept/solid.h"
@@ -230,7 +231,8 @@ constexpr double kExact =
 bool isWorthFacets(const Error& error) {
   return error.status() == Status::ExportFailed &&
          (error.code() == "InvalidFaces" || error.code() == "RereadDiffers" ||
-          error.code() == "RereadFailed" || error.code() == "KernelFailure");
+          error.code() == "RereadFailed" || error.code() == "KernelFailure" ||
+          error.code() == "SolidInaccurate");
 }
 
 StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
@@ -279,6 +281,12 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
     report.tolerance = options.tolerance;
+    if (options.strict && report.tolerance > 0 && report.deviation > report.tolerance) {
+      throw Error(Status::ExportFailed, "SolidInaccurate",
+                  "the solid would leave the mesh by " + numberText(report.deviation, 3) +
+                      " mm, more than the tolerance of " + numberText(report.tolerance, 3) +
+                      " mm; give a smaller tolerance, or plane faces only");
+    }
     noteDeviation(report);
     report.faces = check.faces;
     report.edges = check.edges;
@@ -373,7 +381,9 @@ StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOp
                       RunContext& run) {
   checkOptions(options);
   tbb::task_arena arena(threadsOf(run));
-  return arena.execute([&] { return writeOrFacets(mesh, path, options, run); });
+  StepReport report = arena.execute([&] { return writeOrFacets(mesh, path, options, run); });
+  report.warnings = solidFindings(report, options);
+  return report;
 }
 
 }  // namespace swept

@@ -9,6 +9,7 @@
 #include <TopoDS_Face.hxx>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "base/safe_file.h"
 #include "solid/kernel/shape_check.h"
@@ -68,13 +69,32 @@ TriMesh meshOf(const TopoDS_Shape& shape) {
   return mesh;
 }
 
-TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, RunContext& run) {
+TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, RunContext& run,
+                       step::ProductNames& names) {
   if (isBrep(pathFromUtf8(path))) return step::readBrepFile(path, run);
   checkStructure(pathFromUtf8(path), path);
-  return step::readStepFile(path, kernel, run);
+  return step::readStepFile(path, kernel, run, &names);
 }
 
-// Calls `read` with the shape of a file; what the kernel says of it is an error of the input.
+// Solids of several products are called as these, others as the file; what shares its name is
+// numbered.
+void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
+  std::map<std::string, int> counts;
+  for (const ImportedSolid& solid : solids) ++counts[solid.name];
+  if (counts.size() == 1 || counts.count("") != 0)
+    counts = {{stem, static_cast<int>(solids.size())}};
+  const bool fileName = counts.size() == 1;
+  std::map<std::string, int> given;
+  for (ImportedSolid& solid : solids) {
+    if (fileName) solid.name = stem;
+    if (counts[solid.name] == 1) continue;
+    const int number = ++given[solid.name];
+    solid.name.append(" ").append(std::to_string(number));
+  }
+}
+
+// Calls `read` with the shape of a file and the names of its products; what the kernel says of it
+// is an error of the input.
 template <class Read>
 auto withShape(const std::string& path, RunContext& run, Read read) {
   std::error_code code;
@@ -82,7 +102,9 @@ auto withShape(const std::string& path, RunContext& run, Read read) {
     throw Error(Status::InvalidInput, "BadFile", "'" + path + "' does not exist");
   step::KernelSession kernel;
   try {
-    return read(readShape(path, kernel, run));
+    step::ProductNames names;
+    const TopoDS_Shape shape = readShape(path, kernel, run, names);
+    return read(shape, names);
   } catch (const Error& error) {
     if (error.status() != Status::ExportFailed) throw;
     throw Error(Status::InvalidInput, "BadFile",
@@ -98,28 +120,27 @@ auto withShape(const std::string& path, RunContext& run, Read read) {
 
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run) {
-  return withShape(path, run, [&](const TopoDS_Shape& shape) {
+  return withShape(path, run, [&](const TopoDS_Shape& shape, step::ProductNames& names) {
     run.checkpoint(Phase::Input);
     BRepMesh_IncrementalMesh mesher(shape, linearDeflection, false, angularDeflection, true);
     run.checkpoint(Phase::Input);
     std::vector<ImportedSolid> solids;
     for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
       TriMesh mesh = meshOf(s.Current());
-      if (!mesh.triangles.empty()) solids.push_back({"", std::move(mesh)});
+      if (!mesh.triangles.empty())
+        solids.push_back({names[s.Current().TShape().get()], std::move(mesh)});
     }
     if (solids.empty()) solids.push_back({"", meshOf(shape)});
     if (solids[0].mesh.triangles.empty())
       throw Error(Status::InvalidInput, "NoSurface",
                   "'" + path + "' holds no face that can be triangulated; export a solid");
-    const std::string stem = utf8FromPath(pathFromUtf8(path).stem());
-    for (std::size_t i = 0; i < solids.size(); ++i)
-      solids[i].name = solids.size() == 1 ? stem : stem + " " + std::to_string(i + 1);
+    nameSolids(solids, utf8FromPath(pathFromUtf8(path).stem()));
     return solids;
   });
 }
 
 SolidCheck checkSolidFile(const std::string& path, RunContext& run) {
-  return withShape(path, run, [&](const TopoDS_Shape& shape) {
+  return withShape(path, run, [&](const TopoDS_Shape& shape, const step::ProductNames&) {
     SolidCheck check = step::checkShape(shape, run, 0.5, 1.0);
     if (check.solids == 0) {
       check.valid = false;

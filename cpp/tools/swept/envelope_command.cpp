@@ -1,10 +1,12 @@
 // swept envelope GENERATOR --motion CSV --output FILE: the main job without FreeCAD.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "base/limits.h"
 #include "commands.h"
@@ -119,6 +121,7 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
     badOption(
         "--solid-tolerance would let the solid cut into a conservative envelope; leave it out");
   }
+  job.solid.strict = job.common.strict;
   job.solid.exact = job.solid.exact || job.options.conservative ||
                     (job.common.strict && job.solid.tolerance <= 0);
 #endif
@@ -201,6 +204,23 @@ void readInputs(const EnvelopeJob& job, bool streamsOnly, RunContext& run, Input
     inputs.motion = readTrajectoryCsv(inputPath(job.motionPath), job.motionUnit, job.interpolation);
 }
 
+// STL keeps single precision: the report is of the mesh in the file.
+void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, RunContext& run) {
+  if (suffix != "stl") return;
+  mesh = meshAsWritten(mesh, suffix);
+  const MeshCheck before = std::exchange(report.check, checkMesh(mesh, run));
+  const std::int64_t more = report.check.selfIntersections - before.selfIntersections;
+  if (more <= 0 && report.check.passes() == before.passes()) return;
+  report.warnings.push_back(
+      {"SinglePrecision",
+       std::max<std::int64_t>(more, 1),
+       {},
+       "STL keeps seven digits, with which " + std::to_string(more) +
+           " more pairs of triangles meet" +
+           (report.check.passes() ? "" : ", and the surface is no closed manifold any more") +
+           "; write PLY, OBJ, OFF or 3MF, or put the motion nearer to the origin"});
+}
+
 SolidResult runJob(const EnvelopeJob& job, RunContext& run, Inputs& inputs, Report& report) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) {
@@ -214,6 +234,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Inputs& inputs, Repo
   const std::vector<Finding>& found = inputs.body->findings;
   report.warnings.insert(report.warnings.begin(), found.begin(), found.end());
   addStage(report, "read", reading);
+  if (report.status == Status::Ok) reportAsWritten(result.mesh, suffixOfOutput(job), report, run);
   takeStrict(report, job.common.strict);
   if (report.status != Status::Ok) return {};
   const auto writing = Clock::now();
@@ -252,8 +273,8 @@ int runEnvelope(const EnvelopeJob& job) {
   const bool ok = report.status == Status::Ok;
 #ifdef HAVE_SWEPT_SOLID
   if (solid) {
-    for (const Finding& finding : solidFindings(*solid, job.solid))
-      report.warnings.push_back(finding);
+    const std::vector<Finding>& found = solid->warnings;
+    report.warnings.insert(report.warnings.end(), found.begin(), found.end());
   }
 #endif
   Json json = reportJson(report);
@@ -261,7 +282,7 @@ int runEnvelope(const EnvelopeJob& job) {
   json["motion"] = job.motionPath;
   if (ok) json["output"] = job.outputPath;
 #ifdef HAVE_SWEPT_SOLID
-  if (solid) json["solid"] = solidJson(*solid);
+  if (solid) json["solid"] = Json::parse(toJson(*solid));
 #endif
   if (!ok) printError(report.status, report.code, report.message);
   writeReport(json, common.report);

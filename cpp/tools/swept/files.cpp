@@ -83,13 +83,7 @@ void checkIdentity(const std::vector<RoledFile>& inputs, const std::vector<Roled
   }
   if (!noClobber) return;
   for (const RoledFile& output : outputs) {
-    std::error_code code;
-    if (output.path.empty() || output.path == "-" ||
-        !fs::exists(fs::symlink_status(pathFromUtf8(output.path), code)))
-      continue;
-    throw Error(Status::ExportFailed, "Exists",
-                output.role + " '" + output.path +
-                    "' exists and --no-clobber was given; choose another name");
+    if (!output.path.empty() && output.path != "-") requireAbsent(output.role, output.path);
   }
 }
 

@@ -104,7 +104,7 @@ void printError(Status status, const std::string& code, const std::string& messa
 
 const Finding* inaccuracyOf(const std::vector<Finding>& findings) {
   static const std::set<std::string> codes{"ChordCapped", "SolidSimplified", "SolidInaccurate",
-                                           "SelfIntersections"};
+                                           "SelfIntersections", "SinglePrecision"};
   for (const Finding& finding : findings)
     if (codes.count(finding.code) != 0) return &finding;
   return nullptr;

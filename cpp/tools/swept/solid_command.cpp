@@ -39,7 +39,7 @@ int runSolid(const SolidJob& job) {
       solid = writeSolid(*mesh, output.path(), job.options, run);
       output.deliver();
     });
-    report.warnings = solidFindings(solid, job.options);
+    report.warnings = solid.warnings;
     takeStrict(report, common.strict);
   } catch (const Error& error) {
     takeError(report, error.status(), error.code(), error.what());
@@ -49,7 +49,7 @@ int runSolid(const SolidJob& job) {
   json["input"] = job.meshPath;
   if (made) {
     json["output"] = job.outputPath;
-    json["solid"] = solidJson(solid);
+    json["solid"] = Json::parse(toJson(solid));
   }
   json["warnings"] = findingsJson(report.warnings);
   writeReport(json, common.report);
@@ -84,6 +84,7 @@ Run addSolidCommand(CLI::App& program) {
       "Examples:\n  swept solid envelope.ply -o envelope.step\n"
       "  swept solid envelope.ply -o envelope.step --solid-tolerance 0.1 --author \"A. Maker\"");
   return [job] {
+    job->options.strict = job->common.strict;
     if (job->common.strict && job->options.tolerance <= 0) job->options.exact = true;
     if (job->meshFormat.empty() && job->meshPath == "-") job->meshFormat = "ply";
     return runSolid(*job);

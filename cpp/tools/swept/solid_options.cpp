@@ -4,8 +4,6 @@
 
 #include <cstdio>
 
-#include "base/number_text.h"
-
 namespace swept::cli {
 
 void addSolidOptions(CLI::App& app, StepOptions& options) {
@@ -29,55 +27,6 @@ void addSolidOptions(CLI::App& app, StepOptions& options) {
   in(addText(app, "--author", "TEXT", options.author, "for the header of the STEP file"));
   in(addText(app, "--organization", "TEXT", options.organization, "for the header too"));
   in(addText(app, "--product", "TEXT", options.productName, "name of the product"));
-}
-
-Json solidJson(const StepReport& solid) {
-  Json kinds = Json::object();
-  for (const auto& [kind, count] : solid.facesByKind) kinds[kind] = count;
-  return {{"solids", solid.solids},
-          {"faces", solid.faces},
-          {"edges", solid.edges},
-          {"faces_by_kind", kinds},
-          {"valid", solid.valid},
-          {"closed", solid.valid},
-          {"tolerance", solid.tolerance},
-          {"deviation", solid.deviation},
-          {"volume", solid.volume},
-          {"mesh_volume", solid.meshVolume},
-          {"file_bytes", solid.fileBytes},
-          {"seconds",
-           {{"build", solid.secondsBuild},
-            {"write", solid.secondsWrite},
-            {"reread", solid.secondsReread}}},
-          {"note", solid.note}};
-}
-
-std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options) {
-  std::vector<Finding> findings;
-  if (options.tolerance <= 0 && solid.tolerance > 0) {
-    const double percent =
-        solid.meshVolume != 0 ? 100 * (solid.volume / solid.meshVolume - 1) : 0.0;
-    findings.push_back(
-        {"SolidSimplified",
-         1,
-         {},
-         "to stay within the limit of " + std::to_string(options.maxFaces) +
-             " faces the solid was simplified: it leaves the mesh by up to " +
-             numberText(solid.deviation, 3) + " mm, its volume differs by " +
-             numberText(percent, 2) +
-             " %; give --solid-tolerance to choose this, --max-faces to raise the limit, or "
-             "--exact to refuse it"});
-  }
-  if (!solid.note.empty()) findings.push_back({"SolidNote", 1, {}, solid.note});
-  if (options.tolerance > 0 && solid.deviation > options.tolerance) {
-    findings.push_back({"SolidInaccurate",
-                        1,
-                        {},
-                        "the solid leaves the mesh by " + numberText(solid.deviation, 3) +
-                            " mm, more than the tolerance of " + numberText(options.tolerance, 3) +
-                            " mm"});
-  }
-  return findings;
 }
 
 void printSolid(const StepReport& solid, const std::string& path) {

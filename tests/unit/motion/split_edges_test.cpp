@@ -17,6 +17,8 @@ namespace {
 
 using V3 = Eigen::Vector3d;
 
+constexpr double kMany = 1e12;
+
 Trajectory quarterTurn(double radians) {
   const auto turned = [](double angle) {
     return Eigen::Isometry3d(Eigen::AngleAxisd(angle, V3(1, 2, 2).normalized()));
@@ -48,7 +50,7 @@ TEST(SplitEdges, OnlyWhereItSavesWork) {
   RunContext run;
   const double cell = 0.05, chord = 0.02 * cell;
   const auto best = [&](const TriMesh& body, const Trajectory& motion) {
-    return findBestEdge(body, motion, chord, cell, run);
+    return planFollowing(body, motion, chord, cell, kMany, true, run).longestEdge;
   };
   const TriMesh box = makeBox({0, 0, 0}, {10, 7, 5});
   EXPECT_LT(best(box, quarterTurn(M_PI / 2)), 2);
@@ -61,25 +63,49 @@ TEST(SplitEdges, OnlyWhereItSavesWork) {
   EXPECT_TRUE(std::isinf(best(makeBall({0, 0, 0}, 5, 6), quarterTurn(M_PI / 2))));
 }
 
-/// A fine body may not be copied as often as its few long edges ask: these are split.
-TEST(SplitEdges, FewLongEdgesOfAFineBodyStayFlat) {
+/// A ball with a long rod beside it, and a turn in 40 steps that the rod's few long edges feel.
+struct BallAndRod {
+  BallAndRod() {
+    append(body, makeBox({2, 0, 0}, {2.1, 0.1, 20}));
+    for (int n = 0; n <= 40; ++n) {
+      turn.poses.push_back(poseOf(n, Eigen::Isometry3d(Eigen::AngleAxisd(0.04 * n, V3::UnitX()))));
+    }
+    turn.interpolation = Interpolation::Linear;
+  }
+  TriMesh body = makeBall({0, 0, 0}, 1, 6);
+  Trajectory turn;
+};
+
+TEST(SplitEdges, FewLongEdgesOfAFineBodyAreSplitAndTheBoundIsKept) {
   RunContext run;
   const double cell = 0.05, chord = 0.02 * cell;
-  TriMesh body = makeBall({0, 0, 0}, 1, 6);
-  append(body, makeBox({2, 0, 0}, {2.1, 0.1, 20}));
-  Trajectory turn;
-  for (int n = 0; n <= 40; ++n) {
-    turn.poses.push_back(poseOf(n, Eigen::Isometry3d(Eigen::AngleAxisd(0.04 * n, V3::UnitX()))));
-  }
-  turn.interpolation = Interpolation::Linear;
-  const std::size_t triangles = body.triangles.size();
-  const auto chordError = [&](const TriMesh& mesh) {
-    return refineMotion(mesh, turn, chord, triangles, run).chordError;
+  const BallAndRod c;
+  const Following how = planFollowing(c.body, c.turn, chord, cell, kMany, true, run);
+  EXPECT_EQ(how.chord, chord);
+  const TriMesh split = splitEdges(c.body, how.longestEdge, run);
+  const Motion motion = refineMotion(split, c.turn, how.chord, run);
+  EXPECT_LE(motion.chordError, chord * (1 + 1e-9));
+  EXPECT_LT(split.triangles.size(), c.body.triangles.size() * 2);
+  // The same bound for the body as it is takes ten times as many.
+  EXPECT_GT(refineMotion(c.body, c.turn, chord, run).placements.size(),
+            10 * motion.placements.size());
+}
+
+TEST(SplitEdges, TooManyCopiesMakeTheChordLarger) {
+  RunContext run;
+  const double cell = 0.05, chord = 0.002 * cell;
+  const BallAndRod c;
+  const auto copies = [&](const Following& how) {
+    return refineMotion(c.body, c.turn, how.chord, run).placements.size() * c.body.triangles.size();
   };
-  EXPECT_GT(chordError(body), 0.3 * cell);
-  const TriMesh split = splitEdges(body, findBestEdge(body, turn, chord, cell, run), run);
-  EXPECT_LT(chordError(split), 0.1 * cell + chord);
-  EXPECT_LT(split.triangles.size(), triangles * 5 / 4);
+  const Following all = planFollowing(c.body, c.turn, chord, cell, kMany, false, run);
+  EXPECT_EQ(all.chord, chord);
+  const double most = static_cast<double>(copies(all)) / 5;
+  const Following fewer = planFollowing(c.body, c.turn, chord, cell, most, false, run);
+  EXPECT_GT(fewer.chord, chord);
+  EXPECT_LT(static_cast<double>(copies(fewer)), 1.01 * most);
+  // Of what a chord of a cell takes, twice is always allowed.
+  EXPECT_LT(planFollowing(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
 }
 
 /// A box that turns about an edge: a sector of a cylinder beside the box as it stands first and

@@ -217,6 +217,10 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   });
   rooms.clear();
   if (!keys.empty()) input.cache->replace(keys, chunks);
+  if (input.crossings != nullptr) {
+    *input.crossings = 0;
+    for (const RecordChunk& chunk : chunks) *input.crossings += chunk.records.size();
+  }
   run.checkpoint(Phase::Sampling, 8, 10);
   return sortRecords(chunks, input.grid, run);
 }

@@ -12,13 +12,21 @@
 #include <ShapeFix_Shape.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_FormatVersion.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -87,6 +95,32 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
   return shape;
 }
 
+ProductNames productNames(const STEPControl_Reader& reader) {
+  ProductNames names;
+  std::unordered_map<const TopoDS_TShape*, int> sizes;  // solids of the product of that name
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  const Handle(Transfer_TransientProcess) transfers =
+      reader.WS()->TransferReader()->TransientProcess();
+  for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
+    const auto product = Handle(StepBasic_ProductDefinition)::DownCast(model->Value(i));
+    if (product.IsNull() || product->Formation().IsNull()) continue;
+    const Handle(StepBasic_Product) of = product->Formation()->OfProduct();
+    if (of.IsNull() || of->Name().IsNull()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(transfers, product);
+    if (shape.IsNull()) continue;
+    TopTools_IndexedMapOfShape solids;
+    TopExp::MapShapes(shape, TopAbs_SOLID, solids);
+    for (Standard_Integer k = 1; k <= solids.Extent(); ++k) {
+      const TopoDS_TShape* solid = solids(k).TShape().get();
+      const auto [size, isNew] = sizes.try_emplace(solid, solids.Extent());
+      if (!isNew && size->second <= solids.Extent()) continue;
+      size->second = solids.Extent();
+      names[solid] = of->Name()->ToCString();
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
@@ -117,13 +151,16 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
   throwIfCancelled(run);
 }
 
-TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run) {
+TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
+                          ProductNames* names) {
   kernel.set("xstep.cascade.unit", "MM");
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
     fail("RereadFailed", "the kernel cannot read the file", &kernel);
   }
-  return shapeOf(reader, kernel, run);
+  TopoDS_Shape shape = shapeOf(reader, kernel, run);
+  if (names != nullptr) *names = productNames(reader);
+  return shape;
 }
 
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run) {

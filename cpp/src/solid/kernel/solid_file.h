@@ -7,6 +7,7 @@
 #include <istream>
 #include <ostream>
 #include <string>
+#include <unordered_map>
 
 #include "solid/kernel/kernel.h"
 #include "swept/solid.h"
@@ -18,9 +19,13 @@ namespace swept::step {
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
+/// Name of the product that a solid belongs to, the innermost in an assembly, by what all places of
+/// the solid share.
+using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
 /// The shape as the kernel reads it by default: it computes parameter curves and tolerances by
-/// itself.
-TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run);
+/// itself. `names`: of the solids, where asked for.
+TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
+                          ProductNames* names = nullptr);
 /// The same from memory.
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
 /// The shape of a file of plane faces, unchanged, with the tolerance (mm) that the file states;

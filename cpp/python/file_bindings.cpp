@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "file_bindings.h"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "docstrings.h"
+#include "errors.h"
+#include "job.h"
+#include "swept/body.h"
+#include "swept/io.h"
+#ifdef HAVE_SWEPT_SOLID
+#include "swept/solid.h"
+#endif
+#include "values.h"
+
+namespace swept::python {
+namespace {
+
+py::list findingsToList(const std::vector<Finding>& findings) {
+  py::list list;
+  for (const Finding& finding : findings) {
+    py::dict item;
+    item["code"] = finding.code;
+    item["count"] = finding.count;
+    item["first"] = py::cast(finding.first);
+    item["text"] = finding.text;
+    list.append(item);
+  }
+  return list;
+}
+
+Mesh pyReadMesh(const py::object& path, const std::string& unit) {
+  const std::string name = pathFromObject(path);
+  const double scale = parseLengthUnit(unit);
+  auto mesh = std::make_shared<TriMesh>();
+  {
+    const py::gil_scoped_release release;
+    *mesh = readMesh(name, scale);
+  }
+  return {mesh, 0, py::list()};
+}
+
+Mesh pyReadBody(const py::object& path, const std::string& unit,
+                const std::optional<double>& tolerance, const std::optional<double>& cell,
+                int resolution, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution};
+  Body body = runWithoutLock(*context, [&] { return readBody(name, options, *context); });
+  return {std::make_shared<const TriMesh>(std::move(body.mesh)), body.chordError,
+          findingsToList(body.findings)};
+}
+
+void pyWriteMesh(const py::object& path, const py::object& vertices, const py::object& triangles,
+                 bool noClobber) {
+  const std::string name = pathFromObject(path);
+  if (noClobber) requireAbsent("the file", name);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const py::gil_scoped_release release;
+  writeMesh(mesh, name);
+}
+
+py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
+  const std::string name = pathFromObject(path);
+  const double scale = parseLengthUnit(unit);
+  Trajectory trajectory;
+  {
+    const py::gil_scoped_release release;
+    trajectory = readTrajectoryCsv(name, scale, Interpolation::None);
+  }
+  return trajectoryToArrays(trajectory);
+}
+
+/// Rigid matrices as the quaternions and translations nearest to them.
+py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrices) {
+  return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
+}
+
+#ifdef HAVE_SWEPT_SOLID
+StepOptions solidOptions(const py::dict& keywords) {
+  StepOptions options;
+  for (const auto& [key, value] : keywords) {
+    const std::string name = py::cast<std::string>(key);
+    if (name == "merge_coplanar") {
+      options.mergeCoplanar = py::cast<bool>(value);
+    } else if (name == "planar_tolerance") {
+      options.planarTolerance = py::cast<double>(value);
+    } else if (name == "tolerance") {
+      options.tolerance = py::cast<double>(value);
+    } else if (name == "exact") {
+      options.exact = py::cast<bool>(value);
+    } else if (name == "strict") {
+      options.strict = py::cast<bool>(value);
+    } else if (name == "recognise") {
+      options.recognise = py::cast<bool>(value);
+    } else if (name == "max_faces") {
+      options.maxFaces = py::cast<std::int64_t>(value);
+    } else if (name == "max_megabytes") {
+      options.maxMegabytes = py::cast<double>(value);
+    } else if (name == "product_name") {
+      options.productName = py::cast<std::string>(value);
+    } else if (name == "schema") {
+      options.schema = parseStepSchema(py::cast<std::string>(value));
+    } else if (name == "author") {
+      options.author = py::cast<std::string>(value);
+    } else if (name == "organization") {
+      options.organization = py::cast<std::string>(value);
+    } else if (name == "colour") {
+      options.colour = py::cast<std::array<double, 3>>(value);
+    } else {
+      throw Error(Status::InvalidInput, "BadOption",
+                  "unknown option '" + name + "'; see help(_swept.write_solid)");
+    }
+  }
+  return options;
+}
+
+py::object pyWriteSolid(const py::object& path, const py::object& vertices,
+                        const py::object& triangles, const py::object& run, bool noClobber,
+                        const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  if (noClobber) requireAbsent("the file", name);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const StepOptions options = solidOptions(keywords);
+  const StepReport report =
+      runWithoutLock(*context, [&] { return writeSolid(mesh, name, options, *context); });
+  py::object result = parseJson(toJson(report));
+  result["warnings"] = findingsToList(report.warnings);
+  return result;
+}
+
+py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles,
+                         const py::object& run, const py::kwargs& keywords) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh mesh = meshFromArrays(vertices, triangles);
+  const StepOptions options = solidOptions(keywords);
+  const SolidEstimate found =
+      runWithoutLock(*context, [&] { return estimateSolid(mesh, options, *context); });
+  py::dict result;
+  result["triangles"] = found.triangles;
+  result["faces"] = found.faces;
+  result["megabytes"] = found.megabytes;
+  result["seconds"] = found.seconds;
+  return result;
+}
+#else
+[[noreturn]] void refuseSolids(const py::args&, const py::kwargs&) {
+  throw Error(Status::ExportFailed, "BadFormat",
+              "this module was built without OpenCASCADE and cannot write solids");
+}
+#endif
+
+}  // namespace
+
+void bindFiles(py::module_& module) {
+  py::class_<Mesh>(module, "Mesh", kMeshDoc)
+      .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
+      .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only")
+      .def_readonly("chord_error", &Mesh::chordError,
+                    "mm: how far triangles of a solid may leave its surface; 0: a mesh file")
+      .def_readonly("findings", &Mesh::findings,
+                    "How a solid was read, as in a report's warnings.");
+  module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
+  module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
+             py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),
+             py::arg("resolution") = 128, py::arg("run") = py::none());
+  module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
+             py::arg("triangles"), py::arg("no_clobber") = false);
+  module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),
+             py::arg("unit") = "mm");
+  module.def("poses_from_matrices", &pyPosesFromMatrices,
+             "poses_from_matrices(times (K,), matrices (K, 4, 4)) -> (times, quaternions (K, 4), "
+             "translations (K, 3))",
+             py::arg("times"), py::arg("matrices"));
+#ifdef HAVE_SWEPT_SOLID
+  module.attr("HAS_SOLIDS") = true;
+  module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
+             py::arg("triangles"), py::arg("run") = py::none(), py::arg("no_clobber") = false);
+  module.def("estimate_solid", &pyEstimateSolid, kEstimateSolidDoc, py::arg("vertices"),
+             py::arg("triangles"), py::arg("run") = py::none());
+#else
+  module.attr("HAS_SOLIDS") = false;
+  module.def("write_solid", &refuseSolids);
+  module.def("estimate_solid", &refuseSolids);
+#endif
+}
+
+}  // namespace swept::python

@@ -1,0 +1,39 @@
+// What several parts of the module hand to Python: meshes without a copy, runs.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "arrays.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept::python {
+
+namespace py = pybind11;
+
+using RunPointer = std::shared_ptr<RunContext>;
+
+/// A mesh whose arrays Python looks at without copying.
+struct Mesh {
+  std::shared_ptr<const TriMesh> data;
+  double chordError = 0;           ///< mm, of a tessellated solid
+  py::list findings = py::list();  ///< of how it was read
+
+  py::array vertices() const {
+    return readOnlyView(reinterpret_cast<const double*>(data->vertices.data()),
+                        {static_cast<py::ssize_t>(data->vertices.size()), 3}, data);
+  }
+  py::array triangles() const {
+    return readOnlyView(reinterpret_cast<const std::int32_t*>(data->triangles.data()),
+                        {static_cast<py::ssize_t>(data->triangles.size()), 3}, data);
+  }
+};
+
+inline RunPointer runFromObject(const py::object& run) {
+  return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
+}
+
+}  // namespace swept::python

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "io/single_precision.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "geometry/exact_predicates.h"
+
+namespace swept {
+namespace {
+
+using Point = Eigen::Vector3f;
+
+/// By the bytes of the coordinates.
+struct Hash {
+  template <class Vector>
+  std::size_t operator()(const Vector& p) const {
+    return std::hash<std::string_view>{}(
+        std::string_view(reinterpret_cast<const char*>(p.data()), 3 * sizeof(p[0])));
+  }
+};
+
+/// Zero has one sign, so that equal points have equal bytes.
+Point rounded(const Eigen::Vector3d& p) { return p.cast<float>() + Point::Zero(); }
+
+float stepped(float value, int steps) {
+  const float to =
+      steps > 0 ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
+  for (int k = 0; k < std::abs(steps); ++k) value = std::nextafter(value, to);
+  return value + 0.0F;
+}
+
+/// Works on places: vertices at one place stay together.
+class Rounding {
+ public:
+  explicit Rounding(const TriMesh& mesh) : mesh_(mesh) {
+    std::unordered_map<Eigen::Vector3d, std::size_t, Hash> places;
+    places.reserve(mesh.vertices.size());
+    taken_.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+      const Eigen::Vector3d exact = vertex + Eigen::Vector3d::Zero();
+      const auto [at, isNew] = places.try_emplace(exact, exact_.size());
+      placeOf_.push_back(at->second);
+      if (!isNew) continue;
+      exact_.push_back(exact);
+      points_.push_back(rounded(exact));
+      if (!taken_.insert(points_.back()).second) joined_.push_back(at->second);
+    }
+  }
+
+  void keepVerticesApart() {
+    for (const std::size_t place : joined_) move(place, [](const Point&) { return true; });
+  }
+
+  void keepAreas() {
+    std::vector<std::size_t> flat;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const auto [a, b, c] = placesOf(t);
+      if (isFlat(t) && !collinear(exact_[a], exact_[b], exact_[c])) flat.push_back(t);
+    }
+    if (flat.empty()) return;
+    std::unordered_map<std::size_t, std::vector<std::size_t>> around;
+    for (const std::size_t t : flat)
+      for (const std::size_t place : placesOf(t)) around[place];
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (const std::size_t place : placesOf(t)) {
+        if (const auto at = around.find(place); at != around.end()) at->second.push_back(t);
+      }
+    }
+    for (const std::size_t t : flat) {
+      for (const std::size_t place : placesOf(t)) {
+        if (!isFlat(t)) break;
+        move(place, [&](const Point& to) {
+          const Point old = std::exchange(points_[place], to);
+          const std::vector<std::size_t>& fan = around[place];
+          const bool fine =
+              std::none_of(fan.begin(), fan.end(), [&](std::size_t near) { return isFlat(near); });
+          points_[place] = old;
+          return fine;
+        });
+      }
+    }
+  }
+
+  TriMesh mesh() const {
+    TriMesh out;
+    out.triangles = mesh_.triangles;
+    out.vertices.reserve(placeOf_.size());
+    for (const std::size_t place : placeOf_)
+      out.vertices.emplace_back(points_[place].cast<double>());
+    return out;
+  }
+
+ private:
+  std::array<std::size_t, 3> placesOf(std::size_t triangle) const {
+    const auto& t = mesh_.triangles[triangle];
+    return {placeOf_[t[0]], placeOf_[t[1]], placeOf_[t[2]]};
+  }
+  bool isFlat(std::size_t triangle) const {
+    const auto [a, b, c] = placesOf(triangle);
+    return collinear(points_[a].cast<double>(), points_[b].cast<double>(),
+                     points_[c].cast<double>());
+  }
+
+  /// To the free point nearest to where the place is that suits; stays where none does.
+  template <class Suits>
+  void move(std::size_t place, const Suits& suits) {
+    constexpr int kReach = 2;
+    std::vector<std::pair<double, Point>> points;
+    const Point centre = rounded(exact_[place]);
+    for (int x = -kReach; x <= kReach; ++x) {
+      for (int y = -kReach; y <= kReach; ++y) {
+        for (int z = -kReach; z <= kReach; ++z) {
+          const Point to(stepped(centre[0], x), stepped(centre[1], y), stepped(centre[2], z));
+          points.emplace_back((to.cast<double>() - exact_[place]).squaredNorm(), to);
+        }
+      }
+    }
+    std::stable_sort(points.begin(), points.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [distance, to] : points) {
+      if (taken_.count(to) != 0 || !suits(to)) continue;
+      taken_.insert(points_[place] = to);
+      return;
+    }
+  }
+
+  const TriMesh& mesh_;
+  std::vector<std::size_t> placeOf_;    // of a vertex
+  std::vector<Eigen::Vector3d> exact_;  // of a place
+  std::vector<Point> points_;           // where it comes to be
+  std::unordered_set<Point, Hash> taken_;
+  std::vector<std::size_t> joined_;
+};
+
+}  // namespace
+
+TriMesh inSinglePrecision(const TriMesh& mesh) {
+  Rounding rounding(mesh);
+  rounding.keepVerticesApart();
+  rounding.keepAreas();
+  return rounding.mesh();
+}
+
+}  // namespace swept

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/trial_steps.h"
+
+#include <tbb/task_arena.h>
+#include <time.h>
+
+#include <algorithm>
+
+#include "base/threads.h"
+#include "sampling/culling/face_clusters.h"
+#include "sampling/dense/dense_sampler.h"
+#include "sampling/sampler.h"
+
+namespace swept {
+namespace {
+
+/// Copies of triangles that are sampled, and placements.
+constexpr double kTrialCopies = 6e6;
+constexpr std::size_t kFewest = 8, kMost = 192;
+/// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
+/// step takes is their difference, without the copies at both ends that a whole motion has once.
+constexpr std::size_t kWindows = 8;
+/// Of what the longer trial takes in the mean, a step takes this at least.
+constexpr double kLeastShare = 0.2;
+
+/// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
+/// planned, of a crossing that becomes surface, and of a piece of surface that may be looked at in
+/// cells where walls may end.
+constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6,
+                 kElementSeconds = 6e-7;
+/// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
+constexpr double kSortedBytes = 16, kElementBytes = 12;
+/// sampling/cpu makes about so many work items of a motion, and keeps no more crossings of one than
+/// about so many, in a buffer that each thread has.
+constexpr double kItems = 48, kThinCrossings = 1 << 20;
+
+double threadSeconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
+  const auto from = [first](const auto& list, std::size_t n) {
+    const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::vector(begin, begin + static_cast<std::ptrdiff_t>(n));
+  };
+  Motion part;
+  part.continuous = motion.continuous;
+  part.placements = from(motion.placements, motion.continuous ? count + 1 : count);
+  if (motion.continuous) part.midpoints = from(motion.midpoints, count);
+  return part;
+}
+
+/// CPU seconds, and counts.
+struct Cost {
+  double seconds = 0, crossings = 0, elements = 0;
+
+  void add(const Cost& other, double times) {
+    seconds += times * other.seconds;
+    crossings += times * other.crossings;
+    elements += times * other.elements;
+  }
+};
+
+class Trials {
+ public:
+  Trials(const Prepared& p, const BodyTopology& topology, const Options& options, RunContext& run)
+      : p_(p), topology_(topology), options_(options), run_(run) {
+    if (p.motion.continuous) clusters_ = buildClusters(p.body.mesh, topology);
+  }
+
+  /// Of the whole motion.
+  Cost whole() const {
+    const Motion& motion = p_.motion;
+    const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
+    const double faces = static_cast<double>(p_.body.mesh.triangles.size());
+    const std::size_t wanted =
+        std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost);
+    if (count <= 2 * wanted) return of(motion);
+    Cost sum, least;
+    if (!motion.continuous) {
+      for (std::size_t n = 0; n < wanted; ++n)
+        sum.add(of(partOf(motion, (2 * n + 1) * count / (2 * wanted), 1)), times(count, wanted));
+      return sum;
+    }
+    const std::size_t steps = std::max<std::size_t>(1, wanted / (3 * kWindows));
+    for (std::size_t w = 0; w < kWindows; ++w) {
+      const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * kWindows);
+      const Cost one = of(partOf(motion, first, steps)), two = of(partOf(motion, first, 2 * steps));
+      sum.add(two, times(count, kWindows * steps));
+      sum.add(one, -times(count, kWindows * steps));
+      least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
+    }
+    return {std::max(sum.seconds, least.seconds), std::max(sum.crossings, least.crossings),
+            std::max(sum.elements, least.elements)};
+  }
+
+ private:
+  static double times(std::size_t all, std::size_t part) {
+    return static_cast<double>(all) / static_cast<double>(part);
+  }
+
+  Cost of(const Motion& motion) const {
+    const double start = threadSeconds();
+    std::uint64_t crossings = 0;
+    const MarkedEdges marks = sampleCpu({p_.body.mesh, topology_, motion, p_.grid, options_.cull,
+                                         p_.body.orientable, &clusters_, nullptr, &crossings},
+                                        run_);
+    Cost cost;
+    cost.seconds = threadSeconds() - start;
+    cost.elements = static_cast<double>(marks.elements.size());
+    cost.crossings = static_cast<double>(crossings);
+    return cost;
+  }
+
+  const Prepared& p_;
+  const BodyTopology& topology_;
+  const Options& options_;
+  RunContext& run_;
+  FaceClusters clusters_;
+};
+
+}  // namespace
+
+Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const BodyTopology& topology,
+                         const Options& options, RunContext& run) {
+  if (options.offset > 0 || options.conservative) return estimate;
+  const double surface = static_cast<double>(estimate.triangles) / 2;
+  const double before = static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds +
+                        static_cast<double>(p.givenPoses) * kPoseSeconds;
+  const double threads = threadsOf(run);
+  Estimate better = estimate;
+  if (options.backend != Backend::Gpu &&
+      dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
+    better.seconds = before + estimate.seconds + surface * kCrossingSeconds / threads;
+    return better;
+  }
+  tbb::task_arena alone(1);
+  const Cost sampling = alone.execute([&] { return Trials(p, topology, options, run).whole(); });
+  better.seconds = before + (sampling.seconds + surface * kCrossingSeconds +
+                             sampling.elements * kElementSeconds) /
+                                threads;
+  const bool thins = p.motion.continuous && sampling.crossings > kItems * kThinCrossings;
+  const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
+  better.memoryBytes +=
+      static_cast<std::uint64_t>(kept * kSortedBytes + sampling.elements * kElementBytes);
+  return better;
+}
+
+}  // namespace swept

@@ -1,0 +1,20 @@
+// What a run takes, after a look: a few of its steps are sampled on its own grid, and counted.
+// In:    checked body, planned run. Out: the estimate with seconds and memory of sampling as these
+//        steps take them. The rest (surface, thin walls) is reckoned from counts, with figures that
+//        docs/performance.md tells.
+// Cost:  sampling of 8 to 64 placements, on one thread.
+// Promise: within a factor of 2 for memory and 3 for seconds over most of the inputs of
+//        tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "geometry/body_topology.h"
+#include "pipeline/plan.h"
+
+namespace swept {
+
+/// Unchanged for offsets and conservative envelopes.
+Estimate estimateByTrial(const Estimate& estimate, const Prepared& prepared,
+                         const BodyTopology& topology, const Options& options, RunContext& run);
+
+}  // namespace swept

@@ -1,0 +1,59 @@
+// What a solid's report says: findings and JSON.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/number_text.h"
+#include "base/report_json.h"
+#include "solid/solid_findings.h"
+#include "swept/solid.h"
+
+namespace swept {
+
+std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options) {
+  std::vector<Finding> findings;
+  if (options.tolerance <= 0 && solid.tolerance > 0) {
+    const double percent =
+        solid.meshVolume != 0 ? 100 * (solid.volume / solid.meshVolume - 1) : 0.0;
+    findings.push_back({"SolidSimplified",
+                        1,
+                        {},
+                        "to stay within the limits (" + std::to_string(options.maxFaces) +
+                            " faces) the solid was simplified: it leaves the mesh by up to " +
+                            numberText(solid.deviation, 3) + " mm, its volume differs by " +
+                            numberText(percent, 2) +
+                            " %; give a tolerance to choose this, raise the limit of faces, or "
+                            "ask for an exact solid to refuse it"});
+  }
+  if (!solid.note.empty()) findings.push_back({"SolidNote", 1, {}, solid.note});
+  if (options.tolerance > 0 && solid.deviation > options.tolerance) {
+    findings.push_back({"SolidInaccurate",
+                        1,
+                        {},
+                        "the solid leaves the mesh by " + numberText(solid.deviation, 3) +
+                            " mm, more than the tolerance of " + numberText(options.tolerance, 3) +
+                            " mm"});
+  }
+  return findings;
+}
+
+std::string toJson(const StepReport& solid) {
+  Json kinds = Json::object();
+  for (const auto& [kind, count] : solid.facesByKind) kinds[kind] = count;
+  const Json json{{"solids", solid.solids},
+                  {"faces", solid.faces},
+                  {"edges", solid.edges},
+                  {"faces_by_kind", kinds},
+                  {"valid", solid.valid},
+                  {"closed", solid.valid},
+                  {"tolerance", solid.tolerance},
+                  {"deviation", solid.deviation},
+                  {"volume", solid.volume},
+                  {"mesh_volume", solid.meshVolume},
+                  {"file_bytes", solid.fileBytes},
+                  {"seconds",
+                   {{"build", solid.secondsBuild},
+                    {"write", solid.secondsWrite},
+                    {"reread", solid.secondsReread}}},
+                  {"note", solid.note}};
+  return jsonText(json);
+}
+
+}  // namespace swept
