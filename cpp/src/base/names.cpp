@@ -88,6 +88,14 @@ const char* phaseName(Phase phase) {
       return "check";
     case Phase::Export:
       return "export";
+    case Phase::Straight:
+      return "straight moves";
+    case Phase::Shifts:
+      return "moves without turns";
+    case Phase::Turns:
+      return "moves with turns";
+    case Phase::Polish:
+      return "polish";
     case Phase::Done:
       return "done";
   }
