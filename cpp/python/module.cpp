@@ -11,6 +11,7 @@
 #include "drawing.h"
 #include "errors.h"
 #include "job.h"
+#include "path_bindings.h"
 #include "priority.h"
 #include "swept/body.h"
 #include "swept/check_text.h"
@@ -457,5 +458,6 @@ PYBIND11_MODULE(_swept, module) {
   bindDrawing(module);
 #ifdef HAVE_SWEPT_CLEARANCE
   bindClearance(module);
+  bindPath(module);
 #endif
 }

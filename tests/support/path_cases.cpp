@@ -159,10 +159,10 @@ PathCase elbowCase(unsigned seed) {
   PathCase c = cornerCase(seed);
   Random random(seed + 77);
   c.name = "elbow";
-  const double a = random.number(1.5, 2.5), w = 6, l = 36;
+  const double a = random.number(1.5, 2), w = 7, l = 36;
   TriMesh part;
-  append(part, boxAt(-a, 13, -a, a, -a, a));
-  append(part, boxAt(-a, a, a, 13, -a, a));
+  append(part, boxAt(-a, 12, -a, a, -a, a));
+  append(part, boxAt(-a, a, a, 12, -a, a));
   c.part = part;
   TriMesh walls;
   append(walls, boxAt(-25, l + w + 5, -w - 5, l, -w - 5, -w));

@@ -136,15 +136,15 @@ class PathFinder {
  private:
   // Ends of the legs: start (or places outside), via, goal.
   void prepare() {
-    const State goal = scene_.at(checkedPose(task_.goal, "goal"));
+    const State goal = scene_.inside(checkedPose(task_.goal, "goal"));
     space_.upright = goal.pose.rotation;
     space_.largestTurn = o_.translationOnly ? 0 : o_.largestTurn.value_or(4.0);
     ends_.push_back(examineEnd(scene_, demand_, goal, "goal", run_));
     for (std::size_t i = task_.via.size(); i-- > 0;)
       ends_.push_back(examineEnd(
-          scene_, demand_, scene_.at(checkedPose(task_.via[i], "via placement")), "via", run_));
+          scene_, demand_, scene_.inside(checkedPose(task_.via[i], "via placement")), "via", run_));
     if (task_.start) {
-      const State start = scene_.at(checkedPose(*task_.start, "start"));
+      const State start = scene_.inside(checkedPose(*task_.start, "start"));
       if (ends_.size() == 1 && scene_.distance(start, goal) < 1e-6 * scene_.radius())
         throw Error(Status::InvalidInput, "SamePose",
                     "start and goal are the same placement; there is nothing to move");
@@ -202,7 +202,8 @@ class PathFinder {
         none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
       return none;
     }
-    return solveLeg(scene_, demand_.apart, task, limits_, run_);
+    const Rule loose(scene_.count(), 0.1 * o_.tolerance);
+    return solveLeg(scene_, demand_.apart, loose, task, limits_, run_);
   }
 
   // The way out of contact that ends where the search began, or none.
@@ -288,6 +289,18 @@ class PathFinder {
                   "the parts");
     report_.verdict = PathVerdict::Found;
     report_.path = motion;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      Pose& pose = report_.path.poses[i];
+      pose = scene_.outside(keys[i]);
+      pose.timeSeconds = motion.poses[i].timeSeconds;
+    }
+    for (NeighbourClearance& row : report_.certificate) {
+      const double time = row.timeSeconds;
+      row.pose = scene_.outside(scene_.at(row.pose));
+      row.pose.timeSeconds = time;
+      row.pointOnBody = scene_.world().transpose() * row.pointOnBody;
+      row.pointOnNeighbour = scene_.world().transpose() * row.pointOnNeighbour;
+    }
     report_.clearance = report_.certificate.front().guaranteed;
     for (const NeighbourClearance& row : report_.certificate)
       report_.clearance = std::min(report_.clearance, row.guaranteed);
@@ -310,7 +323,7 @@ class PathFinder {
     if (found.noTranslation) report_.verdict = PathVerdict::NoTranslation;
     const Eigen::Vector3d goal = ends_.back().state.middle;
     report_.escape.distance = (found.farthest.middle - goal).norm();
-    report_.escape.pose = found.farthest.pose;
+    report_.escape.pose = scene_.outside(found.farthest);
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (found.blocked[i] > 0) order.push_back(i);

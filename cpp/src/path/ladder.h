@@ -44,7 +44,8 @@ struct Limits {
 /// Whether a move keeps the largest turn from how the part stands at the goal.
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space);
 
-LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
-                   RunContext& run);
+/// `loose`: the least that has to be kept from the neighbours on ways that only guide the search.
+LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, const Leg& leg,
+                   const Limits& limits, RunContext& run);
 
 }  // namespace swept::path

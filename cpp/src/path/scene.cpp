@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "clearance/pair_check.h"
+#include "path/main_axes.h"
+#include "path/thin.h"
 
 namespace swept::path {
 namespace {
@@ -29,19 +31,27 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& q, const Vector3d& turn) {
   return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * q).normalized();
 }
 
+std::vector<const TriMesh*> meshesOf(const std::vector<PathNeighbour>& neighbours) {
+  std::vector<const TriMesh*> meshes;
+  for (const PathNeighbour& n : neighbours) meshes.push_back(&n.part.mesh);
+  return meshes;
+}
+
 }  // namespace
 
 Scene::Scene(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
              const PathOptions& options, RunContext& run)
-    : part_(clearance::closedPart(part, "the part", run, partMended_)),
+    : world_(mainAxes(meshesOf(neighbours)).transpose()),
+      own_(mainAxes({&part}).transpose()),
+      part_(clearance::closedPart(turnedMesh(part, own_), "the part", run, partMended_)),
       mended_(neighbours.size(), 0),
       interpolation_(options.interpolation) {
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     run.checkpoint(Phase::Motion, i, neighbours.size());
     const ClearanceNeighbour& still = neighbours[i].part;
     bool mended = false;
-    neighbours_.push_back(
-        clearance::closedPart(still.mesh, "neighbour '" + still.name + "'", run, mended));
+    neighbours_.push_back(clearance::closedPart(turnedMesh(still.mesh, world_),
+                                                "neighbour '" + still.name + "'", run, mended));
     mended_[i] = mended ? 1 : 0;
     box_.extend(neighbours_.back().tree().bounds().low);
     box_.extend(neighbours_.back().tree().bounds().high);
@@ -52,6 +62,41 @@ Scene::Scene(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
     for (const Vector3d& x : part_.corners(place))
       radius_ = std::max(radius_, (x - middle_).norm());
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
+}
+
+Scene::Scene(const Scene& whole, double skin, RunContext& run)
+    : world_(whole.world_),
+      own_(whole.own_),
+      part_(thinned(whole.part_, skin), "the part"),
+      mended_(whole.mended_),
+      box_(whole.box_),
+      partBox_(whole.partBox_),
+      middle_(whole.middle_),
+      radius_(whole.radius_),
+      resolution_(whole.resolution_),
+      interpolation_(whole.interpolation_) {
+  for (const clearance::Part& neighbour : whole.neighbours_) {
+    run.checkpoint(Phase::Turns);
+    neighbours_.emplace_back(thinned(neighbour, skin), "a neighbour");
+  }
+}
+
+// x_world = R x + t with both frames turned: W (R (own^T x')) + W t.
+State Scene::inside(const Pose& pose) const {
+  Pose turned = pose;
+  turned.rotation =
+      Eigen::Quaterniond(world_ * pose.rotation.toRotationMatrix() * own_.transpose()).normalized();
+  turned.translation = world_ * pose.translation;
+  return at(turned);
+}
+
+Pose Scene::outside(const State& state) const {
+  Pose pose = state.pose;
+  pose.rotation =
+      Eigen::Quaterniond(world_.transpose() * state.pose.rotation.toRotationMatrix() * own_)
+          .normalized();
+  pose.translation = world_.transpose() * state.pose.translation;
+  return pose;
 }
 
 State Scene::at(const Pose& pose) const {
@@ -105,7 +150,8 @@ bool Scene::isFree(const State& state, const Rule& rule, Memory& memory) const {
   return true;
 }
 
-Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memory& memory) const {
+Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memory& memory,
+                     double finest) const {
   Follow result;
   const double turn = from.pose.rotation.angularDistance(to.pose.rotation);
   if (turn > kLargestTurn) return {0, -1};
@@ -115,22 +161,21 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
   const std::size_t first = memory.last;
   for (std::size_t k = 0; k < count() && result.share > 0; ++k) {
     const std::size_t i = (first + k) % count();
-    if (rule[i] >= 0) followOne(motion, i, rule[i], result, memory);
+    if (rule[i] >= 0) followOne(motion, i, rule[i], finest, result, memory);
   }
   return result;
 }
 
 // Spans of the move from its start on; each is proven free, or halved, or the end of what is free.
 void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double apart,
-                      Follow& result, Memory& memory) const {
+                      double finest, Follow& result, Memory& memory) const {
   struct Span {
     double from, to;
     int level;
   };
   const PairSearch pair(part_, neighbours_[i]);
   clearance::LeafPair& hint = memory.pairs[i];
-  const double whole = motion.bound({-1, 0, 0, 1}).reach;
-  bool blocked = false;
+  const double least = std::max(resolution_, finest * motion.bound({-1, 0, 0, 1}).reach);
   std::vector<Span> spans{{0, result.share, 0}};
   while (!spans.empty()) {
     const Span span = spans.back();
@@ -142,9 +187,7 @@ void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double
         pair.certify(bound, apart, kEffort << std::min(span.level, 12), hint);
     if (proof.holds) continue;
     if (proof.obstacle.body >= 0) hint = proof.obstacle;
-    // Once something is known to be in the way, where exactly it begins matters less.
-    const double enough = blocked ? std::max(resolution_, whole / 32) : resolution_;
-    if (bound.reach <= enough) {
+    if (bound.reach <= least) {
       result = {span.from, static_cast<int>(i)};
       memory.last = i;
       continue;
@@ -153,7 +196,6 @@ void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double
     if (hint.body >= 0 && pair.leafDistance(bound.R, bound.t, hint).squared < apart * apart) {
       result = {middle, static_cast<int>(i)};
       memory.last = i;
-      blocked = true;
     } else {
       spans.push_back({middle, span.to, span.level + 1});
     }

@@ -1,5 +1,7 @@
 // The part among its neighbours, as searches for a path see it.
 // In:    meshes, clearances. Out: answers about placements and about moves between two placements.
+// Frames: the part and the world are turned so that their main axes are x, y and z; states are in
+//        that world. inside() and outside() lead in and out.
 // Units: mm, rad. The length of a move is |dt| + angle x radius of the part: no point travels more.
 // Cost:  some ten microseconds a question; the parts are prepared once.
 // Promise: a move that is called free is proven so (clearance/pair_search.h), with the
@@ -63,6 +65,9 @@ class Scene {
   Scene(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
         const PathOptions& options, RunContext& run);
 
+  /// The same places with a skin taken off the part and off the neighbours, to guide a search.
+  Scene(const Scene& whole, double skin, RunContext& run);
+
   const clearance::Part& part() const { return part_; }
   bool partMended() const { return partMended_; }
   const clearance::Part& neighbour(std::size_t i) const { return neighbours_[i]; }
@@ -73,6 +78,12 @@ class Scene {
   /// Of the part about its middle, mm.
   double radius() const { return radius_; }
   Interpolation interpolation() const { return interpolation_; }
+
+  /// From a placement as the caller has it, and back.
+  State inside(const Pose& pose) const;
+  Pose outside(const State& state) const;
+  /// Turns directions and points of the caller's world into this one.
+  const Eigen::Matrix3d& world() const { return world_; }
 
   State at(const Pose& pose) const;
   State at(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& middle) const;
@@ -87,14 +98,17 @@ class Scene {
 
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
-  Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory) const;
+  /// `finest`: share of the move in which something may be called in the way without being sure.
+  Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
+                double finest = 0) const;
   /// The nearest pair, if nearer than `within`.
   Contact contactAt(const State& state, std::size_t neighbour, double within, Memory& memory) const;
 
  private:
   void followOne(const clearance::MotionTree& motion, std::size_t neighbour, double apart,
-                 Follow& result, Memory& memory) const;
+                 double finest, Follow& result, Memory& memory) const;
 
+  Eigen::Matrix3d world_, own_;  ///< of the world, of the part's frame
   bool partMended_ = false;
   clearance::Part part_;
   std::deque<clearance::Part> neighbours_;

@@ -11,7 +11,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kStart = 0, kGoal = 1;
-constexpr int kSlides = 4;
+constexpr int kSlides = 3;
+// Of a move: how exactly the tree finds out where it is blocked.
+constexpr double kFinest = 1.0 / 16;
 
 }  // namespace
 
@@ -144,7 +146,7 @@ int TwoTrees::extend(int tree, int from, const State& to, double most, bool& rea
   int node = from;
   for (int slide = 0; slide <= kSlides; ++slide) {
     const State next = slide == 0 && share >= 1 ? to : limited(at, scene_.moved(at, twist));
-    const Follow follow = scene_.follow(at, next, rule_, memory_);
+    const Follow follow = scene_.follow(at, next, rule_, memory_, kFinest);
     const double length = scene_.distance(at, next);
     if (follow.share * length > shortest_) {
       at = follow.share >= 1 ? next : scene_.onWay(at, next, follow.share);
@@ -173,7 +175,7 @@ bool TwoTrees::connect(int tree, int node) {
   const int other = 1 - tree;
   const State to = trees_[tree][static_cast<std::size_t>(node)].state;
   int at = nearest(other, to);
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < 12; ++k) {
     bool reached = false;
     const int next = extend(other, at, to, longest_, reached);
     if (!path_.empty()) return true;
@@ -200,26 +202,47 @@ void TwoTrees::finish(int startNode, int goalNode) {
   }
 }
 
+State TwoTrees::sampleGuide() {
+  const State& guide = space_.guides[random_.index(space_.guides.size())];
+  const double scale = scene_.radius() * std::pow(10.0, random_.between(-2.5, -0.3));
+  Twist twist{scale * random_.share() * random_.direction(), Vector3d::Zero()};
+  if (space_.turns()) twist.turn = scale / scene_.radius() * random_.share() * random_.direction();
+  return limited(guide, scene_.moved(guide, twist));
+}
+
+// The harder end gets more of the work: there most moves are blocked.
+int TwoTrees::chooseTree() {
+  if (trees_[kStart].empty()) return kGoal;
+  const double share = hardness_[kGoal] / (hardness_[kGoal] + hardness_[kStart]);
+  return random_.share() < std::clamp(share, 0.1, 0.9) ? kGoal : kStart;
+}
+
 bool TwoTrees::grow(int rounds) {
   for (int round = 0; round < rounds && path_.empty(); ++round) {
-    // The goal stands among its neighbours and is the harder end as a rule.
-    const int tree = random_.share() < 0.65 || trees_[kStart].empty() ? kGoal : kStart;
+    const int tree = chooseTree();
     const double kind = random_.share();
     int from;
     State to;
     if (kind < 0.15 && !trees_[1 - tree].empty()) {
       to = trees_[1 - tree][random_.index(trees_[1 - tree].size())].state;
       from = nearest(tree, to);
-    } else if (kind < 0.4) {
+    } else if (kind < 0.3) {
       to = sample();
+      from = nearest(tree, to);
+    } else if (kind < 0.75 && !space_.guides.empty()) {
+      to = sampleGuide();
       from = nearest(tree, to);
     } else {
       from = sparse(tree);
       to = sampleNear(tree, from);
     }
     bool reached = false;
+    const auto before = trees_[tree][static_cast<std::size_t>(from)].state;
     const int node = extend(tree, from, to, longest_, reached);
     if (!path_.empty()) break;
+    const double wanted = std::min(longest_, scene_.distance(before, to));
+    const double came = scene_.distance(before, trees_[tree][static_cast<std::size_t>(node)].state);
+    hardness_[tree] += 0.02 * ((came < 0.9 * wanted ? 1 : 0.05) - hardness_[tree]);
     if (node == from) continue;
     if (!trees_[1 - tree].empty() && connect(tree, node)) break;
   }

@@ -31,6 +31,8 @@ struct SearchSpace {
   bool turns() const { return largestTurn > 0; }
   /// A tree from the goal that reaches such a state needs no other one.
   std::function<bool(const State&)> isOut;
+  /// Places near which the way is likely to lie, in order; may be empty.
+  std::vector<State> guides;
 };
 
 class TwoTrees {
@@ -64,6 +66,8 @@ class TwoTrees {
   int sparse(int tree);
   State sample();
   State sampleNear(int tree, int node);
+  State sampleGuide();
+  int chooseTree();
   State limited(const State& from, const State& to) const;
   /// Moves from a node towards a state and slides on where it is blocked; the last node added.
   int extend(int tree, int from, const State& to, double most, bool& reached);
@@ -81,8 +85,9 @@ class TwoTrees {
   std::vector<std::int64_t> blocked_;
   std::vector<State> path_;
   int farthest_ = 0;
-  double longest_ = 0;   ///< mm, of one extension
-  double shortest_ = 0;  ///< mm, of a new edge
+  double hardness_[2] = {1, 1};  ///< share of the extensions of a tree that were blocked, lately
+  double longest_ = 0;           ///< mm, of one extension
+  double shortest_ = 0;          ///< mm, of a new edge
 };
 
 }  // namespace swept::path
