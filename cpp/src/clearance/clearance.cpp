@@ -20,9 +20,6 @@ namespace {
 
 using namespace clearance;
 
-/// Neighbours that one sentence names; a reader asks for the first few.
-constexpr std::size_t kMaxNamedOpen = 8;
-
 void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
   if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
     return;
@@ -80,34 +77,6 @@ void summarise(ClearanceReport& report) {
   if (!row.name.empty()) report.summary += " (" + row.name + ")";
 }
 
-void warnOpen(ClearanceReport& report, bool bodyClosed) {
-  Finding open{"OpenMesh", 0, {}, ""};
-  std::string names;
-  for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
-    if (report.neighbours[i].closed) continue;
-    ++open.count;
-    if (open.first.size() >= kMaxNamedOpen) continue;
-    open.first.push_back(static_cast<std::int64_t>(i));
-    const std::string& name = report.neighbours[i].name;
-    names += (names.empty() ? "" : ", ") + (name.empty() ? std::to_string(i + 1) : name);
-  }
-  if (open.count > 0) {
-    if (static_cast<std::size_t>(open.count) > open.first.size()) names += ", ...";
-    open.text =
-        std::to_string(open.count) + (open.count == 1 ? " neighbour is" : " neighbours are") +
-        " open or badly oriented (" + names +
-        "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
-        "the other side only";
-    report.warnings.push_back(open);
-  }
-  if (!bodyClosed)
-    report.warnings.push_back({"OpenBody",
-                               1,
-                               {},
-                               "the moving body is an open or badly oriented surface: a neighbour "
-                               "that lies wholly inside it is not noticed"});
-}
-
 void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& trajectory,
               const std::vector<ClearanceNeighbour>& neighbours, const ClearanceOptions& options,
               RunContext& run) {
@@ -137,7 +106,14 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
         checkPair(pair, neighbours[i].name, neighbours[i].chordError, motion, options, run);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
   });
-  warnOpen(report, moving.closed());
+  std::vector<std::string> names;
+  std::vector<char> closed;
+  for (const NeighbourClearance& row : report.neighbours) {
+    names.push_back(row.name);
+    closed.push_back(row.closed ? 1 : 0);
+  }
+  for (const Finding& finding : openFindings(names, closed, moving.closed()))
+    report.warnings.push_back(finding);
   summarise(report);
   report.seconds.push_back({"search", timer.lap()});
   report.seconds.push_back({"total", timer.seconds()});

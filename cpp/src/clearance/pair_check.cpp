@@ -105,6 +105,9 @@ class PairCheck {
   RunContext& run_;
 };
 
+/// Neighbours that one sentence names; a reader asks for the first few.
+constexpr std::size_t kMaxNamedOpen = 8;
+
 }  // namespace
 
 Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended) {
@@ -126,6 +129,36 @@ NeighbourClearance checkPair(const CheckedPair& parts, const std::string& name, 
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run) {
   return PairCheck(parts, motion, options, run)(name, chordError);
+}
+
+std::vector<Finding> openFindings(const std::vector<std::string>& names,
+                                  const std::vector<char>& closed, bool bodyClosed) {
+  std::vector<Finding> findings;
+  Finding open{"OpenMesh", 0, {}, ""};
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (closed[i] != 0) continue;
+    ++open.count;
+    if (open.first.size() >= kMaxNamedOpen) continue;
+    open.first.push_back(static_cast<std::int64_t>(i));
+    list += (list.empty() ? "" : ", ") + (names[i].empty() ? std::to_string(i + 1) : names[i]);
+  }
+  if (open.count > 0) {
+    if (static_cast<std::size_t>(open.count) > open.first.size()) list += ", ...";
+    open.text =
+        std::to_string(open.count) + (open.count == 1 ? " neighbour is" : " neighbours are") +
+        " open or badly oriented (" + list +
+        "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
+        "the other side only";
+    findings.push_back(open);
+  }
+  if (!bodyClosed)
+    findings.push_back({"OpenBody",
+                        1,
+                        {},
+                        "the moving body is an open or badly oriented surface: a neighbour "
+                        "that lies wholly inside it is not noticed"});
+  return findings;
 }
 
 }  // namespace swept::clearance

@@ -27,4 +27,8 @@ NeighbourClearance checkPair(const CheckedPair& parts, const std::string& name, 
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run);
 
+/// What is said of neighbours (and of the body) where "inside" has no meaning.
+std::vector<Finding> openFindings(const std::vector<std::string>& names,
+                                  const std::vector<char>& closed, bool bodyClosed);
+
 }  // namespace swept::clearance

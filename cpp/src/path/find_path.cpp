@@ -150,11 +150,18 @@ class PathFinder {
                     "start and goal are the same placement; there is nothing to move");
       ends_.push_back(examineEnd(scene_, demand_, start, "start", run_));
     } else {
-      ends_.push_back(outside(scene_, demand_, goal, *task_.extraction));
-      if (task_.via.empty()) space_.isOut = outTest(scene_, demand_, goal, *task_.extraction);
+      Extraction extraction = *task_.extraction;
+      if (extraction.direction)
+        extraction.direction = Eigen::Vector3d(scene_.world() * *extraction.direction);
+      ends_.push_back(outside(scene_, demand_, goal, extraction));
+      if (task_.via.empty()) space_.isOut = outTest(scene_, demand_, goal, extraction);
     }
     std::reverse(ends_.begin(), ends_.end());
     requireAllowedTurns();
+    std::vector<char> closed;
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      closed.push_back(scene_.neighbour(i).closed() ? 1 : 0);
+    report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
     Eigen::AlignedBox3d box = scene_.box();
     const double most = *std::max_element(demand_.apart.begin(), demand_.apart.end());
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.5 * scene_.radius() + most);
@@ -202,8 +209,31 @@ class PathFinder {
         none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
       return none;
     }
+    // A radius may be reached without leaving the space that a proof speaks of.
+    task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
+                    (task_.start || task_.extraction->direction);
     const Rule loose(scene_.count(), 0.1 * o_.tolerance);
-    return solveLeg(scene_, demand_.apart, loose, task, limits_, run_);
+    // Part of the time is kept for what would be possible instead.
+    const bool mayAskLess =
+        *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
+    Limits limits = limits_;
+    limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
+    LegResult found = solveLeg(scene_, demand_.apart, loose, task, limits, run_);
+    if (!found.keys.empty() || !mayAskLess) return found;
+    task.provable = false;
+    for (const double share : {0.5, 0.25, 0.0}) {
+      limits.seconds += 0.08 * o_.budgetSeconds;
+      Rule less = demand_.apart;
+      for (std::size_t i = 0; i < less.size(); ++i)
+        less[i] += std::max(share * demand_.required[i], demand_.tolerance) -
+                   std::max(demand_.required[i], demand_.tolerance);
+      const LegResult other = solveLeg(scene_, less, loose, task, limits, run_);
+      found.steps += other.steps;
+      if (other.keys.empty()) continue;
+      report_.possibleClearance = share * o_.clearance;
+      break;
+    }
+    return found;
   }
 
   // The way out of contact that ends where the search began, or none.
@@ -294,6 +324,8 @@ class PathFinder {
       pose = scene_.outside(keys[i]);
       pose.timeSeconds = motion.poses[i].timeSeconds;
     }
+    takeEnd(report_.path.poses.back(), task_.goal);
+    if (task_.start) takeEnd(report_.path.poses.front(), *task_.start);
     for (NeighbourClearance& row : report_.certificate) {
       const double time = row.timeSeconds;
       row.pose = scene_.outside(scene_.at(row.pose));
@@ -304,6 +336,10 @@ class PathFinder {
     report_.clearance = report_.certificate.front().guaranteed;
     for (const NeighbourClearance& row : report_.certificate)
       report_.clearance = std::min(report_.clearance, row.guaranteed);
+    // The engine's figure is off by up to its tolerance; the moves themselves are proven to keep
+    // what was asked for.
+    report_.clearance = std::max(
+        report_.clearance, *std::min_element(demand_.required.begin(), demand_.required.end()));
     for (std::size_t i = 1; i < keys.size(); ++i) {
       report_.length += (keys[i].middle - keys[i - 1].middle).norm();
       report_.turn += keys[i].pose.rotation.angularDistance(keys[i - 1].pose.rotation);
@@ -318,9 +354,16 @@ class PathFinder {
                       report_.method + ")";
   }
 
+  // To the last bit as the caller gave it.
+  static void takeEnd(Pose& pose, const Pose& given) {
+    pose.translation = given.translation;
+    pose.rotation = given.rotation.normalized();
+  }
+
   void takeFailure(const LegResult& found) {
     report_.budgetEnded = limits_.over();
-    if (found.noTranslation) report_.verdict = PathVerdict::NoTranslation;
+    report_.noTranslation = found.noTranslation;
+    if (found.noTranslation && !space_.turns()) report_.verdict = PathVerdict::NoTranslation;
     const Eigen::Vector3d goal = ends_.back().state.middle;
     report_.escape.distance = (found.farthest.middle - goal).norm();
     report_.escape.pose = scene_.outside(found.farthest);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "path/shifts.h"
 #include "path/straight_moves.h"
 
 namespace swept::path {
@@ -19,7 +20,9 @@ constexpr int kRounds = 20;                  // of one search before the others 
 constexpr std::size_t kNodesAtFirst = 3000;  // of both trees, before a search begins anew
 // Skins that are taken off, in radii of the part, from the first search of a chain to the last.
 constexpr std::array<double, 3> kSkins{0.08, 0.04, 0.015};
-constexpr std::int64_t kMostTriangles = 200000;  // of scenes that are thinned
+constexpr std::size_t kMostStarts = 8;                 // that are looked for on grids, one by one
+constexpr int kPlaces = 8000, kPlacesOfProof = 10000;  // of one grid
+constexpr std::int64_t kMostTriangles = 200000;        // of scenes that are thinned
 
 /// Scenes from the loosest to the true one, and what to keep from the neighbours in each.
 struct Stage {
@@ -184,7 +187,40 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, cons
     result.steps = memory.steps;
     return result;
   }
-  result = SixDimensions(scene, rule, loose, leg, limits, run).search();
+  const bool upright =
+      !leg.space.turns() || leg.starts.empty() ||
+      leg.starts.front().pose.rotation.angularDistance(leg.goals.front().pose.rotation) < 1e-9;
+  const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
+  const int places = std::max(kPlaces / 10, kPlaces / std::max(1, pairs));
+  // Turned starts are linked to places where the part stands as at the goal.
+  for (const State& start : leg.starts) {
+    if (leg.starts.size() > kMostStarts || !result.keys.empty() || limits.over()) break;
+    for (const State& goal : leg.goals) {
+      result.keys = shiftsOnly(scene, rule, leg.space, start, goal, places, memory, run);
+      if (!result.keys.empty()) break;
+    }
+  }
+  const bool kept = std::adjacent_find(result.keys.begin(), result.keys.end(),
+                                       [&](const State& a, const State& b) {
+                                         return !allowed(a, b);
+                                       }) == result.keys.end();
+  if (!result.keys.empty() && kept) {
+    result.method = "grid of places";
+    result.steps = memory.steps;
+    return result;
+  }
+  const State* start = leg.space.isOut || leg.starts.empty() ? nullptr : &leg.starts.front();
+  const bool proven =
+      leg.provable && upright &&
+      noShifts(scene, rule, leg.space, start, leg.goals.front(), kPlacesOfProof, run);
+  if (proven && !leg.space.turns()) {
+    result = {};
+    result.farthest = leg.goals.front();
+    result.blocked.assign(scene.count(), 0);
+  } else {
+    result = SixDimensions(scene, rule, loose, leg, limits, run).search();
+  }
+  result.noTranslation = proven;
   result.steps += memory.steps;
   return result;
 }

@@ -21,6 +21,7 @@ namespace swept::path {
 struct Leg {
   std::vector<State> starts, goals;
   SearchSpace space;
+  bool provable = false;  ///< one goal, and no contact is allowed round it
   double far = 0;  ///< mm, so long that a straight move along it leaves all neighbours behind
 };
 

@@ -82,10 +82,13 @@ void addPlaces(CLI::App& app, PathJob& job) {
       app, "--extract", "RADIUS|X,Y,Z",
       [&job](const std::string& t) { job.task.extraction = extractionOf(t); },
       "instead of a start: just get it out, so far (mm) or past all neighbours in this direction");
-  addConverted(
-      app, "--via", "X,Y,Z[,QX,QY,QZ,QW]",
-      [&job](const std::string& t) { job.task.via.push_back(poseOf("--via", t)); },
-      "a placement that the path has to pass; may be given again, from start to goal")
+  app.add_option_function<std::vector<std::string>>(
+         "--via",
+         [&job](const std::vector<std::string>& list) {
+           for (const std::string& t : list) job.task.via.push_back(poseOf("--via", t));
+         },
+         "a placement that the path has to pass; may be given again, from start to goal")
+      ->type_name("X,Y,Z[,QX,QY,QZ,QW]")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
