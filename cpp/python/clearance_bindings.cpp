@@ -36,15 +36,6 @@ RunPointer contextFrom(const py::object& run) {
   return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
 }
 
-ClearanceNeighbour neighbourFrom(const py::handle& item) {
-  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
-  if (parts.size() != 3 && parts.size() != 4)
-    throw py::value_error(
-        "a neighbour is (name, vertices, triangles) or one more: its chord error");
-  return {parts[0].cast<std::string>(), meshFromArrays(parts[1], parts[2]),
-          parts.size() == 4 ? parts[3].cast<double>() : 0.0};
-}
-
 py::object pyClearance(const py::object& vertices, const py::object& triangles,
                        const py::object& motion, const py::iterable& neighbours,
                        const std::string& interpolation, double required, double tolerance,
@@ -85,6 +76,15 @@ py::array pyDistanceToMesh(const py::object& points, const py::object& vertices,
 }
 
 }  // namespace
+
+ClearanceNeighbour neighbourFrom(const py::handle& item) {
+  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (parts.size() != 3 && parts.size() != 4)
+    throw py::value_error(
+        "a neighbour is (name, vertices, triangles) or one more: its chord error");
+  return {parts[0].cast<std::string>(), meshFromArrays(parts[1], parts[2]),
+          parts.size() == 4 ? parts[3].cast<double>() : 0.0};
+}
 
 void bindClearance(py::module_& module) {
   module.def("clearance", &pyClearance, kClearanceDoc, py::arg("vertices"), py::arg("triangles"),

@@ -4,7 +4,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include "swept/clearance.h"
+
 namespace swept::python {
+
+/// From (name, vertices, triangles) or one more: the chord error in mm.
+ClearanceNeighbour neighbourFrom(const pybind11::handle& item);
 
 void bindClearance(pybind11::module_& module);
 

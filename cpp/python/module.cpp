@@ -10,6 +10,7 @@
 #include "errors.h"
 #include "file_bindings.h"
 #include "job.h"
+#include "path_bindings.h"
 #include "priority.h"
 #include "swept/check_text.h"
 #include "swept/compute.h"
@@ -261,5 +262,6 @@ PYBIND11_MODULE(_swept, module) {
   bindDrawing(module);
 #ifdef HAVE_SWEPT_CLEARANCE
   bindClearance(module);
+  bindPath(module);
 #endif
 }

@@ -38,6 +38,7 @@ from ._calls import (
     distance_to_mesh,
     estimate,
     estimate_solid,
+    find_path,
     write_solid,
 )
 from ._values import (
@@ -76,6 +77,7 @@ __all__ = [
     "distance_to_mesh",
     "estimate",
     "estimate_solid",
+    "find_path",
     "read_body",
     "read_mesh",
     "read_motion",

@@ -135,6 +135,25 @@ def clearance(
     penetration: bool = True,
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]: ...
+def find_path(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    goal: npt.ArrayLike,
+    neighbours: Any,
+    start: Optional[npt.ArrayLike] = None,
+    extract: Any = None,
+    via: Any = (),
+    clearance: float = 0.0,
+    release: float = 0.0,
+    translation_only: bool = False,
+    max_angle: Optional[float] = None,
+    interpolation: str = "linear",
+    tolerance: float = 0.01,
+    body_chord: float = 0.0,
+    budget: float = 60.0,
+    seed: int = 1,
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], Any]: ...
 def distance_to_mesh(
     points: npt.ArrayLike,
     vertices: npt.ArrayLike,

@@ -92,6 +92,15 @@ def test_reports_of_clearances(report_of, inputs, box):  # noqa: F811
     assert "smallest" not in report_of(*words, "absent.ply", status=1)
 
 
+def test_reports_of_paths(report_of, inputs, box):  # noqa: F811
+    _swept.write_mesh(inputs / "wall.ply", box[0] * [0.2, 5, 5] + [15, 0, 0], box[1])
+    words = ("path", inputs / "box.ply", inputs / "wall.ply", "--start", "60,0,0")
+    report = report_of(*words, "--clearance", 2)
+    assert report["verdict"] == "found" and report["keys"] == len(report["path"]) > 2
+    assert report["clearance"] >= 2 and report["certificate"][0]["verdict"] == "clear"
+    assert "verdict" not in report_of(*words, "--clearance", 20, status=1)
+
+
 def test_the_schema_refuses_what_is_no_report(call, inputs, validator):  # noqa: F811
     done = call("check", inputs / "box.ply", "--report", "-")
     report = json.loads(done.stdout)

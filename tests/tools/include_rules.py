@@ -43,6 +43,8 @@ MAY_INCLUDE = {
     "check": BELOW,
     # A consumer beside the pipeline: it checks its own inputs as the pipeline does.
     "clearance": BELOW | {"input"},
+    # Searches for a way, and asks clearance about every step of it.
+    "path": BELOW | {"clearance"},
     "solid/carrier": BELOW,
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},

@@ -7,8 +7,23 @@
 
 namespace swept {
 
-/// Stages of a run in the order in which they are passed.
-enum class Phase { Input, Motion, Sampling, Signs, Contour, Simplify, Check, Export, Done };
+/// Stages of a run in the order in which they are passed; those of a search for a path (Straight to
+/// Polish) lie between Motion and Check.
+enum class Phase {
+  Input,
+  Motion,
+  Sampling,
+  Signs,
+  Contour,
+  Simplify,
+  Check,
+  Export,
+  Straight,
+  Shifts,
+  Turns,
+  Polish,
+  Done
+};
 constexpr int kPhaseCount = static_cast<int>(Phase::Done) + 1;
 const char* phaseName(Phase phase);
 

@@ -40,6 +40,10 @@ constexpr NameTable<Phase, kPhaseCount> kPhases{{{"input", Phase::Input},
                                                  {"simplify", Phase::Simplify},
                                                  {"check", Phase::Check},
                                                  {"export", Phase::Export},
+                                                 {"straight moves", Phase::Straight},
+                                                 {"moves without turns", Phase::Shifts},
+                                                 {"moves with turns", Phase::Turns},
+                                                 {"polish", Phase::Polish},
                                                  {"done", Phase::Done}}};
 constexpr NameTable<double, 4> kUnits{{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}}};
 

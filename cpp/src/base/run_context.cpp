@@ -8,9 +8,23 @@
 
 namespace swept {
 namespace {
-// Share of a typical run that is done when each phase starts.
-constexpr std::array<double, kPhaseCount> kPhaseStart{0.0, 0.02, 0.05, 0.45, 0.55,
-                                                      0.8, 0.85, 0.97, 1.0};
+// Share of a typical run that is done when each phase starts and when it ends.
+struct Span {
+  double start, end;
+};
+constexpr std::array<Span, kPhaseCount> kSpans{{{0.0, 0.02},
+                                                {0.02, 0.05},
+                                                {0.05, 0.45},
+                                                {0.45, 0.55},
+                                                {0.55, 0.8},
+                                                {0.8, 0.85},
+                                                {0.85, 0.97},
+                                                {0.97, 1.0},
+                                                {0.05, 0.1},
+                                                {0.1, 0.2},
+                                                {0.2, 0.8},
+                                                {0.8, 0.85},
+                                                {1.0, 1.0}}};
 }  // namespace
 
 void RunContext::checkpoint(Phase phase, std::uint64_t done, std::uint64_t total) {
@@ -19,8 +33,7 @@ void RunContext::checkpoint(Phase phase, std::uint64_t done, std::uint64_t total
   if (isCancelled()) throw Error(Status::Cancelled, "Cancelled", "cancelled by the user");
   const int index = static_cast<int>(phase);
   phase_.store(index, std::memory_order_relaxed);
-  const double start = kPhaseStart[index];
-  const double end = kPhaseStart[std::min(index + 1, kPhaseCount - 1)];
+  const auto [start, end] = kSpans[static_cast<std::size_t>(index)];
   const double part =
       total == 0 ? 0.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
   const double value = start + (end - start) * part;

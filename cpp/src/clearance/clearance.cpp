@@ -5,29 +5,20 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <chrono>
 #include <cmath>
 #include <string>
 
 #include "base/limits.h"
 #include "base/number_text.h"
 #include "base/threads.h"
-#include "clearance/penetration.h"
-#include "input/body_check.h"
+#include "base/timer.h"
+#include "clearance/pair_check.h"
 #include "input/trajectory_check.h"
 
 namespace swept {
 namespace {
 
 using namespace clearance;
-
-/// Neighbours that one sentence names; a reader asks for the first few.
-constexpr std::size_t kMaxNamedOpen = 8;
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
   if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
@@ -52,123 +43,6 @@ void checkClearanceOptions(const ClearanceOptions& o,
   for (const ClearanceNeighbour& part : parts)
     requireOption("chord error", part.chordError, true, "neighbour '" + part.name + "': ");
 }
-
-/// The mesh as a part; of a welded and turned copy if the mesh itself is not closed but that
-/// is.
-Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended) {
-  Part part(mesh, who);
-  if (part.closed()) return part;
-  try {
-    const CheckedBody checked = checkBody(mesh, Options{}, run);
-    if (!checked.orientable) return part;
-    mended = true;
-    return Part(checked.mesh, who);
-  } catch (const Error& error) {
-    if (error.status() == Status::InvalidInput)
-      return part;  // e.g. a flat sheet: still a neighbour
-    throw;
-  }
-}
-
-/// One neighbour from its mesh to its row of the report.
-class NeighbourCheck {
- public:
-  NeighbourCheck(const Part& body, bool bodyMended, const MotionTree& motion,
-                 const ClearanceOptions& options, RunContext& run)
-      : body_(body), bodyMended_(bodyMended), motion_(motion), o_(options), run_(run) {}
-
-  NeighbourClearance operator()(const ClearanceNeighbour& part) const {
-    const Clock::time_point start = Clock::now();
-    bool mended = false;
-    const Part neighbour = closedPart(part.mesh, "neighbour '" + part.name + "'", run_, mended);
-    const PairSearch pair(body_, neighbour);
-    SearchContext context{pair, motion_, run_};
-    NeighbourClearance row;
-    row.name = part.name;
-    row.chordError = o_.bodyChordError + part.chordError;
-    row.closed = neighbour.closed();
-    const double touch = o_.tolerance + row.chordError;
-    const double slack = motion_.isContinuous() ? o_.tolerance : 0.0;
-    Minimum least = searchMinimum(context, slack);
-    row.inside = least.inside;
-    if (least.inside || least.distance <= slack) {
-      row.penetration =
-          deepestPenetration(context, least, o_.tolerance, o_.penetration ? 40000 : 4000);
-      const bool undecidable =
-          !row.penetration.known && least.distance <= 0 && !body_.closed() && !neighbour.closed();
-      if (row.penetration.depth > touch || undecidable)
-        row.verdict = ClearanceVerdict::Clash;
-      else
-        row.verdict = ClearanceVerdict::Contact;
-    } else if (least.distance <= touch) {
-      row.verdict = ClearanceVerdict::Contact;
-    }
-    fillMinimum(row, least, pair);
-    if (mended) row.neighbourTriangle = -1;  // the numbers of the copy mean nothing to the caller
-    if (bodyMended_) row.bodyTriangle = -1;
-    row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);
-    const bool below = o_.required > 0 && row.distance - row.chordError < o_.required;
-    if (row.verdict == ClearanceVerdict::Clear && below)
-      row.verdict = ClearanceVerdict::BelowRequired;
-    fillSpans(row, context, touch, below);
-    for (const auto& [u, d] :
-         sampleDistances(context, o_.curveSamples, parameterOfMinimum(row, least)))
-      row.curve.push_back({motion_.timeAt(u), d});
-    row.distanceQueries = context.queries;
-    row.certificates = context.certificates;
-    row.seconds = secondsSince(start);
-    return row;
-  }
-
- private:
-  double parameterOfMinimum(const NeighbourClearance& row, const Minimum& least) const {
-    return row.verdict == ClearanceVerdict::Clash && row.penetration.known
-               ? row.penetration.parameter
-               : least.parameter;
-  }
-
-  void fillMinimum(NeighbourClearance& row, const Minimum& least, const PairSearch& pair) const {
-    const bool clash = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-    row.distance = clash ? 0.0 : least.distance;
-    row.pose = motion_.poseAt(parameterOfMinimum(row, least));
-    row.timeSeconds = row.pose.timeSeconds;
-    if (clash) {
-      row.pointOnBody =
-          row.penetration.pointOfBody ? row.penetration.point : row.penetration.surface;
-      row.pointOnNeighbour =
-          row.penetration.pointOfBody ? row.penetration.surface : row.penetration.point;
-      return;
-    }
-    if (least.at.pair.body < 0) return;
-    row.pointOnBody = least.at.onBody;
-    row.pointOnNeighbour = least.at.onNeighbour;
-    row.bodyTriangle = pair.body().triangle(least.at.pair.body);
-    row.neighbourTriangle = pair.neighbour().triangle(least.at.pair.neighbour);
-  }
-
-  void fillSpans(NeighbourClearance& row, SearchContext& context, double touch, bool below) const {
-    const double resolution = !motion_.isContinuous()    ? 0.0
-                              : o_.intervalTolerance > 0 ? o_.intervalTolerance
-                                                         : 10 * o_.tolerance;
-    const OverlapTest overlaps = [&](const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double d) {
-      return overlapsBy(context.pair, R, t, d);
-    };
-    const auto timesBelow = [&](double level) {
-      std::vector<TimeInterval> times;
-      for (const auto& [from, to] : spansBelow(context, level, resolution, overlaps))
-        times.push_back({motion_.timeAt(from), motion_.timeAt(to)});
-      return times;
-    };
-    if (below) row.below = timesBelow(o_.required + row.chordError);
-    if (row.verdict >= ClearanceVerdict::Contact) row.contact = timesBelow(touch);
-  }
-
-  const Part& body_;
-  bool bodyMended_;
-  const MotionTree& motion_;
-  const ClearanceOptions& o_;
-  RunContext& run_;
-};
 
 bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
@@ -203,38 +77,10 @@ void summarise(ClearanceReport& report) {
   if (!row.name.empty()) report.summary += " (" + row.name + ")";
 }
 
-void warnOpen(ClearanceReport& report, bool bodyClosed) {
-  Finding open{"OpenMesh", 0, {}, ""};
-  std::string names;
-  for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
-    if (report.neighbours[i].closed) continue;
-    ++open.count;
-    if (open.first.size() >= kMaxNamedOpen) continue;
-    open.first.push_back(static_cast<std::int64_t>(i));
-    const std::string& name = report.neighbours[i].name;
-    names += (names.empty() ? "" : ", ") + (name.empty() ? std::to_string(i + 1) : name);
-  }
-  if (open.count > 0) {
-    if (static_cast<std::size_t>(open.count) > open.first.size()) names += ", ...";
-    open.text =
-        std::to_string(open.count) + (open.count == 1 ? " neighbour is" : " neighbours are") +
-        " open or badly oriented (" + names +
-        "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
-        "the other side only";
-    report.warnings.push_back(open);
-  }
-  if (!bodyClosed)
-    report.warnings.push_back({"OpenBody",
-                               1,
-                               {},
-                               "the moving body is an open or badly oriented surface: a neighbour "
-                               "that lies wholly inside it is not noticed"});
-}
-
 void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& trajectory,
               const std::vector<ClearanceNeighbour>& neighbours, const ClearanceOptions& options,
               RunContext& run) {
-  const Clock::time_point start = Clock::now();
+  Timer timer;
   run.checkpoint(Phase::Input);
   checkClearanceOptions(options, neighbours);
   CheckedTrajectory checked = checkTrajectory(trajectory);
@@ -248,19 +94,29 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   const Box box = moving.box(moving.tree().root());
   const MotionTree motion(checked.trajectory, box.centre, box.half);
   report.placements = std::ssize(checked.trajectory.poses);
-  report.seconds.push_back({"prepare", secondsSince(start)});
-  const Clock::time_point search = Clock::now();
+  report.seconds.push_back({"prepare", timer.lap()});
   report.neighbours.resize(neighbours.size());
   std::atomic<std::uint64_t> done{0};
-  const NeighbourCheck check(moving, mended, motion, options, run);
   tbb::parallel_for(std::size_t{0}, neighbours.size(), [&](std::size_t i) {
-    report.neighbours[i] = check(neighbours[i]);
+    bool neighbourMended = false;
+    const Part still = closedPart(neighbours[i].mesh, "neighbour '" + neighbours[i].name + "'", run,
+                                  neighbourMended);
+    const CheckedPair pair{moving, mended, still, neighbourMended};
+    report.neighbours[i] =
+        checkPair(pair, neighbours[i].name, neighbours[i].chordError, motion, options, run);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
   });
-  warnOpen(report, moving.closed());
+  std::vector<std::string> names;
+  std::vector<char> closed;
+  for (const NeighbourClearance& row : report.neighbours) {
+    names.push_back(row.name);
+    closed.push_back(row.closed ? 1 : 0);
+  }
+  for (const Finding& finding : openFindings(names, closed, moving.closed()))
+    report.warnings.push_back(finding);
   summarise(report);
-  report.seconds.push_back({"search", secondsSince(search)});
-  report.seconds.push_back({"total", secondsSince(start)});
+  report.seconds.push_back({"search", timer.lap()});
+  report.seconds.push_back({"total", timer.seconds()});
   run.checkpoint(Phase::Done);
 }
 

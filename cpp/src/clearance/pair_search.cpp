@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/pair_search.h"
 
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace swept::clearance {
 namespace {
@@ -44,7 +46,7 @@ class BoxGap {
 struct Item {
   BoxTree::Node body;
   BoxTree::Node neighbour;
-  double gap;
+  double gap = 0;
 
   bool isPair() const { return body.isItem() && neighbour.isItem(); }
   LeafPair pair() const {
@@ -52,12 +54,26 @@ struct Item {
   }
 };
 
-// One stack for each thread and call depth 1: searches never nest.
-std::vector<Item>& scratch() {
-  static thread_local std::vector<Item> stack;
-  stack.clear();
-  return stack;
-}
+// The pairs still to be opened. A search goes into depth first and opens one node of one tree at a
+// time, so three more than there are levels in both trees is the most that waits.
+class Stack {
+ public:
+  Stack(const Part& body, const Part& neighbour) {
+    const int levels = body.tree().root().level + neighbour.tree().root().level;
+    if (1 + (BoxTree::kWidth - 1) * levels > kMost)
+      throw std::logic_error("a tree of boxes is deeper than 32-bit numbers of items allow");
+  }
+  bool empty() const { return size_ == 0; }
+  int size() const { return size_; }
+  Item& operator[](int i) { return items_[i]; }
+  void push(const Item& item) { items_[size_++] = item; }
+  Item pop() { return items_[--size_]; }
+
+ private:
+  static constexpr int kMost = 128;
+  std::array<Item, kMost> items_;
+  int size_ = 0;
+};
 
 // Opens the larger of two boxes: visit(node of the body, its box, node of the neighbour, its box).
 template <class Visit>
@@ -78,9 +94,9 @@ void openLarger(const Part& body, const Part& neighbour, const Item& item, const
 }
 
 // The nearest of the last ones on top.
-void sortFrom(std::size_t first, std::vector<Item>& stack) {
-  for (std::size_t i = first + 1; i < stack.size(); ++i) {
-    for (std::size_t at = i; at > first && stack[at - 1].gap < stack[at].gap; --at)
+void sortFrom(int first, Stack& stack) {
+  for (int i = first + 1; i < stack.size(); ++i) {
+    for (int at = i; at > first && stack[at - 1].gap < stack[at].gap; --at)
       std::swap(stack[at - 1], stack[at]);
   }
 }
@@ -147,26 +163,55 @@ PairDistance PairSearch::distanceAt(const Matrix3d& R, const Vector3d& t, double
     const double first = gap.inWorld(a, b);
     return first >= best.distance ? first : std::max(first, gap.inBody(a, b));
   };
-  std::vector<Item>& stack = scratch();
+  Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
     const double g = gapOf(a, b);
-    if (g < best.distance) stack.push_back({i, j, g});
+    if (g < best.distance) stack.push({i, j, g});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty() && best.distance > 0) {
-    const Item item = stack.back();
-    stack.pop_back();
+    const Item item = stack.pop();
     if (item.gap >= best.distance) continue;
     if (item.isPair()) {
       tryPair(item.pair());
       continue;
     }
-    const std::size_t before = stack.size();
+    const int before = stack.size();
     openLarger(body_, neighbour_, item, push);
     sortFrom(before, stack);
   }
   return best;
+}
+
+LeafPair PairSearch::anyNearerThan(const Matrix3d& R, const Vector3d& t, double below,
+                                   LeafPair hint) const {
+  const auto nearer = [&](LeafPair pair) {
+    const Triangle3d a = posed(R, t, body_.corners(pair.body));
+    const Triangle3d& b = neighbour_.corners(pair.neighbour);
+    return Slab(a, b).gap < below && nearestPoints(a, b).squared < below * below;
+  };
+  if (hint.body >= 0 && nearer(hint)) return hint;
+  BoxGap gap(R, t);
+  Stack stack(body_, neighbour_);
+  const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
+    const double first = gap.inWorld(a, b);
+    if (first >= below || gap.inBody(a, b) >= below) return;
+    stack.push({i, j, first});
+  };
+  const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
+  push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
+  while (!stack.empty()) {
+    const Item item = stack.pop();
+    if (item.isPair()) {
+      if (nearer(item.pair())) return item.pair();
+      continue;
+    }
+    const int before = stack.size();
+    openLarger(body_, neighbour_, item, push);
+    sortFrom(before, stack);
+  }
+  return {};
 }
 
 Certificate PairSearch::certify(const MotionBound& motion, double apart, std::int64_t effort,
@@ -206,22 +251,21 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
       return -1.0;
     return std::max(first, second);
   };
-  std::vector<Item>& stack = scratch();
+  Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
     const double g = openGap(a, b);
-    if (g >= 0) stack.push_back({i, j, g});
+    if (g >= 0) stack.push({i, j, g});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty()) {
     if (--effort < 0) return result;
-    const Item item = stack.back();
-    stack.pop_back();
+    const Item item = stack.pop();
     if (item.isPair()) {
       if (!pairHolds(item.pair())) return result;
       continue;
     }
-    const std::size_t before = stack.size();
+    const int before = stack.size();
     openLarger(body_, neighbour_, item, push);
     sortFrom(before, stack);  // an obstacle, if there is one, is met soon
   }
@@ -237,21 +281,20 @@ bool PairSearch::containedAt(const Matrix3d& R, const Vector3d& t) const {
   return false;
 }
 
-std::vector<LeafPair> PairSearch::meetingPairs(const Matrix3d& R, const Vector3d& t,
-                                               std::size_t limit) const {
+std::vector<LeafPair> PairSearch::pairsWithin(const Matrix3d& R, const Vector3d& t, double apart,
+                                              std::size_t limit) const {
   std::vector<LeafPair> found;
   BoxGap gap(R, t);
-  std::vector<Item>& stack = scratch();
+  Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
-    if (!(gap.inWorld(a, b) > 0 || gap.inBody(a, b) > 0)) stack.push_back({i, j, 0});
+    if (!(gap.inWorld(a, b) > apart || gap.inBody(a, b) > apart)) stack.push({i, j, 0});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty() && found.size() < limit) {
-    const Item item = stack.back();
-    stack.pop_back();
+    const Item item = stack.pop();
     if (item.isPair()) {
-      if (!(leafDistance(R, t, item.pair()).squared > 0)) found.push_back(item.pair());
+      if (!(leafDistance(R, t, item.pair()).squared > apart * apart)) found.push_back(item.pair());
       continue;
     }
     openLarger(body_, neighbour_, item, push);

@@ -40,6 +40,11 @@ class PairSearch {
   PairDistance distanceAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
                           LeafPair hint = {}) const;
 
+  /// A pair of triangles nearer than `below` at a pose, not the nearest; none: there is no such
+  /// pair.
+  LeafPair anyNearerThan(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
+                         LeafPair hint = {}) const;
+
   /// Tries to show that throughout the node no two points come nearer than `apart` (> 0).
   /// Gives up after `effort` pairs of boxes; `hint` is a pair to try first.
   Certificate certify(const MotionBound& motion, double apart, std::int64_t effort,
@@ -48,9 +53,10 @@ class PairSearch {
   /// One part has a piece inside the other, given that the surfaces do not meet at this pose.
   bool containedAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) const;
 
-  /// All pairs of triangles that meet at this pose, at most `limit`.
-  std::vector<LeafPair> meetingPairs(const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
-                                     std::size_t limit) const;
+  /// All pairs of triangles that are at most `apart` from each other at this pose (0: that meet),
+  /// at most `limit`.
+  std::vector<LeafPair> pairsWithin(const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
+                                    double apart, std::size_t limit) const;
 
   NearestPoints leafDistance(const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                              LeafPair pair) const;

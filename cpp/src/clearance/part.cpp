@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/part.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
-#include <numeric>
 
 #include "base/limits.h"
+#include "geometry/half_edges.h"
+#include "geometry/mesh_numbers.h"
+#include "geometry/shells.h"
+#include "input/body_weld.h"
 
 namespace swept::clearance {
 namespace {
@@ -17,43 +18,20 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
   if (mesh.triangles.empty())
     throw Error(Status::InvalidInput, "EmptyMesh",
                 who + " has no triangles; choose a part with a surface");
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    if (!mesh.vertices[i].allFinite())
-      throw Error(Status::InvalidInput, "NonFiniteVertex",
-                  who + ": vertex " + std::to_string(i) + " is not finite; export the part again");
-    if (mesh.vertices[i].cwiseAbs().maxCoeff() > kLargestLength)
-      throw Error(Status::InvalidInput, "OutOfRange",
-                  who + ": vertex " + std::to_string(i) +
-                      " lies more than 1e9 mm from the origin; check the unit of the part");
-  }
-  const auto count = static_cast<std::int64_t>(mesh.vertices.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (const std::int32_t v : mesh.triangles[i]) {
-      if (v < 0 || v >= count)
-        throw Error(Status::InvalidInput, "BadIndex",
-                    who + ": triangle " + std::to_string(i) + " names vertex " + std::to_string(v) +
-                        " of " + std::to_string(count) + "; export the part again");
-    }
-  }
-}
-
-// Vertices at the same place get one number, so that triangle soups (STL) have edges in common.
-std::vector<std::int32_t> weldedIndices(const TriMesh& mesh) {
-  const auto& v = mesh.vertices;
-  std::vector<std::int32_t> order(v.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto less = [&](std::int32_t a, std::int32_t b) {
-    for (int k = 0; k < 3; ++k)
-      if (v[a][k] != v[b][k]) return v[a][k] < v[b][k];
-    return a < b;
-  };
-  tbb::parallel_sort(order.begin(), order.end(), less);
-  std::vector<std::int32_t> welded(v.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && v[order[i]] == v[order[i - 1]];
-    welded[order[i]] = same ? welded[order[i - 1]] : order[i];
-  }
-  return welded;
+  const Coordinates numbers = measureCoordinates(mesh);
+  if (numbers.nonFinite > 0)
+    throw Error(Status::InvalidInput, "NonFiniteVertex",
+                who + ": vertex " + std::to_string(numbers.firstNonFinite.front()) +
+                    " is not finite; export the part again");
+  if (numbers.largest > kLargestLength)
+    throw Error(Status::InvalidInput, "OutOfRange",
+                who + ": vertex " + std::to_string(numbers.farthest) +
+                    " lies more than 1e9 mm from the origin; check the unit of the part");
+  if (const std::optional<BadIndex> bad = findBadIndex(mesh))
+    throw Error(Status::InvalidInput, "BadIndex",
+                who + ": triangle " + std::to_string(bad->triangle) + " names vertex " +
+                    std::to_string(bad->vertex) + " of " + std::to_string(mesh.vertices.size()) +
+                    "; export the part again");
 }
 
 std::pair<int, double> longestEdge(const Triangle3d& c) {
@@ -69,53 +47,26 @@ std::pair<int, double> longestEdge(const Triangle3d& c) {
   return {longest, best};
 }
 
-struct DirectedEdge {
-  std::int32_t low, high, sign;
-};
-
-bool balanced(const TriMesh& mesh, const std::vector<std::int32_t>& welded) {
-  std::vector<DirectedEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t a = welded[t[k]];
-      const std::int32_t b = welded[t[(k + 1) % 3]];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
-    }
-  }
-  tbb::parallel_sort(edges.begin(), edges.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
-    return x.low != y.low ? x.low < y.low : x.high < y.high;
+// Every edge is used as often one way as the other; edges without extent do not count.
+bool balanced(const TriMesh& welded) {
+  bool any = false, even = true;
+  EdgeTable(welded).forEachEdge([&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
+                                    const std::uint64_t* last) {
+    if (low == high) return;
+    any = true;
+    const auto ascending = std::count_if(first, last, EdgeTable::ascending);
+    even = even && 2 * ascending == last - first;
   });
-  for (std::size_t i = 0; i < edges.size();) {
-    int sum = 0;
-    std::size_t j = i;
-    for (; j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high; ++j)
-      sum += edges[j].sign;
-    if (sum != 0) return false;
-    i = j;
-  }
-  return !edges.empty();
+  return any && even;
 }
 
-std::vector<Vector3d> onePointAPiece(const TriMesh& mesh, const std::vector<std::int32_t>& welded) {
-  std::vector<std::int32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const auto& t : mesh.triangles) {
-    const std::int32_t a = root(welded[t[0]]);
-    for (int k = 1; k < 3; ++k) {
-      const std::int32_t b = root(welded[t[k]]);
-      if (a != b) parent[std::max(root(a), b)] = std::min(root(a), b);
-    }
-  }
-  std::vector<char> seen(mesh.vertices.size(), 0);
+std::vector<Vector3d> onePointAPiece(const TriMesh& welded) {
+  const std::vector<std::int32_t> piece = smallestJoinedVertices(welded);
+  std::vector<char> seen(welded.vertices.size(), 0);
   std::vector<Vector3d> points;
-  for (const auto& t : mesh.triangles) {
-    char& flag = seen[root(welded[t[0]])];
-    if (flag == 0) points.push_back(mesh.vertices[t[0]]);
+  for (const auto& t : welded.triangles) {
+    char& flag = seen[piece[t[0]]];
+    if (flag == 0) points.push_back(welded.vertices[t[0]]);
     flag = 1;
   }
   return points;
@@ -145,10 +96,12 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
     corners_[place] = piece.corners;
     triangles_[place] = piece.triangle;
   }
-  const std::vector<std::int32_t> welded = weldedIndices(mesh);
-  pieces_ = onePointAPiece(mesh, welded);
-  if (!balanced(mesh, welded)) return;
-  mesh_ = std::make_unique<TriMesh>(mesh);
+  // Vertices at the same place are one, so that triangle soups (STL) have edges in common.
+  auto welded = std::make_unique<TriMesh>(mesh);
+  applyMap(exactWeld(mesh.vertices), *welded);
+  pieces_ = onePointAPiece(*welded);
+  if (!balanced(*welded)) return;
+  mesh_ = std::move(welded);
   rays_.emplace(*mesh_);
 }
 

@@ -324,7 +324,7 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   };
-  for (const LeafPair& pair : c_.pair.meetingPairs(R, t, 200000)) {
+  for (const LeafPair& pair : c_.pair.pairsWithin(R, t, 0, 200000)) {
     const NearestPoints p = c_.pair.leafDistance(R, t, pair);
     grow(p.a);
   }

@@ -9,14 +9,12 @@
 
 #include "commands.h"
 #include "files.h"
+#include "neighbours.h"
 #include "options.h"
 #include "runner.h"
 #include "swept/body.h"
 #include "swept/clearance.h"
 #include "swept/io.h"
-#ifdef HAVE_SWEPT_SOLID
-#include "swept/solid.h"
-#endif
 
 namespace swept::cli {
 
@@ -88,24 +86,6 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
       "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet");
 }
 
-void readNeighbours(const std::string& path, const ClearanceJob& job,
-                    [[maybe_unused]] RunContext& run, std::vector<ClearanceNeighbour>& out) {
-  if (isSolidFile(path)) {
-#ifdef HAVE_SWEPT_SOLID
-    for (ImportedSolid& solid : readSolids(path, job.deflection, 0.2, run))
-      out.push_back({solid.name, std::move(solid.mesh), job.deflection});
-    return;
-#else
-    throw Error(Status::InvalidInput, "BadFormat",
-                "'" + path +
-                    "': this program was built without OpenCASCADE and cannot read solids; "
-                    "give a mesh (ply, stl, obj, off)");
-#endif
-  }
-  out.push_back(
-      {pathFromUtf8(path).stem().string(), readMesh(path, job.neighbourUnit), job.neighbourChord});
-}
-
 void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Trajectory& motion,
                        const std::vector<ClearanceNeighbour>& parts, const ClearanceReport& report,
                        RunContext& run) {
@@ -169,8 +149,8 @@ void compute(const ClearanceJob& job, RunContext& run, std::optional<Body>& body
              std::optional<Trajectory>& motion, ClearanceReport& report) {
   if (!body) body = readGenerator(job, run);
   if (!motion) motion = readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
-  std::vector<ClearanceNeighbour> parts;
-  for (const std::string& path : job.neighbourPaths) readNeighbours(path, job, run, parts);
+  const std::vector<ClearanceNeighbour> parts = readNeighbours(
+      job.neighbourPaths, {job.neighbourUnit, job.neighbourChord, job.deflection}, run);
   ClearanceOptions options = job.options;
   options.bodyChordError += body->chordError;
   report = checkClearance(body->mesh, *motion, parts, options, run);

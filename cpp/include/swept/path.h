@@ -1,0 +1,130 @@
+// Installation paths: how a part gets to its place between neighbours, clear of them all the way.
+// In:    the part, where it belongs, where it comes from (or "just out of here"), neighbours with
+//        the clearance asked for. Units: mm, s, rad. All in one world.
+// Out:   a trajectory of few keys, proven clear between its keys by the clearance engine, with the
+//        interpolation that it names; or an honest answer why there is none.
+// Cost:  milliseconds for a straight way out; seconds where the part has to turn in narrow places.
+// Promise: nothing is called a path that checkClearance() does not find clear. The same answer for
+//        the same seed and any count of threads, unless the wall-clock budget ends the search.
+// Method and sources: docs/paths.md.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swept/clearance.h"
+#include "swept/report.h"
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept {
+
+/// A part that stands still. `clearance`: mm that this one asks for instead of the common one.
+struct PathNeighbour {
+  ClearanceNeighbour part;
+  std::optional<double> clearance;
+};
+
+/// Get the part out: at least `radius` mm away, or, with a direction, past all neighbours along it.
+struct Extraction {
+  double radius = 0;
+  std::optional<Eigen::Vector3d> direction;
+};
+
+struct PathTask {
+  Pose goal;                             ///< where the part belongs
+  std::optional<Pose> start;             ///< where it comes from; not given: see extraction
+  std::optional<Extraction> extraction;  ///< instead of a start; one of the two is needed
+  std::vector<Pose> via;                 ///< places that the path has to pass, from start to goal
+};
+
+struct PathOptions {
+  double clearance = 0;       ///< mm; 0: apart by more than the tolerance
+  double tolerance = 0.01;    ///< mm, as ClearanceOptions::tolerance
+  double bodyChordError = 0;  ///< mm, as ClearanceOptions::bodyChordError
+  /// mm: neighbours that are nearer than the clearance at the goal (or start) may be so, and touch,
+  /// as long as no point of the part is farther than this from where it is at the goal (or start).
+  double release = 0;
+  bool translationOnly = false;       ///< the part never turns: it comes as it stands at the goal
+  std::optional<double> largestTurn;  ///< rad from how the part stands at the goal, 0 to pi
+  Interpolation interpolation = Interpolation::Linear;  ///< linear or screw
+  double budgetSeconds = 60;                            ///< wall clock; only ends a search
+  std::uint64_t seed = 1;
+};
+
+/// Found: the path is certified. NotFound: none within the budget, nothing is proven.
+/// NoTranslation: proven that the part cannot come without turning.
+enum class PathVerdict { NotFound, Found, NoTranslation };
+const char* pathVerdictName(PathVerdict verdict);  // not_found | found | no_translation
+
+/// How far a search without success got.
+struct PathEscape {
+  double distance = 0;                ///< mm that the part's middle came away from the goal
+  Pose pose;                          ///< there
+  std::vector<std::string> blockers;  ///< neighbours that stopped most moves, the worst first
+};
+
+struct PathReport {
+  Status status = Status::Ok;
+  std::string code;
+  std::string message;
+  PathVerdict verdict = PathVerdict::NotFound;
+  std::string summary;
+  /// What found it: "straight", "straight moves", "grid of places", "no turning" or "six
+  /// dimensions".
+  std::string method;
+  Trajectory path;             ///< start first; 100 mm a second; empty unless found
+  double length = 0;           ///< mm that the part's middle travels
+  double turn = 0;             ///< rad, sum over the path
+  double clearance = 0;        ///< mm, smallest guaranteed one outside the release zones
+  PathEscape escape;           ///< unless found
+  bool noTranslation = false;  ///< unless found: proven that the part cannot come without turning
+  /// mm: the largest clearance for which a path was found instead of the one asked for; -1: none.
+  double possibleClearance = -1;
+  std::vector<std::string> contacts;  ///< neighbours to which the release zones apply
+  double required = 0;
+  double tolerance = 0;
+  double release = 0;
+  std::uint64_t seed = 0;
+  bool budgetEnded = false;  ///< the wall clock ended the search
+  std::int64_t steps = 0;    ///< moves tried
+  std::int64_t bodyTriangles = 0;
+  std::int64_t neighbourTriangles = 0;
+  std::string interpolation;
+  int threads = 0;
+  std::vector<NeighbourClearance> certificate;  ///< of the path outside the release zones
+  std::vector<StageSeconds> seconds;            ///< "total" is the last entry
+  std::vector<Finding> warnings;
+};
+
+/// What somebody who watches a search may see: the placement that came farthest out so far.
+class PathWatch {
+ public:
+  void show(const Pose& pose) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pose_ = pose;
+  }
+  std::optional<Pose> farthest() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return pose_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<Pose> pose_;
+};
+
+/// Never throws except std::bad_alloc; failures are in report.status. Codes besides those of
+/// checkClearance(): GoalBlocked, StartBlocked, ViaBlocked (inside a neighbour, or nearer than the
+/// clearance: which, how much), SamePose (start is goal), NoStart.
+PathReport findPath(const TriMesh& part, const PathTask& task,
+                    const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+                    RunContext& run, PathWatch* watch = nullptr);
+
+/// The report as JSON text (UTF-8); keys as in docs/paths.md.
+std::string toJson(const PathReport& report);
+
+}  // namespace swept

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "clearance/pair_check.h"
+
+#include "base/timer.h"
+#include "clearance/penetration.h"
+#include "input/body_check.h"
+
+namespace swept::clearance {
+namespace {
+
+class PairCheck {
+ public:
+  PairCheck(const CheckedPair& parts, const MotionTree& motion, const ClearanceOptions& options,
+            RunContext& run)
+      : parts_(parts), motion_(motion), o_(options), run_(run) {}
+
+  NeighbourClearance operator()(const std::string& name, double chordError) const {
+    const Timer timer;
+    const PairSearch pair(parts_.body, parts_.neighbour);
+    SearchContext context{pair, motion_, run_};
+    NeighbourClearance row;
+    row.name = name;
+    row.chordError = o_.bodyChordError + chordError;
+    row.closed = parts_.neighbour.closed();
+    const double touch = o_.tolerance + row.chordError;
+    const double slack = motion_.isContinuous() ? o_.tolerance : 0.0;
+    Minimum least = searchMinimum(context, slack);
+    row.inside = least.inside;
+    if (least.inside || least.distance <= slack) {
+      row.penetration =
+          deepestPenetration(context, least, o_.tolerance, o_.penetration ? 40000 : 4000);
+      const bool undecidable = !row.penetration.known && least.distance <= 0 &&
+                               !parts_.body.closed() && !parts_.neighbour.closed();
+      if (row.penetration.depth > touch || undecidable)
+        row.verdict = ClearanceVerdict::Clash;
+      else
+        row.verdict = ClearanceVerdict::Contact;
+    } else if (least.distance <= touch) {
+      row.verdict = ClearanceVerdict::Contact;
+    }
+    fillMinimum(row, least, pair);
+    // The numbers of a mended copy mean nothing to the caller.
+    if (parts_.neighbourMended) row.neighbourTriangle = -1;
+    if (parts_.bodyMended) row.bodyTriangle = -1;
+    row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);
+    const bool below = o_.required > 0 && row.distance - row.chordError < o_.required;
+    if (row.verdict == ClearanceVerdict::Clear && below)
+      row.verdict = ClearanceVerdict::BelowRequired;
+    fillSpans(row, context, touch, below);
+    for (const auto& [u, d] :
+         sampleDistances(context, o_.curveSamples, parameterOfMinimum(row, least)))
+      row.curve.push_back({motion_.timeAt(u), d});
+    row.distanceQueries = context.queries;
+    row.certificates = context.certificates;
+    row.seconds = timer.seconds();
+    return row;
+  }
+
+ private:
+  double parameterOfMinimum(const NeighbourClearance& row, const Minimum& least) const {
+    return row.verdict == ClearanceVerdict::Clash && row.penetration.known
+               ? row.penetration.parameter
+               : least.parameter;
+  }
+
+  void fillMinimum(NeighbourClearance& row, const Minimum& least, const PairSearch& pair) const {
+    const bool clash = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
+    row.distance = clash ? 0.0 : least.distance;
+    row.pose = motion_.poseAt(parameterOfMinimum(row, least));
+    row.timeSeconds = row.pose.timeSeconds;
+    if (clash) {
+      row.pointOnBody =
+          row.penetration.pointOfBody ? row.penetration.point : row.penetration.surface;
+      row.pointOnNeighbour =
+          row.penetration.pointOfBody ? row.penetration.surface : row.penetration.point;
+      return;
+    }
+    if (least.at.pair.body < 0) return;
+    row.pointOnBody = least.at.onBody;
+    row.pointOnNeighbour = least.at.onNeighbour;
+    row.bodyTriangle = pair.body().triangle(least.at.pair.body);
+    row.neighbourTriangle = pair.neighbour().triangle(least.at.pair.neighbour);
+  }
+
+  void fillSpans(NeighbourClearance& row, SearchContext& context, double touch, bool below) const {
+    const double resolution = !motion_.isContinuous()    ? 0.0
+                              : o_.intervalTolerance > 0 ? o_.intervalTolerance
+                                                         : 10 * o_.tolerance;
+    const OverlapTest overlaps = [&](const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double d) {
+      return overlapsBy(context.pair, R, t, d);
+    };
+    const auto timesBelow = [&](double level) {
+      std::vector<TimeInterval> times;
+      for (const auto& [from, to] : spansBelow(context, level, resolution, overlaps))
+        times.push_back({motion_.timeAt(from), motion_.timeAt(to)});
+      return times;
+    };
+    if (below) row.below = timesBelow(o_.required + row.chordError);
+    if (row.verdict >= ClearanceVerdict::Contact) row.contact = timesBelow(touch);
+  }
+
+  const CheckedPair& parts_;
+  const MotionTree& motion_;
+  const ClearanceOptions& o_;
+  RunContext& run_;
+};
+
+/// Neighbours that one sentence names; a reader asks for the first few.
+constexpr std::size_t kMaxNamedOpen = 8;
+
+}  // namespace
+
+Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended) {
+  Part part(mesh, who);
+  if (part.closed()) return part;
+  try {
+    const CheckedBody checked = checkBody(mesh, Options{}, run);
+    if (!checked.orientable) return part;
+    mended = true;
+    return Part(checked.mesh, who);
+  } catch (const Error& error) {
+    if (error.status() == Status::InvalidInput)
+      return part;  // e.g. a flat sheet: still a neighbour
+    throw;
+  }
+}
+
+NeighbourClearance checkPair(const CheckedPair& parts, const std::string& name, double chordError,
+                             const MotionTree& motion, const ClearanceOptions& options,
+                             RunContext& run) {
+  return PairCheck(parts, motion, options, run)(name, chordError);
+}
+
+std::vector<Finding> openFindings(const std::vector<std::string>& names,
+                                  const std::vector<char>& closed, bool bodyClosed) {
+  std::vector<Finding> findings;
+  Finding open{"OpenMesh", 0, {}, ""};
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (closed[i] != 0) continue;
+    ++open.count;
+    if (open.first.size() >= kMaxNamedOpen) continue;
+    open.first.push_back(static_cast<std::int64_t>(i));
+    list += (list.empty() ? "" : ", ") + (names[i].empty() ? std::to_string(i + 1) : names[i]);
+  }
+  if (open.count > 0) {
+    if (static_cast<std::size_t>(open.count) > open.first.size()) list += ", ...";
+    open.text =
+        std::to_string(open.count) + (open.count == 1 ? " neighbour is" : " neighbours are") +
+        " open or badly oriented (" + list +
+        "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
+        "the other side only";
+    findings.push_back(open);
+  }
+  if (!bodyClosed)
+    findings.push_back({"OpenBody",
+                        1,
+                        {},
+                        "the moving body is an open or badly oriented surface: a neighbour "
+                        "that lies wholly inside it is not noticed"});
+  return findings;
+}
+
+}  // namespace swept::clearance

@@ -1,0 +1,34 @@
+// The whole answer about one neighbour: from two parts and a motion to its row of the report.
+// In:    parts that are prepared once and serve many motions; a motion's hierarchy. Units: mm.
+// Out:   as docs/clearance.md says. Cost: some hundred distance queries, more where parts clash.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "clearance/motion_search.h"
+#include "swept/clearance.h"
+
+namespace swept::clearance {
+
+/// The mesh as a part; of a welded and turned copy (`mended`) if the mesh itself is not closed but
+/// that is. Throws as Part does.
+Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended);
+
+struct CheckedPair {
+  const Part& body;
+  bool bodyMended;
+  const Part& neighbour;
+  bool neighbourMended;
+};
+
+/// `chordError`: of the neighbour; that of the body stands in the options. Throws Error(Cancelled).
+NeighbourClearance checkPair(const CheckedPair& parts, const std::string& name, double chordError,
+                             const MotionTree& motion, const ClearanceOptions& options,
+                             RunContext& run);
+
+/// What is said of neighbours (and of the body) where "inside" has no meaning.
+std::vector<Finding> openFindings(const std::vector<std::string>& names,
+                                  const std::vector<char>& closed, bool bodyClosed);
+
+}  // namespace swept::clearance

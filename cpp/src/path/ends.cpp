@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/ends.h"
+
+#include <algorithm>
+
+#include "base/number_text.h"
+#include "clearance/pair_check.h"
+#include "clearance/penetration.h"
+
+namespace swept::path {
+namespace {
+
+using clearance::checkPair;
+using clearance::MotionTree;
+
+constexpr std::size_t kMostExits = 6;
+
+NeighbourClearance checkOne(const Scene& scene, const Demand& demand, std::size_t i,
+                            const Trajectory& motion, double required, RunContext& run) {
+  const clearance::Box box = scene.part().box(scene.part().tree().root());
+  const MotionTree tree(motion, box.centre, box.half);
+  ClearanceOptions options;
+  options.required = required;
+  options.tolerance = demand.tolerance;
+  options.bodyChordError = demand.bodyChordError;
+  options.curveSamples = 0;
+  return checkPair({scene.part(), scene.partMended(), scene.neighbour(i), scene.neighbourMended(i)},
+                   demand.names[i], demand.chordError[i], tree, options, run);
+}
+
+[[noreturn]] void refuse(const std::string& what, const NeighbourClearance& row, double required,
+                         double release, double mostDepth) {
+  std::string code = what + "Blocked";
+  code[0] = static_cast<char>(code[0] - 'a' + 'A');
+  const std::string where = "at the " + what + (what == "via" ? " placement" : "");
+  const std::string who = "'" + row.name + "'";
+  if (row.verdict == ClearanceVerdict::Clash) {
+    const std::string depth =
+        row.penetration.known ? numberText(row.penetration.depth, 4) + " mm deep" : "by surfaces";
+    throw Error(
+        Status::InvalidInput, code,
+        where + " the part lies inside neighbour " + who + ", " + depth +
+            (release > 0 ? "; the release zone allows " + numberText(mostDepth, 4) + " mm" : "") +
+            "; move the part, or leave that neighbour out");
+  }
+  throw Error(Status::InvalidInput, code,
+              where + " the part is " +
+                  numberText(std::max(0.0, row.distance - row.chordError), 6) +
+                  " mm from neighbour " + who + ", and " + numberText(required, 6) +
+                  " mm are asked for; ask for less, or give a release zone in which it may touch");
+}
+
+// Straight, or along a screw in pieces of at most 30 degrees.
+std::vector<State> keysOf(const Scene& scene, const State& from, const Twist& twist) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil(twist.turn.norm() / 0.52)));
+  std::vector<State> keys;
+  for (int k = 0; k <= pieces; ++k)
+    keys.push_back(k == 0 ? from : scene.moved(from, twist * (double(k) / pieces)));
+  return keys;
+}
+
+Trajectory motionOf(const std::vector<State>& keys, Interpolation interpolation) {
+  Trajectory motion{{}, interpolation};
+  for (const State& state : keys) {
+    motion.poses.push_back(state.pose);
+    motion.poses.back().timeSeconds = static_cast<double>(motion.poses.size() - 1);
+  }
+  return motion;
+}
+
+void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& run) {
+  Rule near(scene.count(), -1);
+  for (std::size_t i = 0; i < scene.count(); ++i)
+    if (end.allowedDepth[i] >= 0) near[i] = demand.apart[i];
+  const std::vector<Contact> contacts = contactsOf(scene, end.state, near);
+  const Rule inside = end.ruleInside(demand);
+  Memory memory = scene.memory();
+  for (const Twist& move : freeMoves(scene, end.state, contacts, demand.turns)) {
+    run.checkpoint(Phase::Motion);
+    for (const double part : {0.125, 0.25, 0.5, 1.0}) {
+      const std::vector<State> keys =
+          keysOf(scene, end.state, move * (0.999 * part * demand.release));
+      if (!scene.isFree(keys.back(), demand.apart, memory)) continue;
+      bool free = true;
+      for (std::size_t k = 1; k < keys.size() && free; ++k)
+        free = scene.follow(keys[k - 1], keys[k], inside, memory).share >= 1;
+      if (free && releasedClean(scene, demand, end, motionOf(keys, scene.interpolation()), run))
+        end.exits.push_back(keys);
+      break;
+    }
+    if (end.exits.size() >= kMostExits) return;
+  }
+}
+
+}  // namespace
+
+Rule End::ruleInside(const Demand& demand) const {
+  Rule rule = demand.apart;
+  for (std::size_t i = 0; i < rule.size(); ++i)
+    if (allowedDepth[i] >= 0) rule[i] = -1;
+  return rule;
+}
+
+bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
+                   const Trajectory& motion, RunContext& run) {
+  for (std::size_t i = 0; i < scene.count(); ++i) {
+    if (end.allowedDepth[i] < 0) continue;
+    const clearance::PairSearch pair(scene.part(), scene.neighbour(i));
+    for (const Pose& pose : motion.poses)
+      if (clearance::overlapsBy(pair, pose.rotation.toRotationMatrix(), pose.translation,
+                                1.01 * end.allowedDepth[i]))
+        return false;
+    const NeighbourClearance row = checkOne(scene, demand, i, motion, 0, run);
+    if (row.verdict != ClearanceVerdict::Clash) continue;
+    // An open mesh has no depth: where its surfaces cross, nothing can be promised.
+    if (!row.penetration.known || row.penetration.depthBound > end.allowedDepth[i]) return false;
+  }
+  return true;
+}
+
+End examineEnd(const Scene& scene, const Demand& demand, const State& state,
+               const std::string& what, RunContext& run) {
+  End end{state, std::vector<double>(scene.count(), -1), {}};
+  const Trajectory still{{state.pose}, Interpolation::None};
+  const double release = what == "via" ? 0 : demand.release;
+  bool touches = false;
+  for (std::size_t i = 0; i < scene.count(); ++i) {
+    run.checkpoint(Phase::Motion, i, scene.count());
+    const NeighbourClearance row =
+        checkOne(scene, demand, i, still, std::max(demand.required[i], demand.tolerance), run);
+    if (row.verdict == ClearanceVerdict::Clear && row.distance >= demand.apart[i]) continue;
+    const double touch = demand.tolerance + row.chordError;
+    const double mostDepth = std::max(touch, 0.1 * release);
+    const bool clash = row.verdict == ClearanceVerdict::Clash;
+    const bool deep = clash && (!row.penetration.known || row.penetration.depthBound > mostDepth);
+    if (release <= 0 || deep) refuse(what, row, demand.required[i], release, mostDepth);
+    end.allowedDepth[i] = clash ? std::min(mostDepth, 1.05 * row.penetration.depthBound) : touch;
+    touches = true;
+  }
+  if (touches)
+    findExits(scene, demand, end, run);
+  else
+    end.exits.push_back({state});
+  return end;
+}
+
+}  // namespace swept::path

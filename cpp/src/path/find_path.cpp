@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/limits.h"
+#include "base/number_text.h"
+#include "base/threads.h"
+#include "clearance/pair_check.h"
+#include "path/ladder.h"
+#include "path/outside.h"
+#include "swept/path.h"
+
+namespace swept {
+namespace {
+
+using namespace path;
+
+constexpr double kSpeed = 100;  // mm a second along a path
+constexpr int kTrials = 400;    // shortcuts that are tried
+
+[[noreturn]] void badOption(const std::string& text) {
+  throw Error(Status::InvalidInput, "BadOption", text);
+}
+
+void requireLength(const char* name, double value, bool mayBeZero) {
+  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
+    return;
+  badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
+            " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
+}
+
+void checkPathOptions(const PathTask& task, const std::vector<PathNeighbour>& neighbours,
+                      const PathOptions& o) {
+  requireLength("clearance", o.clearance, true);
+  requireLength("tolerance", o.tolerance, false);
+  requireLength("chord error of the part", o.bodyChordError, true);
+  requireLength("release", o.release, true);
+  if (!(o.budgetSeconds > 0) || !std::isfinite(o.budgetSeconds))
+    badOption("budget is " + numberText(o.budgetSeconds, kTellingDigits) +
+              " s; allowed: more than 0");
+  if (o.interpolation == Interpolation::None)
+    badOption("interpolation is 'none'; a path needs linear or screw");
+  if (o.largestTurn && !(*o.largestTurn >= 0 && *o.largestTurn <= std::numbers::pi + 1e-9))
+    badOption("largest turn is " + numberText(*o.largestTurn * 180 / std::numbers::pi, 6) +
+              " degrees; allowed: 0 to 180");
+  if (neighbours.empty())
+    throw Error(Status::InvalidInput, "NoNeighbours",
+                "no neighbouring part given; choose at least one");
+  for (const PathNeighbour& n : neighbours) {
+    requireLength("chord error of a neighbour", n.part.chordError, true);
+    if (n.clearance) requireLength("clearance of a neighbour", *n.clearance, true);
+  }
+  if (!task.start && !task.extraction)
+    throw Error(Status::InvalidInput, "NoStart",
+                "give a start, or how far or in which direction the part is to get out");
+  if (task.start && task.extraction)
+    badOption("a start and an extraction exclude each other; give one of them");
+  if (task.extraction) {
+    if (task.extraction->direction &&
+        !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
+      badOption("the direction of the extraction has no length");
+    if (!task.extraction->direction)
+      requireLength("radius of the extraction", task.extraction->radius, false);
+  }
+}
+
+Pose checkedPose(const Pose& pose, const std::string& what) {
+  const double norm = pose.rotation.norm();
+  if (!pose.translation.allFinite() || !std::isfinite(norm) || std::abs(norm - 1) > 1e-4)
+    throw Error(Status::InvalidInput, "BadPose",
+                "the " + what + " is no rigid placement; its quaternion has the length " +
+                    numberText(norm, 6) + ", which has to be 1");
+  if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
+    throw Error(Status::InvalidInput, "OutOfRange",
+                "the " + what + " lies more than 1e9 mm from the origin; check its unit");
+  Pose checked = pose;
+  checked.rotation.normalize();
+  return checked;
+}
+
+class PathFinder {
+ public:
+  PathFinder(const TriMesh& part, const PathTask& task,
+             const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+             RunContext& run, PathWatch* watch, PathReport& report)
+      : o_(options),
+        task_(task),
+        run_(run),
+        report_(report),
+        scene_(part, neighbours, options, run),
+        limits_{timer_, options.budgetSeconds, options.seed, watch} {
+    for (const PathNeighbour& n : neighbours) {
+      const double required = n.clearance.value_or(o_.clearance);
+      demand_.required.push_back(required);
+      demand_.chordError.push_back(n.part.chordError);
+      demand_.names.push_back(n.part.name);
+      // A hair more than what counts as clear, so that rounding does not decide.
+      demand_.apart.push_back(std::max(required, o_.tolerance) + o_.bodyChordError +
+                              n.part.chordError + 1e-7);
+    }
+    demand_.bodyChordError = o_.bodyChordError;
+    demand_.tolerance = o_.tolerance;
+    demand_.release = o_.release;
+    demand_.turns = !o_.translationOnly;
+  }
+
+  void findIt() {
+    prepare();
+    report_.seconds.push_back({"prepare", timer_.lap()});
+    std::vector<State> keys;
+    std::string method;
+    for (std::size_t leg = 0; leg + 1 < ends_.size(); ++leg) {
+      LegResult found = solve(leg);
+      report_.steps += found.steps;
+      if (found.keys.empty()) {
+        report_.seconds.push_back({"search", timer_.lap()});
+        takeFailure(found);
+        return;
+      }
+      if (method.empty() || found.method == "six dimensions") method = found.method;
+      polishLeg(leg, found.keys);
+      if (!keys.empty()) keys.pop_back();
+      keys.insert(keys.end(), found.keys.begin(), found.keys.end());
+    }
+    report_.method = method;
+    report_.seconds.push_back({"search", timer_.lap()});
+    takePath(keys);
+    report_.seconds.push_back({"certify", timer_.lap()});
+  }
+
+  double seconds() const { return timer_.seconds(); }
+
+ private:
+  // Ends of the legs: start (or places outside), via, goal.
+  void prepare() {
+    const State goal = scene_.inside(checkedPose(task_.goal, "goal"));
+    space_.upright = goal.pose.rotation;
+    space_.largestTurn = o_.translationOnly ? 0 : o_.largestTurn.value_or(4.0);
+    ends_.push_back(examineEnd(scene_, demand_, goal, "goal", run_));
+    for (std::size_t i = task_.via.size(); i-- > 0;)
+      ends_.push_back(examineEnd(
+          scene_, demand_, scene_.inside(checkedPose(task_.via[i], "via placement")), "via", run_));
+    if (task_.start) {
+      const State start = scene_.inside(checkedPose(*task_.start, "start"));
+      if (ends_.size() == 1 && scene_.distance(start, goal) < 1e-6 * scene_.radius())
+        throw Error(Status::InvalidInput, "SamePose",
+                    "start and goal are the same placement; there is nothing to move");
+      ends_.push_back(examineEnd(scene_, demand_, start, "start", run_));
+    } else {
+      Extraction extraction = *task_.extraction;
+      if (extraction.direction)
+        extraction.direction = Eigen::Vector3d(scene_.world() * *extraction.direction);
+      ends_.push_back(outside(scene_, demand_, goal, extraction));
+      if (task_.via.empty()) space_.isOut = outTest(scene_, demand_, goal, extraction);
+    }
+    std::reverse(ends_.begin(), ends_.end());
+    requireAllowedTurns();
+    std::vector<char> closed;
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      closed.push_back(scene_.neighbour(i).closed() ? 1 : 0);
+    report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
+    Eigen::AlignedBox3d box = scene_.box();
+    const double most = *std::max_element(demand_.apart.begin(), demand_.apart.end());
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.5 * scene_.radius() + most);
+    box.extend(Eigen::AlignedBox3d(Eigen::Vector3d(box.min() - margin),
+                                   Eigen::Vector3d(box.max() + margin)));
+    for (const End& end : ends_)
+      for (const auto& keys : end.exits)
+        for (const State& state : {keys.front(), keys.back()}) {
+          box.extend(
+              Eigen::Vector3d(state.middle - Eigen::Vector3d::Constant(0.2 * scene_.radius())));
+          box.extend(
+              Eigen::Vector3d(state.middle + Eigen::Vector3d::Constant(0.2 * scene_.radius())));
+        }
+    space_.low = box.min();
+    space_.high = box.max();
+  }
+
+  void requireAllowedTurns() const {
+    for (const End& end : ends_)
+      for (const auto& keys : end.exits) {
+        const double turn = keys.front().pose.rotation.angularDistance(space_.upright);
+        if (turn <= std::max(space_.largestTurn, 1e-6)) continue;
+        badOption("the start or a via placement is turned by " +
+                  numberText(turn * 180 / std::numbers::pi, 6) + " degrees from the goal, and " +
+                  (o_.translationOnly
+                       ? "no turning is"
+                       : "at most " + numberText(space_.largestTurn * 180 / std::numbers::pi, 6) +
+                             " are") +
+                  " allowed");
+      }
+  }
+
+  LegResult solve(std::size_t leg) {
+    Leg task;
+    task.space = space_;
+    if (leg > 0) task.space.isOut = nullptr;
+    for (const auto& exit : ends_[leg].exits) task.starts.push_back(exit.back());
+    for (const auto& exit : ends_[leg + 1].exits) task.goals.push_back(exit.back());
+    task.far = (space_.high - space_.low).norm();
+    if (task.goals.empty() || (task.starts.empty() && !task.space.isOut)) {
+      LegResult none;
+      none.farthest = ends_[leg + 1].state;
+      none.blocked.assign(scene_.count(), 0);
+      for (std::size_t i = 0; i < scene_.count(); ++i)
+        none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
+      return none;
+    }
+    // A radius may be reached without leaving the space that a proof speaks of.
+    task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
+                    (task_.start || task_.extraction->direction);
+    const Rule loose(scene_.count(), 0.1 * o_.tolerance);
+    // Part of the time is kept for what would be possible instead.
+    const bool mayAskLess =
+        *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
+    Limits limits = limits_;
+    limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
+    LegResult found = solveLeg(scene_, demand_.apart, loose, task, limits, run_);
+    if (!found.keys.empty() || !mayAskLess) return found;
+    task.provable = false;
+    for (const double share : {0.5, 0.25, 0.0}) {
+      limits.seconds += 0.08 * o_.budgetSeconds;
+      Rule less = demand_.apart;
+      for (std::size_t i = 0; i < less.size(); ++i)
+        less[i] += std::max(share * demand_.required[i], demand_.tolerance) -
+                   std::max(demand_.required[i], demand_.tolerance);
+      const LegResult other = solveLeg(scene_, less, loose, task, limits, run_);
+      found.steps += other.steps;
+      if (other.keys.empty()) continue;
+      report_.possibleClearance = share * o_.clearance;
+      break;
+    }
+    return found;
+  }
+
+  // The way out of contact that ends where the search began, or none.
+  static std::vector<State> exitTo(const End& end, const State& state) {
+    for (const auto& exit : end.exits)
+      if (exit.back().pose.translation == state.pose.translation &&
+          exit.back().pose.rotation.coeffs() == state.pose.rotation.coeffs())
+        return exit;
+    return {state};
+  }
+
+  void polishLeg(std::size_t leg, std::vector<State>& keys) {
+    RandomNumbers random(o_.seed + leg);
+    const MoveAllowed allowed = turnLimit(scene_, space_);
+    const State first = keys.front(), last = keys.back();
+    shorten(scene_, demand_.apart, allowed, kTrials, random, keys, run_);
+    const std::vector<State> in = exitTo(ends_[leg + 1], last), out = exitTo(ends_[leg], first);
+    released_.push_back({out.size() - 1, in.size() - 1, 0, keys.size()});
+    std::vector<State> all(out.begin(), out.end() - 1);
+    all.insert(all.end(), keys.begin(), keys.end());
+    all.insert(all.end(), in.rbegin() + 1, in.rend());
+    keys = std::move(all);
+  }
+
+  Trajectory motionOf(const std::vector<State>& keys) const {
+    Trajectory motion{{}, o_.interpolation};
+    double time = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (i > 0) time += std::max(1e-6, scene_.distance(keys[i - 1], keys[i]) / kSpeed);
+      motion.poses.push_back(keys[i].pose);
+      motion.poses.back().timeSeconds = time;
+    }
+    return motion;
+  }
+
+  static Trajectory part(const Trajectory& motion, std::size_t first, std::size_t last) {
+    Trajectory cut{{motion.poses.begin() + static_cast<std::ptrdiff_t>(first),
+                    motion.poses.begin() + static_cast<std::ptrdiff_t>(last) + 1},
+                   motion.interpolation};
+    return cut;
+  }
+
+  // The clearance engine has the last word: rows of neighbours that count, on one part of the path.
+  std::vector<NeighbourClearance> check(const Trajectory& motion, const Rule& rule) const {
+    const clearance::Box box = scene_.part().box(scene_.part().tree().root());
+    const clearance::MotionTree tree(motion, box.centre, box.half);
+    std::vector<NeighbourClearance> rows(scene_.count());
+    parallelFor(scene_.count(), [&](std::size_t i) {
+      if (rule[i] < 0) return;
+      ClearanceOptions options;
+      options.required = demand_.required[i];
+      options.tolerance = demand_.tolerance;
+      options.bodyChordError = demand_.bodyChordError;
+      options.curveSamples = 0;
+      rows[i] = clearance::checkPair(
+          {scene_.part(), scene_.partMended(), scene_.neighbour(i), scene_.neighbourMended(i)},
+          demand_.names[i], demand_.chordError[i], tree, options, run_);
+      run_.checkpoint(Phase::Check);
+    });
+    for (std::size_t i = scene_.count(); i-- > 0;)
+      if (rule[i] < 0) rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+    return rows;
+  }
+
+  static bool clear(const std::vector<NeighbourClearance>& rows) {
+    return std::all_of(rows.begin(), rows.end(), [](const NeighbourClearance& row) {
+      return row.verdict == ClearanceVerdict::Clear;
+    });
+  }
+
+  void takePath(const std::vector<State>& keys) {
+    const Trajectory motion = motionOf(keys);
+    const std::size_t last = keys.size() - 1;
+    const std::size_t begin = released_.front().before, end = last - released_.back().after;
+    bool good = true;
+    if (begin > 0) good = clear(check(part(motion, 0, begin), ends_.front().ruleInside(demand_)));
+    if (end < last)
+      good = good && clear(check(part(motion, end, last), ends_.back().ruleInside(demand_)));
+    report_.certificate = check(part(motion, begin, end), demand_.apart);
+    if (!good || !clear(report_.certificate))
+      throw Error(Status::InternalError, "NotCertified",
+                  "the path that was found is not clear by the exact check; please report it with "
+                  "the parts");
+    report_.verdict = PathVerdict::Found;
+    report_.path = motion;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      Pose& pose = report_.path.poses[i];
+      pose = scene_.outside(keys[i]);
+      pose.timeSeconds = motion.poses[i].timeSeconds;
+    }
+    takeEnd(report_.path.poses.back(), task_.goal);
+    if (task_.start) takeEnd(report_.path.poses.front(), *task_.start);
+    for (NeighbourClearance& row : report_.certificate) {
+      const double time = row.timeSeconds;
+      row.pose = scene_.outside(scene_.at(row.pose));
+      row.pose.timeSeconds = time;
+      row.pointOnBody = scene_.world().transpose() * row.pointOnBody;
+      row.pointOnNeighbour = scene_.world().transpose() * row.pointOnNeighbour;
+    }
+    report_.clearance = report_.certificate.front().guaranteed;
+    for (const NeighbourClearance& row : report_.certificate)
+      report_.clearance = std::min(report_.clearance, row.guaranteed);
+    // The engine's figure is off by up to its tolerance; the moves themselves are proven to keep
+    // what was asked for.
+    report_.clearance = std::max(
+        report_.clearance, *std::min_element(demand_.required.begin(), demand_.required.end()));
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      report_.length += (keys[i].middle - keys[i - 1].middle).norm();
+      report_.turn += keys[i].pose.rotation.angularDistance(keys[i - 1].pose.rotation);
+    }
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      if (ends_.front().allowedDepth[i] >= 0 || ends_.back().allowedDepth[i] >= 0)
+        report_.contacts.push_back(demand_.names[i]);
+    report_.summary = "path of " + std::to_string(motion.poses.size()) + " keys, " +
+                      numberText(report_.length, 4) + " mm and " +
+                      numberText(report_.turn * 180 / std::numbers::pi, 4) +
+                      " degrees, clearance at least " + numberText(report_.clearance, 4) + " mm (" +
+                      report_.method + ")";
+  }
+
+  // To the last bit as the caller gave it.
+  static void takeEnd(Pose& pose, const Pose& given) {
+    pose.translation = given.translation;
+    pose.rotation = given.rotation.normalized();
+  }
+
+  void takeFailure(const LegResult& found) {
+    report_.budgetEnded = limits_.over();
+    report_.noTranslation = found.noTranslation;
+    if (found.noTranslation && !space_.turns()) report_.verdict = PathVerdict::NoTranslation;
+    const Eigen::Vector3d goal = ends_.back().state.middle;
+    report_.escape.distance = (found.farthest.middle - goal).norm();
+    report_.escape.pose = scene_.outside(found.farthest);
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      if (found.blocked[i] > 0) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return found.blocked[a] > found.blocked[b];
+    });
+    for (const std::size_t i : order) report_.escape.blockers.push_back(demand_.names[i]);
+    if (report_.verdict == PathVerdict::NoTranslation)
+      report_.summary = "no path without turning exists";
+    else
+      report_.summary =
+          "no path found" + std::string(report_.budgetEnded ? " within the budget" : "");
+    report_.summary +=
+        "; the part came " + numberText(report_.escape.distance, 4) + " mm away from its goal";
+    if (!order.empty())
+      report_.summary += "; in the way most often: '" + demand_.names[order[0]] + "'";
+  }
+
+  struct Released {
+    std::size_t before, after, unused, keys;
+  };
+  const PathOptions& o_;
+  const PathTask& task_;
+  RunContext& run_;
+  PathReport& report_;
+  Timer timer_;
+  Scene scene_;
+  Limits limits_;
+  Demand demand_;
+  SearchSpace space_;
+  std::vector<End> ends_;
+  std::vector<Released> released_;  ///< keys of each leg that lie in release zones
+};
+
+}  // namespace
+
+const char* pathVerdictName(PathVerdict verdict) {
+  switch (verdict) {
+    case PathVerdict::NotFound:
+      return "not_found";
+    case PathVerdict::Found:
+      return "found";
+    case PathVerdict::NoTranslation:
+      return "no_translation";
+  }
+  return "?";
+}
+
+PathReport findPath(const TriMesh& part, const PathTask& task,
+                    const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+                    RunContext& run, PathWatch* watch) {
+  PathReport report;
+  report.required = options.clearance;
+  report.tolerance = options.tolerance;
+  report.release = options.release;
+  report.seed = options.seed;
+  report.interpolation = interpolationName(options.interpolation);
+  report.bodyTriangles = std::ssize(part.triangles);
+  for (const PathNeighbour& n : neighbours)
+    report.neighbourTriangles += std::ssize(n.part.mesh.triangles);
+  const auto fail = [&](Status status, const std::string& code, const std::string& text) {
+    PathReport failed;
+    failed.status = status;
+    failed.code = code;
+    failed.message = text;
+    failed.threads = report.threads;
+    report = std::move(failed);  // a run that did not finish must not look like a result
+  };
+  try {
+    run.checkpoint(Phase::Input);
+    report.threads = threadsOf(run);
+    checkPathOptions(task, neighbours, options);
+    tbb::task_arena arena(report.threads);
+    arena.execute([&] {
+      PathFinder finder(part, task, neighbours, options, run, watch, report);
+      finder.findIt();
+      report.seconds.push_back({"total", finder.seconds()});
+    });
+    run.checkpoint(Phase::Done);
+  } catch (const Error& e) {
+    fail(e.status(), e.code(), e.what());
+  } catch (const std::bad_alloc&) {
+    fail(Status::OutOfMemory, "OutOfMemory",
+         "not enough memory for the search; use coarser neighbours or fewer at a time");
+  } catch (const std::exception& e) {
+    fail(Status::InternalError, "InternalError",
+         std::string(e.what()) + ": a fault of the program; please report it with the parts");
+  }
+  return report;
+}
+
+}  // namespace swept

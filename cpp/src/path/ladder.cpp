@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/ladder.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <memory>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "path/shifts.h"
+#include "path/straight_moves.h"
+
+namespace swept::path {
+namespace {
+
+// Searches side by side, for as many threads; luck differs, and the first one counts.
+constexpr std::size_t kSearches = 2;
+constexpr int kRounds = 20;                  // of one search before the others are asked
+constexpr std::size_t kNodesAtFirst = 3000;  // of both trees, before a search begins anew
+// Skins that are taken off, in radii of the part, from the first search of a chain to the last.
+constexpr std::array<double, 3> kSkins{0.08, 0.04, 0.015};
+constexpr std::size_t kMostStarts = 8;                 // that are looked for on grids, one by one
+constexpr int kPlaces = 8000, kPlacesOfProof = 10000;  // of one grid
+constexpr std::int64_t kMostTriangles = 200000;        // of scenes that are thinned
+
+/// Scenes from the loosest to the true one, and what to keep from the neighbours in each.
+struct Stage {
+  const Scene* scene;
+  Rule rule;
+};
+
+// One search: in the true scene, or in a chain of scenes that get tighter, where the path of each
+// guides the next. Begins anew, with other numbers, when its trees have grown too large.
+class Chain {
+ public:
+  Chain(const std::vector<Stage>& stages, const Leg& leg, std::uint64_t seed)
+      : stages_(stages), leg_(leg), seed_(seed) {}
+
+  bool round() {
+    if (!trees_) begin();
+    if (!trees_->grow(1)) {
+      if (trees_->nodes() > most_) restart();
+      return false;
+    }
+    if (at_ + 1 == stages_.size()) return true;
+    guides_ = guidesFrom(trees_->path());
+    ++at_;
+    leave();
+    return false;
+  }
+  const TwoTrees* trees() const { return trees_.get(); }
+  bool inTrueScene() const { return at_ + 1 == stages_.size(); }
+  std::int64_t steps() const { return steps_ + (trees_ ? trees_->steps() : 0); }
+
+ private:
+  void begin() {
+    SearchSpace space = leg_.space;
+    space.guides = guides_;
+    trees_ = std::make_unique<TwoTrees>(*stages_[at_].scene, stages_[at_].rule, space, leg_.starts,
+                                        leg_.goals, seed_ + 7919 * ++begun_);
+  }
+  void leave() {
+    steps_ += trees_->steps();
+    trees_.reset();
+  }
+  void restart() {
+    leave();
+    at_ = 0;
+    guides_.clear();
+    most_ += most_ / 4;
+  }
+  // So many that a guide stands everywhere along the way.
+  std::vector<State> guidesFrom(const std::vector<State>& keys) const {
+    const Scene& scene = *stages_[at_].scene;
+    std::vector<State> guides;
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+      const int pieces =
+          1 + static_cast<int>(scene.distance(keys[i], keys[i + 1]) / (0.1 * scene.radius()));
+      for (int k = 0; k < pieces; ++k)
+        guides.push_back(scene.onWay(keys[i], keys[i + 1], double(k) / pieces));
+    }
+    guides.push_back(keys.back());
+    return guides;
+  }
+
+  const std::vector<Stage>& stages_;
+  const Leg& leg_;
+  std::uint64_t seed_, begun_ = 0;
+  std::size_t at_ = 0, most_ = kNodesAtFirst;
+  std::int64_t steps_ = 0;
+  std::vector<State> guides_;
+  std::unique_ptr<TwoTrees> trees_;
+};
+
+class SixDimensions {
+ public:
+  SixDimensions(const Scene& scene, const Rule& rule, const Rule& loose, const Leg& leg,
+                const Limits& limits, RunContext& run)
+      : scene_(scene), leg_(leg), limits_(limits), run_(run), plain_{{&scene, rule}} {
+    std::int64_t triangles = 0;
+    for (std::size_t i = 0; i < scene.count(); ++i)
+      triangles += static_cast<std::int64_t>(scene.neighbour(i).tree().size());
+    triangles += static_cast<std::int64_t>(scene.part().tree().size());
+    if (triangles <= kMostTriangles)
+      for (const double skin : kSkins) {
+        thin_.push_back(std::make_unique<Scene>(scene, skin * scene.radius(), run));
+        chain_.push_back({thin_.back().get(), loose});
+      }
+    chain_.push_back({&scene, loose});
+    chain_.push_back({&scene, rule});
+    for (std::size_t i = 0; i < kSearches; ++i)
+      searches_.emplace_back(i == 0 ? chain_ : plain_, leg, limits.seed * 1000003 + i * 65537);
+  }
+
+  LegResult search() {
+    LegResult result;
+    result.farthest = leg_.goals.front();
+    std::vector<char> done(kSearches, 0);
+    while (!limits_.over() && result.keys.empty()) {
+      parallelFor(kSearches, [&](std::size_t i) {
+        for (int k = 0; k < kRounds && !done[i] && !run_.isCancelled() && !limits_.over(); ++k)
+          done[i] = searches_[i].round() ? 1 : 0;
+      });
+      run_.checkpoint(Phase::Turns, static_cast<std::uint64_t>(1000 * limits_.timer.seconds()),
+                      static_cast<std::uint64_t>(1000 * limits_.seconds) + 1);
+      for (std::size_t i = 0; i < kSearches; ++i) {
+        note(searches_[i], result);
+        if (done[i] && result.keys.empty()) result.keys = searches_[i].trees()->path();
+      }
+      if (limits_.watch != nullptr) limits_.watch->show(scene_.outside(result.farthest));
+    }
+    result.method = leg_.space.turns() ? "six dimensions" : "no turning";
+    result.blocked.assign(scene_.count(), 0);
+    for (const Chain& search : searches_) {
+      result.steps += search.steps();
+      if (!search.inTrueScene() || search.trees() == nullptr) continue;
+      for (std::size_t i = 0; i < scene_.count(); ++i)
+        result.blocked[i] += search.trees()->blocked()[i];
+    }
+    return result;
+  }
+
+ private:
+  void note(const Chain& search, LegResult& result) const {
+    if (!search.inTrueScene() || search.trees() == nullptr) return;
+    const Eigen::Vector3d& root = leg_.goals.front().middle;
+    const State& state = search.trees()->farthest();
+    if ((state.middle - root).norm() > (result.farthest.middle - root).norm())
+      result.farthest = state;
+  }
+
+  const Scene& scene_;
+  const Leg& leg_;
+  const Limits& limits_;
+  RunContext& run_;
+  std::vector<std::unique_ptr<Scene>> thin_;
+  std::vector<Stage> plain_, chain_;
+  std::deque<Chain> searches_;
+};
+
+}  // namespace
+
+MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
+  return [&scene, &space](const State& a, const State& b) {
+    if (!space.turns()) return a.pose.rotation.angularDistance(b.pose.rotation) < 1e-9;
+    if (space.largestTurn >= std::numbers::pi) return true;
+    // Turns of less than a quarter about one centre are a convex set; beyond, some places between
+    // have to be looked at.
+    const int pieces = space.largestTurn <= std::numbers::pi / 2 ? 1 : 32;
+    for (int k = 0; k <= pieces; ++k) {
+      const State at = k == 0 ? a : k == pieces ? b : scene.onWay(a, b, double(k) / pieces);
+      if (at.pose.rotation.angularDistance(space.upright) > space.largestTurn) return false;
+    }
+    return true;
+  };
+}
+
+LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, const Leg& leg,
+                   const Limits& limits, RunContext& run) {
+  LegResult result;
+  Memory memory = scene.memory();
+  const MoveAllowed allowed = turnLimit(scene, leg.space);
+  result.keys = straightMoves(scene, rule, allowed, leg.starts, leg.goals, leg.far, memory, run);
+  if (!result.keys.empty()) {
+    result.method = result.keys.size() == 2 ? "straight" : "straight moves";
+    result.steps = memory.steps;
+    return result;
+  }
+  const bool upright =
+      !leg.space.turns() || leg.starts.empty() ||
+      leg.starts.front().pose.rotation.angularDistance(leg.goals.front().pose.rotation) < 1e-9;
+  const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
+  const int places = std::max(kPlaces / 10, kPlaces / std::max(1, pairs));
+  // Turned starts are linked to places where the part stands as at the goal.
+  for (const State& start : leg.starts) {
+    if (leg.starts.size() > kMostStarts || !result.keys.empty() || limits.over()) break;
+    for (const State& goal : leg.goals) {
+      result.keys = shiftsOnly(scene, rule, leg.space, start, goal, places, memory, run);
+      if (!result.keys.empty()) break;
+    }
+  }
+  const bool kept = std::adjacent_find(result.keys.begin(), result.keys.end(),
+                                       [&](const State& a, const State& b) {
+                                         return !allowed(a, b);
+                                       }) == result.keys.end();
+  if (!result.keys.empty() && kept) {
+    result.method = "grid of places";
+    result.steps = memory.steps;
+    return result;
+  }
+  const State* start = leg.space.isOut || leg.starts.empty() ? nullptr : &leg.starts.front();
+  const bool proven =
+      leg.provable && upright &&
+      noShifts(scene, rule, leg.space, start, leg.goals.front(), kPlacesOfProof, run);
+  if (proven && !leg.space.turns()) {
+    result = {};
+    result.farthest = leg.goals.front();
+    result.blocked.assign(scene.count(), 0);
+  } else {
+    result = SixDimensions(scene, rule, loose, leg, limits, run).search();
+  }
+  result.noTranslation = proven;
+  result.steps += memory.steps;
+  return result;
+}
+
+}  // namespace swept::path

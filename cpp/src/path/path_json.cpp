@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <numbers>
+
+#include "base/report_json.h"
+#include "swept/path.h"
+
+namespace swept {
+namespace {
+
+Json poseJson(const Pose& pose) {
+  const Eigen::Quaterniond& q = pose.rotation;
+  const Eigen::Vector3d& t = pose.translation;
+  return {{"t", pose.timeSeconds},
+          {"translation", {t[0], t[1], t[2]}},
+          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
+}  // namespace
+
+std::string toJson(const PathReport& report) {
+  Json json = reportHead("path", report.status, report.code, report.message);
+  if (report.status != Status::Ok) return jsonText(json);
+  json["verdict"] = pathVerdictName(report.verdict);
+  json["summary"] = report.summary;
+  json["required"] = report.required;
+  json["tolerance"] = report.tolerance;
+  json["release"] = report.release;
+  json["interpolation"] = report.interpolation;
+  json["seed"] = report.seed;
+  if (report.verdict == PathVerdict::Found) {
+    json["method"] = report.method;
+    json["keys"] = report.path.poses.size();
+    json["length"] = report.length;
+    json["turn_degrees"] = report.turn * 180 / std::numbers::pi;
+    json["clearance"] = report.clearance;
+    json["contacts"] = report.contacts;
+    json["path"] = Json::array();
+    for (const Pose& pose : report.path.poses) json["path"].push_back(poseJson(pose));
+    json["certificate"] = Json::array();
+    for (const NeighbourClearance& row : report.certificate)
+      json["certificate"].push_back({{"name", row.name},
+                                     {"verdict", clearanceVerdictName(row.verdict)},
+                                     {"distance", row.distance},
+                                     {"guaranteed", row.guaranteed},
+                                     {"time_seconds", row.timeSeconds}});
+  } else {
+    json["escape"] = {{"distance", report.escape.distance},
+                      {"pose", poseJson(report.escape.pose)},
+                      {"blockers", report.escape.blockers}};
+    if (report.possibleClearance >= 0) json["possible_clearance"] = report.possibleClearance;
+    json["no_translation"] = report.noTranslation;
+    json["budget_ended"] = report.budgetEnded;
+  }
+  json["steps"] = report.steps;
+  json["body_triangles"] = report.bodyTriangles;
+  json["neighbour_triangles"] = report.neighbourTriangles;
+  json["threads"] = report.threads;
+  json["seconds"] = secondsJson(report.seconds);
+  json["warnings"] = findingsJson(report.warnings);
+  return jsonText(json);
+}
+
+}  // namespace swept

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/polish.h"
+
+#include <algorithm>
+
+#include "path/contacts.h"
+
+namespace swept::path {
+namespace {
+
+constexpr int kTrialsToGiveUp = 40;
+
+class Shortener {
+ public:
+  Shortener(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, RandomNumbers& random,
+            std::vector<State>& keys)
+      : scene_(scene),
+        rule_(rule),
+        allowed_(allowed),
+        random_(random),
+        keys_(keys),
+        memory_(scene.memory()) {}
+
+  bool isFree(const State& a, const State& b) {
+    return allowed_(a, b) && scene_.follow(a, b, rule_, memory_).share >= 1;
+  }
+
+  // Keys that the path can do without.
+  void dropKeys() {
+    for (std::size_t first = 0; first + 2 < keys_.size(); ++first) {
+      // The farthest key that can be reached at once, by halving the distance.
+      for (std::size_t reach = keys_.size() - 1 - first; reach >= 2; reach = reach / 2) {
+        if (!isFree(keys_[first], keys_[first + reach])) continue;
+        keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                    keys_.begin() + static_cast<std::ptrdiff_t>(first + reach));
+        break;
+      }
+    }
+    for (std::size_t i = 1; i + 1 < keys_.size();) {
+      if (isFree(keys_[i - 1], keys_[i + 1]))
+        keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(i));
+      else
+        ++i;
+    }
+  }
+
+  // One shortcut between two places of the path; true if it is shorter.
+  bool cut() {
+    const double whole = lengthOf(scene_, keys_);
+    double a = random_.share() * whole, b = random_.share() * whole;
+    if (random_.share() < 0.5) b = a + (2 * random_.share() - 1) * 0.2 * whole;
+    if (a > b) std::swap(a, b);
+    a = std::max(a, 0.0);
+    b = std::min(b, whole);
+    std::size_t first = 0, last = 0;
+    const State from = place(a, first), to = place(b, last);
+    if (first == last) return false;
+    double replaced = b - a;
+    if (scene_.distance(from, to) > 0.999 * replaced - 1e-3 * scene_.radius() * 0.01) return false;
+    if (!isFree(from, to)) return false;
+    // The parts of the two moves that stay have to be free by themselves: they are, as parts of a
+    // straight move, but a screw between other ends is another screw.
+    if (!isFree(keys_[first], from) || !isFree(to, keys_[last + 1])) return false;
+    std::vector<State> next(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+    for (const State& state : {from, to})
+      if (scene_.distance(next.back(), state) > 1e-9 * scene_.radius()) next.push_back(state);
+    std::size_t after = last + 1;
+    if (scene_.distance(next.back(), keys_[after]) <= 1e-9 * scene_.radius() && next.size() > 1)
+      next.pop_back();
+    next.insert(next.end(), keys_.begin() + static_cast<std::ptrdiff_t>(after), keys_.end());
+    keys_ = std::move(next);
+    return true;
+  }
+
+ private:
+  State place(double at, std::size_t& key) const {
+    for (key = 0; key + 2 < keys_.size(); ++key) {
+      const double length = scene_.distance(keys_[key], keys_[key + 1]);
+      if (at <= length) break;
+      at -= length;
+    }
+    const double length = scene_.distance(keys_[key], keys_[key + 1]);
+    const double share = length > 0 ? std::min(1.0, at / length) : 0;
+    return share <= 0   ? keys_[key]
+           : share >= 1 ? keys_[key + 1]
+                        : scene_.onWay(keys_[key], keys_[key + 1], share);
+  }
+
+  const Scene& scene_;
+  const Rule& rule_;
+  const MoveAllowed& allowed_;
+  RandomNumbers& random_;
+  std::vector<State>& keys_;
+  Memory memory_;
+};
+
+}  // namespace
+
+double lengthOf(const Scene& scene, const std::vector<State>& keys) {
+  double sum = 0;
+  for (std::size_t i = 1; i < keys.size(); ++i) sum += scene.distance(keys[i - 1], keys[i]);
+  return sum;
+}
+
+void shorten(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, int trials,
+             RandomNumbers& random, std::vector<State>& keys, RunContext& run) {
+  Shortener shortener(scene, rule, allowed, random, keys);
+  shortener.dropKeys();
+  int failed = 0;
+  for (int trial = 0; trial < trials && failed < kTrialsToGiveUp && keys.size() > 2; ++trial) {
+    run.checkpoint(Phase::Polish, static_cast<std::uint64_t>(trial),
+                   static_cast<std::uint64_t>(trials));
+    if (shortener.cut()) {
+      failed = 0;
+      if (trial % 8 == 0) shortener.dropKeys();
+    } else {
+      ++failed;
+    }
+  }
+  shortener.dropKeys();
+}
+
+bool widen(const Scene& scene, const Rule& larger, const MoveAllowed& allowed, int trials,
+           RandomNumbers& random, std::vector<State>& keys, RunContext& run) {
+  std::vector<State> next = keys;
+  Memory memory = scene.memory();
+  const auto isFree = [&](std::size_t i) {
+    return allowed(next[i], next[i + 1]) &&
+           scene.follow(next[i], next[i + 1], larger, memory).share >= 1;
+  };
+  std::vector<char> free(next.size(), 0);
+  for (std::size_t i = 0; i + 1 < next.size(); ++i) free[i] = isFree(i) ? 1 : 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    run.checkpoint(Phase::Polish);
+    // An inner key at a move that is not free yet.
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 1; i + 1 < next.size(); ++i)
+      if (!free[i - 1] || !free[i]) wanted.push_back(i);
+    bool done = true;
+    for (std::size_t i = 0; i + 1 < next.size(); ++i) done = done && free[i];
+    if (done) {
+      keys = std::move(next);
+      return true;
+    }
+    if (wanted.empty()) return false;
+    const std::size_t i = wanted[random.index(wanted.size())];
+    const State before = next[i];
+    Rule near = larger;
+    for (double& d : near) d = d < 0 ? d : 1.05 * d;
+    Twist push;
+    for (const Contact& contact : contactsOf(scene, before, near)) {
+      const double lack = std::max(
+          0.0, 1.05 * larger[static_cast<std::size_t>(contact.neighbour)] - contact.distance);
+      push.shift += lack * contact.normal;
+    }
+    const double size = push.shift.norm();
+    const double reach = *std::max_element(larger.begin(), larger.end());
+    if (size > 0) push.shift *= random.share() * 2 * reach / size;
+    push.shift += 0.5 * reach * random.share() * random.direction();
+    push.turn = reach / scene.radius() * random.share() * random.direction();
+    if (!allowed(before, scene.moved(before, push))) push.turn.setZero();
+    next[i] = scene.moved(before, push);
+    const char left = free[i - 1], right = free[i];
+    free[i - 1] = isFree(i - 1) ? 1 : 0;
+    free[i] = isFree(i) ? 1 : 0;
+    if (free[i - 1] + free[i] >= left + right && scene.isFree(next[i], larger, memory)) continue;
+    next[i] = before;
+    free[i - 1] = left;
+    free[i] = right;
+  }
+  return false;
+}
+
+}  // namespace swept::path

@@ -1,0 +1,20 @@
+// Paths of one to three straight moves.
+// In:    placements to start from and to reach. Out: keys from one of the starts to one of the
+//        goals, every move proven free; empty if there are none of this kind.
+// Cost:  some hundred questions about moves.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "path/polish.h"
+#include "path/scene.h"
+
+namespace swept::path {
+
+/// `far`: mm, so long that a move along it leaves all neighbours behind.
+std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const MoveAllowed& allowed,
+                                 const std::vector<State>& starts, const std::vector<State>& goals,
+                                 double far, Memory& memory, RunContext& run);
+
+}  // namespace swept::path

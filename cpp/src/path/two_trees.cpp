@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/two_trees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swept::path {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kStart = 0, kGoal = 1;
+constexpr int kSlides = 3;
+// Of a move: how exactly the tree finds out where it is blocked.
+constexpr double kFinest = 1.0 / 16;
+
+}  // namespace
+
+TwoTrees::TwoTrees(const Scene& scene, const Rule& rule, const SearchSpace& space,
+                   const std::vector<State>& starts, const std::vector<State>& goals,
+                   std::uint64_t seed)
+    : scene_(scene),
+      rule_(rule),
+      space_(space),
+      random_(seed),
+      memory_(scene.memory()),
+      blocked_(scene.count(), 0) {
+  longest_ = std::max(0.5 * scene.radius(), 0.05 * (space.high - space.low).norm());
+  shortest_ = 2e-4 * scene.radius();
+  for (const State& state : starts) add(kStart, -1, state);
+  for (const State& state : goals) add(kGoal, -1, state);
+}
+
+int TwoTrees::add(int tree, int parent, const State& state) {
+  const double size = 0.15 * scene_.radius();
+  const State upright = scene_.at(space_.upright, state.middle);
+  const Vector3d turn = Scene::between(upright, state).turn * scene_.radius();
+  CellKey key;
+  for (int k = 0; k < 3; ++k) {
+    key[static_cast<std::size_t>(k)] = static_cast<int>(std::floor(state.middle[k] / size));
+    key[static_cast<std::size_t>(k + 3)] = static_cast<int>(std::floor(turn[k] / size));
+  }
+  const auto [cell, isNew] = cells_[tree].try_emplace(key, std::ssize(cellNodes_[tree]));
+  if (isNew) cellNodes_[tree].push_back(0);
+  ++cellNodes_[tree][static_cast<std::size_t>(cell->second)];
+  trees_[tree].push_back({state, parent, cell->second});
+  const int index = static_cast<int>(trees_[tree].size()) - 1;
+  if (tree == kGoal) {
+    const Vector3d& root = trees_[tree].front().state.middle;
+    if ((state.middle - root).norm() > (farthest().middle - root).norm()) farthest_ = index;
+    if (parent >= 0 && path_.empty() && space_.isOut && space_.isOut(state)) finish(-1, index);
+  }
+  return index;
+}
+
+int TwoTrees::nearest(int tree, const State& to) const {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < trees_[tree].size(); ++i) {
+    const State& state = trees_[tree][i].state;
+    const double shift = (state.middle - to.middle).norm();
+    if (shift >= least) continue;
+    const double d = scene_.distance(state, to);
+    if (d >= least) continue;
+    least = d;
+    best = static_cast<int>(i);
+  }
+  return best;
+}
+
+// Of a few nodes the one whose cell has been tried least.
+int TwoTrees::sparse(int tree) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 6; ++k) {
+    // Half of them among the younger nodes, which stand at the front.
+    const Tree& nodes = trees_[tree];
+    const double u = random_.share();
+    const double share = k % 2 == 0 ? u : 1 - 0.3 * u * u;
+    const std::size_t i =
+        std::min(nodes.size() - 1, static_cast<std::size_t>(share * double(nodes.size())));
+    const double weight = cellNodes_[tree][static_cast<std::size_t>(nodes[i].cell)] +
+                          2.0 * nodes[i].tries * nodes[i].tries;
+    if (weight >= least) continue;
+    least = weight;
+    best = static_cast<int>(i);
+  }
+  ++trees_[tree][static_cast<std::size_t>(best)].tries;
+  return best;
+}
+
+State TwoTrees::sample() {
+  const Vector3d middle = random_.inBox(space_.low, space_.high);
+  if (!space_.turns()) return scene_.at(space_.upright, middle);
+  return limited(scene_.at(space_.upright, middle), scene_.at(random_.rotation(), middle));
+}
+
+State TwoTrees::sampleNear(int tree, int node) {
+  const State& state = trees_[tree][static_cast<std::size_t>(node)].state;
+  const double scale = scene_.radius() * std::pow(10.0, random_.between(-2, 0.5));
+  Twist twist;
+  if (random_.share() < 0.4) {
+    // On in the direction of the last moves.
+    int before = node;
+    for (int k = 0; k < 6; ++k) {
+      const int parent = trees_[tree][static_cast<std::size_t>(before)].parent;
+      if (parent < 0) break;
+      before = parent;
+    }
+    twist = Scene::between(trees_[tree][static_cast<std::size_t>(before)].state, state);
+    const double length = scene_.length(twist);
+    if (length > 0) twist = twist * (scale / length);
+  }
+  const double noise = scene_.length(twist) > 0 ? 0.3 * scale : scale;
+  // Shifts, turns and both, as often.
+  const double kind = random_.share();
+  if (kind < 0.67 || !space_.turns()) twist.shift += noise * random_.share() * random_.direction();
+  if (kind > 0.33 && space_.turns())
+    twist.turn += noise / scene_.radius() * random_.share() * random_.direction();
+  return limited(state, scene_.moved(state, twist));
+}
+
+// The same with its turn from upright cut to what is allowed.
+State TwoTrees::limited(const State& from, const State& to) const {
+  if (!space_.turns()) return scene_.at(from.pose.rotation, to.middle);
+  const State upright = scene_.at(space_.upright, to.middle);
+  Twist turn = Scene::between(upright, to);
+  const double angle = turn.turn.norm();
+  if (angle <= space_.largestTurn) return to;
+  return scene_.moved(upright, turn * (0.999 * space_.largestTurn / angle));
+}
+
+int TwoTrees::extend(int tree, int from, const State& to, double most, bool& reached) {
+  reached = false;
+  State at = trees_[tree][static_cast<std::size_t>(from)].state;
+  Twist twist = Scene::between(at, to);
+  const double whole = scene_.length(twist);
+  if (!(whole > 0)) {
+    reached = true;
+    return from;
+  }
+  const double share = std::min(1.0, most / whole);
+  twist = twist * share;
+  std::vector<Contact> contacts;
+  int node = from;
+  for (int slide = 0; slide <= kSlides; ++slide) {
+    const State next = slide == 0 && share >= 1 ? to : limited(at, scene_.moved(at, twist));
+    const Follow follow = scene_.follow(at, next, rule_, memory_, kFinest);
+    const double length = scene_.distance(at, next);
+    if (follow.share * length > shortest_) {
+      at = follow.share >= 1 ? next : scene_.onWay(at, next, follow.share);
+      node = add(tree, node, at);
+      contacts.clear();
+      if (!path_.empty()) return node;
+    }
+    if (follow.share >= 1) {
+      reached = slide == 0 && share >= 1;
+      return node;
+    }
+    if (follow.neighbour < 0) return node;
+    const auto i = static_cast<std::size_t>(follow.neighbour);
+    ++blocked_[i];
+    const Contact contact = scene_.contactAt(at, i, rule_[i] + 0.1 * scene_.radius(), memory_);
+    if (contact.neighbour < 0) return node;
+    contacts.push_back(contact);
+    const Twist rest = twist * (1 - follow.share);
+    twist = alongContacts(scene_, at, contacts, rest);
+    if (scene_.length(twist) < 0.05 * std::min(most, whole)) return node;
+  }
+  return node;
+}
+
+bool TwoTrees::connect(int tree, int node) {
+  const int other = 1 - tree;
+  const State to = trees_[tree][static_cast<std::size_t>(node)].state;
+  int at = nearest(other, to);
+  for (int k = 0; k < 12; ++k) {
+    bool reached = false;
+    const int next = extend(other, at, to, longest_, reached);
+    if (!path_.empty()) return true;
+    if (reached) {
+      finish(tree == kStart ? node : next, tree == kStart ? next : node);
+      return true;
+    }
+    const double before = scene_.distance(trees_[other][static_cast<std::size_t>(at)].state, to);
+    const double now = scene_.distance(trees_[other][static_cast<std::size_t>(next)].state, to);
+    if (next == at || now > before - 0.02 * longest_) return false;
+    at = next;
+  }
+  return false;
+}
+
+void TwoTrees::finish(int startNode, int goalNode) {
+  path_.clear();
+  for (int i = startNode; i >= 0; i = trees_[kStart][static_cast<std::size_t>(i)].parent)
+    path_.push_back(trees_[kStart][static_cast<std::size_t>(i)].state);
+  std::reverse(path_.begin(), path_.end());
+  for (int i = goalNode; i >= 0; i = trees_[kGoal][static_cast<std::size_t>(i)].parent) {
+    const State& state = trees_[kGoal][static_cast<std::size_t>(i)].state;
+    if (path_.empty() || scene_.distance(path_.back(), state) > 0) path_.push_back(state);
+  }
+}
+
+State TwoTrees::sampleGuide() {
+  const State& guide = space_.guides[random_.index(space_.guides.size())];
+  const double scale = scene_.radius() * std::pow(10.0, random_.between(-2.5, -0.3));
+  Twist twist{scale * random_.share() * random_.direction(), Vector3d::Zero()};
+  if (space_.turns()) twist.turn = scale / scene_.radius() * random_.share() * random_.direction();
+  return limited(guide, scene_.moved(guide, twist));
+}
+
+// The harder end gets more of the work: there most moves are blocked.
+int TwoTrees::chooseTree() {
+  if (trees_[kStart].empty()) return kGoal;
+  const double share = hardness_[kGoal] / (hardness_[kGoal] + hardness_[kStart]);
+  return random_.share() < std::clamp(share, 0.1, 0.9) ? kGoal : kStart;
+}
+
+bool TwoTrees::grow(int rounds) {
+  for (int round = 0; round < rounds && path_.empty(); ++round) {
+    const int tree = chooseTree();
+    const double kind = random_.share();
+    int from;
+    State to;
+    if (kind < 0.15 && !trees_[1 - tree].empty()) {
+      to = trees_[1 - tree][random_.index(trees_[1 - tree].size())].state;
+      from = nearest(tree, to);
+    } else if (kind < 0.3) {
+      to = sample();
+      from = nearest(tree, to);
+    } else if (kind < 0.75 && !space_.guides.empty()) {
+      to = sampleGuide();
+      from = nearest(tree, to);
+    } else {
+      from = sparse(tree);
+      to = sampleNear(tree, from);
+    }
+    bool reached = false;
+    const auto before = trees_[tree][static_cast<std::size_t>(from)].state;
+    const int node = extend(tree, from, to, longest_, reached);
+    if (!path_.empty()) break;
+    const double wanted = std::min(longest_, scene_.distance(before, to));
+    const double came = scene_.distance(before, trees_[tree][static_cast<std::size_t>(node)].state);
+    hardness_[tree] += 0.02 * ((came < 0.9 * wanted ? 1 : 0.05) - hardness_[tree]);
+    if (node == from) continue;
+    if (!trees_[1 - tree].empty() && connect(tree, node)) break;
+  }
+  return !path_.empty();
+}
+
+}  // namespace swept::path

@@ -1,0 +1,47 @@
+// Problems for the search for installation paths, made of boxes: channels, tunnels with corners,
+// slots that ask for a turn, hooks, sealed boxes, gaps that are too small, parts that touch.
+// In: the kind, a seed for sizes and for the frame in which everything lies. Units: mm.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept::test {
+
+struct PathCase {
+  std::string name;
+  TriMesh part;  ///< in a frame of its own
+  Pose start, goal;
+  std::vector<TriMesh> neighbours;
+  double clearance = 0;
+  double release = 0;
+  bool possible = true;    ///< a path exists
+  bool needsTurn = false;  ///< none without turning
+};
+
+/// A peg deep in a square channel that is open at one end.
+PathCase channelCase(unsigned seed);
+/// A block in a tunnel with one corner.
+PathCase cornerCase(unsigned seed);
+/// A bar across behind a plate with a slot: it has to turn to come out.
+PathCase slotCase(unsigned seed);
+/// A hook round a bar: out by turning and shifting at once.
+PathCase hookCase(unsigned seed);
+/// An L-shaped part in an L-shaped tunnel that it can only pass by turning in the corner.
+PathCase elbowCase(unsigned seed);
+/// A block in a closed box.
+PathCase sealedCase(unsigned seed);
+/// A channel whose mouth is narrower than the part.
+PathCase narrowCase(unsigned seed);
+/// A block that stands on a floor between two walls and touches all three.
+PathCase touchingCase(unsigned seed);
+/// Start and goal among some boxes that lie about.
+PathCase scatteredCase(unsigned seed);
+
+/// One of the above kinds, all of them in turn.
+PathCase pathCase(unsigned number);
+
+}  // namespace swept::test
