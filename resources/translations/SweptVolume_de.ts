@@ -425,24 +425,8 @@
    <translation>Öffnen Sie zuerst ein Dokument.</translation>
   </message>
   <message>
-   <source>There is no envelope in the document: make one with Create envelope.</source>
-   <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
-  </message>
-  <message>
-   <source>Select one of the {0} envelopes.</source>
-   <translation>Wählen Sie eine der {0} Hüllen aus.</translation>
-  </message>
-  <message>
    <source>Select an envelope first.</source>
    <translation>Zuerst eine Hülle auswählen.</translation>
-  </message>
-  <message>
-   <source>There is no motion in the document: make one with New motion.</source>
-   <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit Neue Bewegung an.</translation>
-  </message>
-  <message>
-   <source>Select one of the {0} motions.</source>
-   <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
   </message>
   <message>
    <source>Select a motion first.</source>
@@ -759,8 +743,32 @@ Versucht:
    <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
   </message>
   <message>
+   <source>Motion of {0}</source>
+   <translation>Bewegung von {0}</translation>
+  </message>
+  <message>
    <source>Edit motion</source>
    <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
+   <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
+   <translation>wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
+  </message>
+  <message>
+   <source>There is no envelope in the document: make one with Create envelope.</source>
+   <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} envelopes.</source>
+   <translation>Wählen Sie eine der {0} Hüllen aus.</translation>
+  </message>
+  <message>
+   <source>There is no motion in the document: make one with New motion.</source>
+   <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit Neue Bewegung an.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} motions.</source>
+   <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
   </message>
   <message>
    <source>Export envelope</source>
@@ -1292,6 +1300,10 @@ Versucht:
    <translation>Eine Bewegung hat mindestens zwei Stützstellen: Bewegen Sie das Teil, dann Aufnehmen.</translation>
   </message>
   <message>
+   <source>Pivot</source>
+   <translation>Drehpunkt</translation>
+  </message>
+  <message>
    <source>In the 3D view</source>
    <translation>In der 3D-Ansicht</translation>
   </message>
@@ -1354,6 +1366,34 @@ Versucht:
   <message>
    <source>Its motion</source>
    <translation>Seine Bewegung</translation>
+  </message>
+  <message>
+   <source>The point that goes straight between two keys, and about which a key is turned; x, y, z of the keys are its own.</source>
+   <translation>Der Punkt, der zwischen zwei Schlüsseln geradeaus geht und um den ein Schlüssel gedreht wird; x, y, z der Schlüssel sind die seinen.</translation>
+  </message>
+  <message>
+   <source>Middle of the part</source>
+   <translation>Mitte des Teils</translation>
+  </message>
+  <message>
+   <source>Origin of the poses</source>
+   <translation>Ursprung der Lagen</translation>
+  </message>
+  <message>
+   <source>Selected point</source>
+   <translation>Gewählter Punkt</translation>
+  </message>
+  <message>
+   <source>&amp;Take</source>
+   <translation>Ü&amp;bernehmen</translation>
+  </message>
+  <message>
+   <source>Takes the selected vertex, or the centre of the selected edge or face</source>
+   <translation>Übernimmt den gewählten Punkt oder die Mitte der gewählten Kante oder Fläche</translation>
+  </message>
+  <message>
+   <source>In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm</source>
+   <translation>In den Koordinaten des Teils: {0:.6g}, {1:.6g}, {2:.6g} mm</translation>
   </message>
   <message>
    <source>Play</source>
@@ -1859,6 +1899,14 @@ etwa {2}, {3}</translation>
   <message>
    <source>What the part does between two poses. Linear: straight line and even turn. Screw: one screw movement. Spline: smooth through all poses. None: it only stands at them</source>
    <translation>Was das Teil zwischen zwei Posen tut. Linear: gerade Linie und gleichmäßige Drehung. Screw: eine Schraubbewegung. Spline: glatt durch alle Posen. None: es steht nur an ihnen</translation>
+  </message>
+  <message>
+   <source>Point that goes straight (Linear) or along the spline between two poses, in the coordinates that a pose places: of the part where Frame is Absolute</source>
+   <translation>Punkt, der zwischen zwei Lagen geradeaus geht (Linear) oder auf dem Spline, in den Koordinaten, die eine Lage setzt: denen des Teils, wenn Frame Absolute ist</translation>
+  </message>
+  <message>
+   <source>Parts that this motion moves; the path editor shows the first of them</source>
+   <translation>Teile, die diese Bewegung bewegt; der Bahneditor zeigt das erste</translation>
   </message>
   <message>
    <source>Spline: what happens at each pose: Auto, Stop, Corner or Given (then by Velocities); missing ones are Auto</source>

@@ -10,7 +10,7 @@ from .. import convert
 from .base import kind_of
 
 #: Properties with paths to parts.
-_LISTS, _SINGLES = ("Generators", "Neighbours"), ("Reference",)
+_LISTS, _SINGLES = ("Generators", "Neighbours", "Parts"), ("Reference",)
 
 _observer = None
 

@@ -31,6 +31,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     stored,
 )
 from .envelope_properties import ACCURACY, BACKENDS, COMPONENTS, INPUT, PLACED, RESULT
+from .motion import is_motion, set_parts
 from .moving import Moving
 
 TYPE = "Mesh::FeaturePython"
@@ -153,11 +154,19 @@ class Plan:
         containers.set_pairs(obj, "Generators", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
+        self.tell_motions()
         containers.set_pairs(obj, "Reference", [self.reference] if self.reference else [])
         obj.ReferenceMotion = self.reference_motion
         for name, value in self.values.items():
             if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
                 setattr(obj, name, value)
+
+    def tell_motions(self):
+        """Motions that know no part yet learn which ones they move."""
+        for motion in {m.Name: m for m in self.motions or [self.motion] if m is not None}.values():
+            if is_motion(motion):
+                own = zip(self.pairs, self.motions or [self.motion] * len(self.pairs))
+                set_parts(motion, [pair for pair, m in own if m is motion])
 
     def objects(self):
         """Document objects that a run needs to its end."""
@@ -442,5 +451,6 @@ def make_envelope(document, generators, motion, label=None, **settings):
     obj.Motion = motion
     for name, value in settings.items():
         setattr(obj, name, value)
+    Plan.of(obj).tell_motions()
     attach_view(obj, "sweptvolume.views.envelope_view:EnvelopeView")
     return obj

@@ -3,16 +3,18 @@
 import FreeCAD as App
 import numpy as np
 
-from .. import contents, core
+from .. import contents, convert, core
 from ..convert import InputProblem, global_placement, matrix_of, root_path
 from ..texts import mark, translate
 from ..trajectory import sources
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
 from . import containers, missing, status
-from .base import HIDDEN, READ_ONLY, STALE, Feature, attach_view, kind_of, set_changed
+from .base import HIDDEN, READ_ONLY, STALE, Feature, attach_view, kind_of, quietly, set_changed
 
 TYPE = "App::FeaturePython"
 UNITS = ["mm", "cm", "m", "in"]
+#: Interpolations for which it matters which point of the part goes the way.
+PIVOTED = ("Linear", "Spline")
 
 containers.watch()
 missing.watch()
@@ -54,6 +56,29 @@ class Motion(Feature):
                 0,
             ),
             ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
+            (
+                "App::PropertyVectorDistance",
+                "Pivot",
+                "Motion",
+                mark(
+                    "Properties",
+                    "Point that goes straight (Linear) or along the spline between two poses, in the "
+                    "coordinates that a pose places: of the part where Frame is Absolute",
+                ),
+                None,
+                0,
+            ),
+            (
+                "App::PropertyLinkSubListHidden",
+                "Parts",
+                "Motion",
+                mark(
+                    "Properties",
+                    "Parts that this motion moves; the path editor shows the first of them",
+                ),
+                None,
+                0,
+            ),
             (
                 "App::PropertyStringList",
                 "Tangents",
@@ -232,7 +257,7 @@ def is_motion(obj):
 def poses_of(obj):
     """Poses of a motion object; raises InputProblem naming it."""
     try:
-        return Poses(obj.Times, obj.Placements, tangents_of(obj))
+        return Poses(obj.Times, obj.Placements, tangents_of(obj), pivot=obj.Pivot)
     except InputProblem as problem:
         raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
 
@@ -241,6 +266,19 @@ def container_of(obj):
     """Placement of the group that holds a motion, through all groups around it: its poses count there, as the
     line that is drawn does."""
     return global_placement(*root_path(obj))
+
+
+def parts_of(obj):
+    """(root, sub) of the parts that a motion moves, as far as it knows."""
+    return convert.pairs_of(obj.Parts)
+
+
+def set_parts(obj, pairs):
+    """The parts that a motion moves, where it knows none yet. No reason to recompute: poses do not follow
+    the part."""
+    if pairs and not obj.Parts:
+        with quietly(obj):
+            containers.set_pairs(obj, "Parts", pairs)
 
 
 def world_poses_of(obj):
@@ -255,7 +293,8 @@ def seen_from_document(poses, container):
     tangents = [
         (kind, None if v is None else container.Rotation.multVec(v)) for kind, v in poses.tangents
     ]
-    return Poses(poses.times, [container.multiply(p) for p in poses.placements], tangents)
+    placements = [container.multiply(p) for p in poses.placements]
+    return Poses(poses.times, placements, tangents, pivot=poses.pivot)
 
 
 def from_world(obj, placement):
@@ -303,6 +342,8 @@ def words(obj):
     found.append(contents.matrices([placement.toMatrix().A for placement in obj.Placements]))
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
+    if obj.Pivot.Length and obj.Interpolation in PIVOTED:
+        found.append("pivot {!r}".format(tuple(obj.Pivot)))
     if not container_of(obj).isIdentity():
         found.append(contents.matrices(matrix_of(container_of(obj))))
     return found
@@ -311,6 +352,8 @@ def words(obj):
 def words_of_before(obj):
     """The same as version 1 had them, to know its results again; raises InputProblem where poses meant
     something else."""
+    if obj.Pivot.Length:
+        raise InputProblem("there was no pivot")
     if not container_of(obj).isIdentity():
         raise InputProblem(
             "poses of a motion in a group that stands elsewhere were those of the world"

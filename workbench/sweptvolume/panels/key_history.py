@@ -13,7 +13,8 @@ _Shortcut = getattr(QtGui, "QShortcut", None) or QtWidgets.QShortcut
 
 
 def copy_of(keys):
-    return Keys(keys.times, keys.placements, keys.tangents, keys.step)
+    rules = keys.step, keys.pivot, keys.displaces
+    return Keys(keys.times, keys.placements, keys.tangents, *rules)
 
 
 def content(keys):

@@ -8,13 +8,14 @@ from .. import convert, runner, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import translate
-from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from, snapped
+from ..trajectory.edit import Keys, number_from, rounded
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from ..trajectory.spline import Spline
 from ..views.edit_lock import EditLock
 from . import focus, guard, key_table, selection, widgets
 from .key_history import History, UndoKeys, content
 from .keys_in_view import KeysInView
+from .pivot_box import PivotBox
 from .player import Player
 from .preview import MOST_CELLS, Preview
 from .tangent_box import TangentBox
@@ -30,7 +31,9 @@ class MotionPanel(KeysInView):
     def __init__(self, document, obj=None, pair=None):
         self.document, self.obj = document, obj
         self.pair = pair or selection.moved_part(obj)
-        self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
+        self.keys = Keys()
+        if obj:
+            self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj), pivot=obj.Pivot)
         self.before, self.history = content(self.keys), History(self.keys, 0)
         # Keys count in the group that holds the motion; all that is drawn stands in the world.
         self.container = motion.container_of(obj) if obj else App.Placement()
@@ -76,6 +79,8 @@ class MotionPanel(KeysInView):
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
+        self.pivot = PivotBox(self.pair)
+        rows.addRow(translate("Panels", "Pivot"), self.pivot)
         self.tangent = TangentBox()
         layout.addWidget(self.tangent)
 
@@ -112,7 +117,9 @@ class MotionPanel(KeysInView):
         self.keyboard.chosen.connect(self.chosen)
         self.tangent.changed.connect(self._tangent_changed)
         self.player.moved.connect(self.show_moving)
-        self.frame.currentIndexChanged.connect(lambda *ignored: self.show_all())
+        self.frame.currentIndexChanged.connect(lambda *ignored: self.fill(self.keyboard.row()))
+        self.pivot.changed.connect(self._pivot_changed)
+        self.pivot.failed.connect(lambda text: widgets.show_message(self.message, text))
         self.interpolation.currentIndexChanged.connect(lambda *ignored: self.show_all())
         self.preview_box.toggled.connect(lambda *ignored: self.ask_preview())
         self.drag_box.toggled.connect(lambda *ignored: self.show_dragger())
@@ -156,7 +163,7 @@ class MotionPanel(KeysInView):
         if name == "Update":
             keys.update(row, self.container.inverse().multiply(self.standing()))
         elif name == "Round":
-            keys.update(row, snapped(keys.placements[row], *self._snap_steps()))
+            keys.update(row, keys.placed(rounded(keys.numbers(row), *self._snap_steps())))
         elif name == "Delete":
             keys.delete(row)
         return min(row, len(keys) - 1)
@@ -212,6 +219,7 @@ class MotionPanel(KeysInView):
 
     def fill(self, current):
         """Shows the keys everywhere."""
+        self.renew_pivot()
         self.keyboard.fill(self.keys, current)
         self.player.set_times(self.keys.times)
         self.chosen(self.keyboard.row())
@@ -228,9 +236,10 @@ class MotionPanel(KeysInView):
                 self.keys.set_time(row, number)
                 self.player.set_times(self.keys.times)
             else:
-                numbers = list(as_numbers(self.keys.placements[row]))
+                numbers = list(self.keys.numbers(row))
                 numbers[column - 1] = number
-                self.keys.update(row, from_numbers(numbers))
+                self.keys.update(row, self.keys.placed(numbers))
+                self.renew_pivot()
         except Exception as problem:
             guard.tell(self.message, problem)
         self.keyboard.show_row(self.keys, row)
@@ -250,9 +259,14 @@ class MotionPanel(KeysInView):
         self.tangent.setVisible(smooth)
         self.tangent.setEnabled(0 <= row < len(self.keys) > 1)
         if smooth and self.tangent.isEnabled():
-            spline = Spline(self.keys.times, self.keys.placements, self.keys.tangents)
+            poses = self.keys.poses().carried()
+            spline = Spline(poses.times, poses.placements, poses.tangents)
             velocity = spline.velocity(row, after=row + 1 < len(self.keys))[0]
             self.tangent.show_tangent(self.keys.tangents[row][0], velocity)
+
+    def _pivot_changed(self):
+        widgets.show_message(self.message, "")
+        self.fill(self.keyboard.row())
 
     def _tangent_changed(self, kind, velocity):
         if 0 <= self.keyboard.row() < len(self.keys):
@@ -279,12 +293,18 @@ class MotionPanel(KeysInView):
         Gui.Control.closeDialog()
         return True
 
+    def _label(self):
+        """Of a new motion."""
+        if self.pair is None:
+            return None
+        return translate("Messages", "Motion of {0}").format(convert.label_of(*self.pair))
+
     @guard.told
     def accept(self):
         guard.check_fields(self.form)
         with runner.transaction(self.document, translate("Messages", "Edit motion")):
             if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
-                self.obj = motion.make_motion(self.document)
+                self.obj = motion.make_motion(self.document, self._label())
             if content(self.keys)[:2] != self.before[:2]:
                 motion.make_stored(self.obj)
                 motion.store(self.obj, self.keys.poses())
@@ -292,6 +312,8 @@ class MotionPanel(KeysInView):
                 motion.set_tangents(self.obj, self.keys.tangents)
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.Frame = self.frame.currentData()
+            motion.set_changed(self.obj, "Pivot", self.keys.pivot)
+            motion.set_parts(self.obj, [self.pair] if self.pair is not None else [])
             self.document.recompute()
         return self._close()
 

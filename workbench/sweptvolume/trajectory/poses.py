@@ -31,10 +31,12 @@ FRAME_HELP = mark(
 
 class Poses:
     """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline; note: what is
-    to be known of how they were read."""
+    to be known of how they were read; pivot: the point (mm, in the coordinates that are placed) that goes
+    straight or along the spline between two poses, and whose velocities the tangents give."""
 
-    def __init__(self, times, placements, tangents=(), note=""):
+    def __init__(self, times, placements, tangents=(), note="", pivot=None):
         self.note = note
+        self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
         self.tangents = list(tangents)
         self.times = [float(t) for t in times]
         self.placements = [App.Placement(p) for p in placements]
@@ -63,6 +65,18 @@ class Poses:
 
     def __len__(self):
         return len(self.times)
+
+    def carried(self):
+        """The placements of the pivot: the same motion for coordinates whose origin it is."""
+        if not self.pivot.Length:
+            return self
+        shift = shift_to(self.pivot)
+        return Poses(self.times, [p.multiply(shift) for p in self.placements], self.tangents)
+
+
+def shift_to(pivot):
+    """From coordinates with the pivot as their origin to those in which it is given."""
+    return App.Placement(pivot, App.Rotation())
 
 
 def even_times(count, step=1.0):
@@ -106,6 +120,9 @@ def at_time(poses, interpolation, time):
 
 def course(poses, interpolation):
     """The motion as a function time -> Placement; before the first and after the last pose it rests."""
+    if poses.pivot.Length:
+        carried, back = course(poses.carried(), interpolation), shift_to(-poses.pivot)
+        return lambda time: carried(time).multiply(back)
     times, placements = poses.times, poses.placements
     spline = Spline(times, placements, poses.tangents) if interpolation == "Spline" else None
 

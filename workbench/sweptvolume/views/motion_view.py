@@ -48,7 +48,7 @@ class MotionView(View):
         return mode
 
     def updateData(self, obj, name):
-        if name in ("Times", "Placements", "Interpolation", "Tangents", "Velocities"):
+        if name in ("Times", "Placements", "Interpolation", "Tangents", "Velocities", "Pivot"):
             self.draw(obj)
         super().updateData(obj, name)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion drawn: the way of the poses' origin as a line, with a small frame at each pose."""
+"""A motion drawn: the way of its pivot as a line, with a small frame at each pose."""
 import numpy as np
 
 from ..convert import matrix_of, pose_arrays
@@ -26,6 +26,7 @@ class Way:
 
     def show(self, poses, interpolation, width=3.0, size=0.0):
         """Draws Poses. width: pixels; size: mm of the frames' axes, 0: from the path."""
+        poses = poses.carried()
         self.shown.whichChild = -3 if len(poses) else -1  # all, none
         if not len(poses):
             return
