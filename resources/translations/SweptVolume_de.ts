@@ -139,6 +139,14 @@
    <translation>Bearbeitet die Schlüssel der ausgewählten Bewegung in einer Tabelle und spielt sie mit einem Geisterbild des Teils ab</translation>
   </message>
   <message>
+   <source>Settings of the source...</source>
+   <translation>Einstellungen der Quelle...</translation>
+  </message>
+  <message>
+   <source>Changes what the source of the selected motion is asked for (accuracy, orientation, duration, range, unit) and reads it again</source>
+   <translation>Ändert, was von der Quelle der gewählten Bewegung verlangt wird (Genauigkeit, Ausrichtung, Dauer, Bereich, Einheit), und liest sie neu</translation>
+  </message>
+  <message>
    <source>Export envelope...</source>
    <translation>Hülle exportieren …</translation>
   </message>
@@ -229,6 +237,10 @@
   <message>
    <source>Edit motion</source>
    <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
+   <source>Settings of the source</source>
+   <translation>Einstellungen der Quelle</translation>
   </message>
   <message>
    <source>Create envelope</source>
@@ -431,6 +443,10 @@
   <message>
    <source>Select a motion first.</source>
    <translation>Zuerst eine Bewegung auswählen.</translation>
+  </message>
+  <message>
+   <source>The motion has no source whose settings can be changed.</source>
+   <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
   </message>
   <message>
    <source>Select the object with the value, then the part that it moves.</source>
@@ -1208,10 +1224,6 @@ Versucht:
    <translation>Stützstellen</translation>
   </message>
   <message>
-   <source>Part</source>
-   <translation>Teil</translation>
-  </message>
-  <message>
    <source>&amp;Capture</source>
    <translation>Aufn&amp;ehmen</translation>
   </message>
@@ -1282,6 +1294,14 @@ Versucht:
   <message>
    <source>One second from key to key</source>
    <translation>Eine Sekunde von Schlüssel zu Schlüssel</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>Source</source>
+   <translation>Quelle</translation>
   </message>
   <message>
    <source>none: select it, then open this panel</source>
@@ -1588,6 +1608,10 @@ etwa {2}, {3}</translation>
   <message>
    <source>OK once more takes the motion as it is.</source>
    <translation>Noch einmal OK nimmt die Bewegung, wie sie ist.</translation>
+  </message>
+  <message>
+   <source>The poses of "{0}" come from {1} and follow it. To change a key, the link has to be cut: the motion then keeps the poses as they are. Cut it?</source>
+   <translation>Die Lagen von „{0}“ kommen von {1} und folgen ihm. Um einen Schlüssel zu ändern, muss die Verknüpfung getrennt werden: Die Bewegung behält dann die Lagen, wie sie sind. Trennen?</translation>
   </message>
   <message>
    <source>Tangent at the key</source>
@@ -1955,6 +1979,46 @@ etwa {2}, {3}</translation>
   <message>
    <source>State of the source when it was read</source>
    <translation>Zustand der Quelle, als sie gelesen wurde</translation>
+  </message>
+  <message>
+   <source>Number of poses; along a path 0: as many as SourceAccuracy asks for</source>
+   <translation>Zahl der Lagen; entlang eines Pfads 0: so viele, wie SourceAccuracy verlangt</translation>
+  </message>
+  <message>
+   <source>How far the straight way between two poses may leave the path</source>
+   <translation>Wie weit der gerade Weg zwischen zwei Lagen den Pfad verlassen darf</translation>
+  </message>
+  <message>
+   <source>Fixed: the part never turns. Tangent: x of the part stays on the tangent. SecondCurve: z points to the second curve</source>
+   <translation>Fixed: Das Teil dreht sich nie. Tangent: x des Teils bleibt auf der Tangente. SecondCurve: z zeigt zur zweiten Kurve</translation>
+  </message>
+  <message>
+   <source>Time from the first to the last pose (s)</source>
+   <translation>Zeit von der ersten bis zur letzten Lage (s)</translation>
+  </message>
+  <message>
+   <source>Time from one pose to the next (s)</source>
+   <translation>Zeit von einer Lage zur nächsten (s)</translation>
+  </message>
+  <message>
+   <source>Speed of G0</source>
+   <translation>Geschwindigkeit von G0</translation>
+  </message>
+  <message>
+   <source>What the words A, B and C turn: the tool head, or the table</source>
+   <translation>Was die Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
+  </message>
+  <message>
+   <source>Name of the value that is driven</source>
+   <translation>Name des Werts, der angetrieben wird</translation>
+  </message>
+  <message>
+   <source>Driven value at the first pose, in its unit (mm, degrees)</source>
+   <translation>Angetriebener Wert bei der ersten Lage, in seiner Einheit (mm, Grad)</translation>
+  </message>
+  <message>
+   <source>Driven value at the last pose, in its unit (mm, degrees)</source>
+   <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
   </message>
   <message>
    <source>Envelope (or any closed mesh) of which this is the solid</source>

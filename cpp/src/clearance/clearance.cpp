@@ -15,6 +15,7 @@
 #include "clearance/penetration.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
+#include "motion/pivot.h"
 
 namespace swept {
 namespace {
@@ -237,16 +238,17 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   const Clock::time_point start = Clock::now();
   run.checkpoint(Phase::Input);
   checkClearanceOptions(options, neighbours);
+  const Eigen::Vector3d pivot = pivotOf(trajectory);
   CheckedTrajectory checked = checkTrajectory(trajectory);
   report.warnings = std::move(checked.findings);
   bool mended = false;
-  const Part moving = closedPart(body, "the moving body", run, mended);
+  const Part moving = closedPart(seenFromPivot(body, pivot), "the moving body", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
   for (const ClearanceNeighbour& part : neighbours)
     report.neighbourTriangles += std::ssize(part.mesh.triangles);
   run.checkpoint(Phase::Motion);
   const Box box = moving.box(moving.tree().root());
-  const MotionTree motion(checked.trajectory, box.centre, box.half);
+  const MotionTree motion(carriedByPivot(checked.trajectory, pivot), box.centre, box.half);
   report.placements = std::ssize(checked.trajectory.poses);
   report.seconds.push_back({"prepare", secondsSince(start)});
   const Clock::time_point search = Clock::now();
@@ -255,6 +257,9 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   const NeighbourCheck check(moving, mended, motion, options, run);
   tbb::parallel_for(std::size_t{0}, neighbours.size(), [&](std::size_t i) {
     report.neighbours[i] = check(neighbours[i]);
+    NeighbourClearance& row = report.neighbours[i];
+    row.pose = backFromPivot(row.pose, pivot);
+    row.penetration.pose = backFromPivot(row.penetration.pose, pivot);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
   });
   warnOpen(report, moving.closed());

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/number_text.h"
 #include "grid/plan_grid.h"
+#include "motion/pivot.h"
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
 #include "motion/split_edges.h"
@@ -77,6 +78,7 @@ bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
 
 void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options& options) {
   p.trajectory = checkTrajectory(trajectory);
+  p.trajectory.trajectory = carriedByPivot(std::move(p.trajectory.trajectory), p.pivot);
   p.givenPoses = p.trajectory.trajectory.poses.size();
   if (!(options.positionFilter > 0)) return;
   FilteredTrajectory filtered =
@@ -170,7 +172,8 @@ Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Optio
   checkOptions(options);
   RunContext run;
   Prepared prepared;
-  prepared.body.mesh = body;
+  prepared.pivot = pivotOf(trajectory);
+  prepared.body.mesh = seenFromPivot(body, prepared.pivot);
   prepareTrajectory(prepared, trajectory, options);
   planRun(prepared, options, run);
   return estimateOf(prepared, options);

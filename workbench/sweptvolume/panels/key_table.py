@@ -169,10 +169,15 @@ class KeyTable(QtCore.QObject):
         return super().eventFilter(watched, event)
 
 
-def add_to(layout, part):
-    """The table in its titled box, with the name of the part above."""
+def add_to(layout, part, source=""):
+    """The table in its titled box, with the names of the part and of what the keys come from above."""
     rows = widgets.group(translate("Panels", "Key placements"), layout)
-    label = QtWidgets.QLabel(part)
-    label.setWordWrap(True)
-    rows.addRow(translate("Panels", "Part"), label)
+    for title, text in (
+        (translate("Panels", "Part"), part),
+        (translate("Panels", "Source"), source),
+    ):
+        if text:
+            label = QtWidgets.QLabel(text)
+            label.setWordWrap(True)
+            rows.addRow(title, label)
     return KeyTable(rows)

@@ -12,8 +12,8 @@ from ..trajectory.edit import Keys, number_from, rounded
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from ..trajectory.spline import Spline
 from ..views.edit_lock import EditLock
-from . import focus, guard, key_table, selection, widgets
-from .key_history import History, UndoKeys, content
+from . import focus, guard, key_table, selection, sourced, widgets
+from .key_history import History, UndoKeys, content, copy_of
 from .keys_in_view import KeysInView
 from .pivot_box import PivotBox
 from .player import Player
@@ -46,9 +46,12 @@ class MotionPanel(KeysInView):
         layout.addWidget(self.message)
         none = translate("Panels", "none: select it, then open this panel")
         self.keyboard = key_table.add_to(
-            layout, convert.label_of(*self.pair) if self.pair else none
+            layout,
+            convert.label_of(*self.pair) if self.pair else none,
+            sourced.name_of(obj) if sourced.is_sourced(obj) else "",
         )
         self.table = self.keyboard.table
+        self.cut = not sourced.is_sourced(obj)
         self.few = widgets.message_label()
         self.few.setText(
             translate("Panels", "A motion has at least two keys: move the part, then Capture.")
@@ -199,7 +202,7 @@ class MotionPanel(KeysInView):
     def take_over(self, before):
         """Goes on where another panel was."""
         self.keys, self.history, self.home = before.keys, before.history, before.home
-        self.before = before.before
+        self.before, self.cut = before.before, before.cut
         for box, other in (
             (self.interpolation, before.chosen_rules[0]),
             (self.frame, before.chosen_rules[1]),
@@ -212,8 +215,22 @@ class MotionPanel(KeysInView):
         )
         widgets.show_message(self.message, text)
 
+    def _refused(self):
+        """Whether a change of the keys of a motion with a source is taken back: asked at the first one."""
+        kept, row = self.history.now
+        if self.cut or content(self.keys)[:2] == content(kept)[:2]:
+            return False
+        self.cut = sourced.may_cut(self.obj)
+        if self.cut:
+            return False
+        self.keys = copy_of(kept)
+        self.fill(row)
+        return True
+
     def noted(self):
         """The keys were changed: one step of Undo."""
+        if self._refused():
+            return
         self.history.note(self.keys, self.keyboard.row())
         self.few.setVisible(len(self.keys) < 2)
 

@@ -61,6 +61,11 @@ def moved_part(obj):
     return next(iter(_only_part(document)), None)
 
 
+def ours():
+    """Whether an object of ours is selected."""
+    return _first(_ours) is not None
+
+
 def motion():
     """The selected motion, or None."""
     return _first(is_motion)
