@@ -217,14 +217,14 @@ class MotionPanel(KeysInView):
 
     def _refused(self):
         """Whether a change of the keys of a motion with a source is taken back: asked at the first one."""
-        kept, row = self.history.now
+        kept = self.history.now[0]
         if self.cut or content(self.keys)[:2] == content(kept)[:2]:
             return False
         self.cut = sourced.may_cut(self.obj)
         if self.cut:
             return False
         self.keys = copy_of(kept)
-        self.fill(row)
+        self.fill(self.keyboard.row())
         return True
 
     def noted(self):
