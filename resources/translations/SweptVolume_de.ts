@@ -298,8 +298,8 @@
    <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Erlaubt sind nur Drehungen und Verschiebungen.</translation>
   </message>
   <message>
-   <source>A pose or its time cannot be used: times must grow.</source>
-   <translation>Eine Lage oder ihre Zeit ist unbrauchbar: Die Zeiten müssen wachsen.</translation>
+   <source>A pose or its time cannot be used: times may not go back.</source>
+   <translation>Eine Lage oder ihre Zeit ist unbrauchbar: Die Zeiten dürfen nicht zurückgehen.</translation>
   </message>
   <message>
    <source>Between two poses the part makes half a turn: put a pose between them.</source>
@@ -372,6 +372,10 @@
   <message>
    <source>Triangles back to back were left out.</source>
    <translation>Dreiecke Rücken an Rücken wurden weggelassen.</translation>
+  </message>
+  <message>
+   <source>Poses have the time of the one before; their order was kept.</source>
+   <translation>Lagen haben die Zeit der vorigen; ihre Reihenfolge wurde beibehalten.</translation>
   </message>
   <message>
    <source>The part was inside out and was turned over.</source>
@@ -929,8 +933,12 @@ Versucht:
    <translation>Lage {0}: ihre Zeit ({1:g}) ist kein Zeitpunkt.</translation>
   </message>
   <message>
-   <source>pose {0}: its time {1:g} s is not after the {2:g} s of the pose before; times must grow.</source>
-   <translation>Lage {0}: Ihre Zeit {1:g} s liegt nicht nach den {2:g} s der Lage davor; Zeiten müssen wachsen.</translation>
+   <source>pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may not go back.</source>
+   <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor den {2:g} s der Lage davor; Zeiten dürfen nicht zurückgehen.</translation>
+  </message>
+  <message>
+   <source>poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from a moving reference, need different ones.</source>
+   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Eine glatte Bewegung, und eine von einem bewegten Bezugsteil aus gesehene, brauchen verschiedene.</translation>
   </message>
   <message>
    <source>choose one Robot trajectory.</source>

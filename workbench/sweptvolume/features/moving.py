@@ -149,6 +149,7 @@ class Moving:
             return poses, INTERPOLATIONS[kind]
         at, knots = course(poses, kind), poses.times
         if self.reference_motion is not None:
+            poses.check_function()
             at, knots, steps = self._seen_from_reference(at, knots)
             if steps or kind == "None":
                 seen = motion_feature.Poses(knots, [at(t) for t in knots])
@@ -160,6 +161,7 @@ class Moving:
     def _seen_from_reference(self, at, knots):
         standing = convert.global_placement(*self.reference)
         poses, base = _in_world(self.reference_motion, standing)
+        poses.check_function()
         there = course(poses, self.reference_motion.Interpolation)
 
         def seen(time):

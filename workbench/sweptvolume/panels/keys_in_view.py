@@ -165,7 +165,11 @@ class KeysInView:
     def show_moving(self):
         if len(self.keys) and self.ghosts is not None:
             now = self.player.now()
-            here = at_time(self.world_poses(), self.interpolation.currentData(), now)
+            kind = self.interpolation.currentData()
+            try:
+                here = at_time(self.world_poses(), kind, now)
+            except InputProblem:  # of a spline; its preview tells
+                here = at_time(self.world_poses(), "Linear", now)
             self.ghosts.show_moving(self._applied([here])[0])
 
     def ask_preview(self, take=True):
@@ -178,6 +182,8 @@ class KeysInView:
             return
         try:
             poses, rules = self.world_poses(), (self.base(), self.interpolation.currentData())
+            if rules[1] == "Spline":
+                poses.check_function()
             self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)], take)
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))

@@ -277,6 +277,9 @@ class MotionPanel(KeysInView):
         self.tangent.setEnabled(0 <= row < len(self.keys) > 1)
         if smooth and self.tangent.isEnabled():
             poses = self.keys.poses().carried()
+            if len(set(poses.times)) < len(poses.times):
+                self.tangent.setEnabled(False)  # two keys at one time: the preview tells
+                return
             spline = Spline(poses.times, poses.placements, poses.tangents)
             velocity = spline.velocity(row, after=row + 1 < len(self.keys))[0]
             self.tangent.show_tangent(self.keys.tangents[row][0], velocity)

@@ -116,7 +116,7 @@ class Keys:
         times, placements = list(self.times), list(self.placements)
         times[begin : begin + len(rows)] = [row[0] for row in rows]
         placements[begin : begin + len(rows)] = [self.placed(row[1:]) for row in rows]
-        Poses(times, placements)  # times must grow
+        Poses(times, placements)  # times may not go back
         self.times, self.placements = times, placements
         self.tangents = (self.tangents + [AUTO] * len(times))[: len(times)]
         return begin + len(rows) - 1

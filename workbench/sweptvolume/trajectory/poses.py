@@ -54,17 +54,31 @@ class Poses:
                     )
                 )
         for i in range(1, len(self.times)):
-            if not self.times[i] > self.times[i - 1]:
+            if self.times[i] < self.times[i - 1]:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "pose {0}: its time {1:g} s is not after the {2:g} s of the pose before; times "
-                        "must grow.",
+                        "pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may "
+                        "not go back.",
                     ).format(i + 1, self.times[i], self.times[i - 1])
                 )
 
     def __len__(self):
         return len(self.times)
+
+    def check_function(self):
+        """Raises InputProblem where two poses have one time. The part then goes on between them all the
+        same, but its place is no function of time, of which splines and moving references are made.
+        """
+        for i in range(1, len(self.times)):
+            if self.times[i] == self.times[i - 1]:
+                raise InputProblem(
+                    translate(
+                        "Messages",
+                        "poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from "
+                        "a moving reference, need different ones.",
+                    ).format(i, i + 1, self.times[i])
+                )
 
     def carried(self):
         """The placements of the pivot: the same motion for coordinates whose origin it is."""
@@ -119,12 +133,15 @@ def at_time(poses, interpolation, time):
 
 
 def course(poses, interpolation):
-    """The motion as a function time -> Placement; before the first and after the last pose it rests."""
+    """The motion as a function time -> Placement; before the first and after the last pose it rests; of
+    poses with one time the last counts. Raises InputProblem for a spline through such."""
     if poses.pivot.Length:
         carried, back = course(poses.carried(), interpolation), shift_to(-poses.pivot)
         return lambda time: carried(time).multiply(back)
-    times, placements = poses.times, poses.placements
-    spline = Spline(times, placements, poses.tangents) if interpolation == "Spline" else None
+    times, placements, spline = poses.times, poses.placements, None
+    if interpolation == "Spline":
+        poses.check_function()
+        spline = Spline(times, placements, poses.tangents)
 
     def at(time):
         if time <= times[0]:
