@@ -232,6 +232,7 @@ class MotionPanel(KeysInView):
         if self._refused():
             return
         self.history.note(self.keys, self.keyboard.row())
+        self.undo_keys.show(self.history)
         self.few.setVisible(len(self.keys) < 2)
 
     def fill(self, current):
