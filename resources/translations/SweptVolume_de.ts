@@ -619,10 +619,6 @@ Versucht:
    <translation>Abstand</translation>
   </message>
   <message>
-   <source>{0} table</source>
-   <translation>{0} Tabelle</translation>
-  </message>
-  <message>
    <source>no neighbour is given: choose parts or show some others.</source>
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
@@ -645,6 +641,10 @@ Versucht:
   <message>
    <source>Left out: {0}</source>
    <translation>Ausgelassen: {0}</translation>
+  </message>
+  <message>
+   <source>{0} table</source>
+   <translation>{0} Tabelle</translation>
   </message>
   <message>
    <source>Compute envelope</source>
@@ -1214,6 +1214,10 @@ Versucht:
   <message>
    <source>A pose is</source>
    <translation>Eine Lage ist</translation>
+  </message>
+  <message>
+   <source>The last change of the keys</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>yaw</source>

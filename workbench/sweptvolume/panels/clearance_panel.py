@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 
 from .. import quantities
 from ..convert import InputProblem, label_of
-from ..features import clearance, motion
+from ..features import clearance, clearance_table, motion
 from ..features.base import objects_of_kind
 from ..features.envelope import Envelope
 from ..texts import translate
@@ -362,12 +362,12 @@ class ClearancePanel(StartPanel):
     def export_csv(self):
         path = file_dialogs.ask_table(self.obj.Label)
         if path:
-            clearance.write_csv(self.report, path)
+            clearance_table.write_csv(self.report, path)
 
     @guard.told
     def export_sheet(self):
         self.document.openTransaction(translate("Messages", "Clearance table"))
-        clearance.make_spreadsheet(self.obj)
+        clearance_table.make_spreadsheet(self.obj, self.report)
         self.document.commitTransaction()
         self.document.recompute()
 

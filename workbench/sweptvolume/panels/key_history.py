@@ -109,7 +109,9 @@ class UndoKeys(QtCore.QObject):
         for action, shortcuts in self.taken:
             action.setShortcuts(shortcuts)
         for holder, action, ours in self.hidden:
-            if shiboken.isValid(holder) and shiboken.isValid(action):  # another workbench may be active
+            if shiboken.isValid(holder) and shiboken.isValid(
+                action
+            ):  # another workbench may be active
                 holder.removeAction(ours)
                 action.setVisible(True)
         for ours in self.ours.values():
