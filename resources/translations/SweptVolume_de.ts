@@ -1217,7 +1217,7 @@ Versucht:
   </message>
   <message>
    <source>The last change of the keys</source>
-   <translation type="unfinished" />
+   <translation>Die letzte Änderung der Schlüssel</translation>
   </message>
   <message>
    <source>yaw</source>
