@@ -751,6 +751,10 @@ Versucht:
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
   </message>
   <message>
+   <source>select the part that moves in the tree or in the 3D view.</source>
+   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
+  </message>
+  <message>
    <source>no part: close the panel, select the moving part and open it again.</source>
    <translation>Kein Teil: das Fenster schließen, das bewegte Teil auswählen und neu öffnen.</translation>
   </message>
@@ -1236,6 +1240,18 @@ Versucht:
    <translation>Stützstellen</translation>
   </message>
   <message>
+   <source>Choos&amp;e</source>
+   <translation>W&amp;ählen</translation>
+  </message>
+  <message>
+   <source>Takes the part that is selected in the tree or in the view</source>
+   <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
    <source>&amp;Capture</source>
    <translation>Aufn&amp;ehmen</translation>
   </message>
@@ -1308,16 +1324,12 @@ Versucht:
    <translation>Eine Sekunde von Schlüssel zu Schlüssel</translation>
   </message>
   <message>
-   <source>Part</source>
-   <translation>Teil</translation>
-  </message>
-  <message>
    <source>Source</source>
    <translation>Quelle</translation>
   </message>
   <message>
-   <source>none: select it, then open this panel</source>
-   <translation>keines: wählen, dann diesen Bereich öffnen</translation>
+   <source>none: select it, then press Choose</source>
+   <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
   <message>
    <source>Steps in which the arrows and arcs move; 0: freely</source>

@@ -118,6 +118,29 @@ def scenario():
     yield 0.5
     click(panel_button(Ok))
     yield no_panel
+
+    # Another part, from the tree, while the editor is open: its keys stay.
+    other = doc.addObject("Part::Box", "Other")
+    doc.recompute()
+    select(path)
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield
+    Gui.Selection.clearSelection()
+    click(button("ChoosePart"))
+    panel = motion_panel.opened[-1]
+    assert "select the part" in panel.message.text() and panel.pair[0] is part
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    table.item(1, 0).setText("3")
+    select(other)
+    click(button("ChoosePart"))
+    yield
+    panel = motion_panel.opened[-1]
+    assert panel.pair[0] is other and panel.keys.times == [0.0, 3.0] and panel.history.before
+    shot("63_other_part")
+    yield 0.5
+    click(panel_button(Ok))
+    yield no_panel
+    assert path.Parts == [(other, ("",))] and list(path.Times) == [0, 3], path.Parts
     App.closeDocument(doc.Name)
     yield
 

@@ -101,10 +101,10 @@ def parts_of(obj):
     return convert.pairs_of(obj.Parts)
 
 
-def set_parts(obj, pairs):
-    """The parts that a motion moves, where it knows none yet. No reason to recompute: poses do not follow
-    the part."""
-    if pairs and not obj.Parts:
+def set_parts(obj, pairs, anew=False):
+    """The parts that a motion moves, where it knows none yet, or anew. No reason to recompute: poses do not
+    follow the part."""
+    if pairs and (anew or not obj.Parts):
         with quietly(obj):
             containers.set_pairs(obj, "Parts", pairs)
 

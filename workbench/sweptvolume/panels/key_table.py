@@ -172,12 +172,23 @@ class KeyTable(QtCore.QObject):
 def add_to(layout, part, source=""):
     """The table in its titled box, with the names of the part and of what the keys come from above."""
     rows = widgets.group(translate("Panels", "Key placements"), layout)
-    for title, text in (
-        (translate("Panels", "Part"), part),
-        (translate("Panels", "Source"), source),
-    ):
-        if text:
-            label = QtWidgets.QLabel(text)
-            label.setWordWrap(True)
-            rows.addRow(title, label)
-    return KeyTable(rows)
+    button = QtWidgets.QPushButton(translate("Panels", "Choos&e"))
+    button.setObjectName("SweptVolumeChoosePart")
+    button.setToolTip(
+        translate("Panels", "Takes the part that is selected in the tree or in the view")
+    )
+    line = QtWidgets.QHBoxLayout()
+    line.addWidget(_name(part), 1)
+    line.addWidget(button)
+    rows.addRow(translate("Panels", "Part"), line)
+    if source:
+        rows.addRow(translate("Panels", "Source"), _name(source))
+    table = KeyTable(rows)
+    table.part = button
+    return table
+
+
+def _name(text):
+    label = QtWidgets.QLabel(text)
+    label.setWordWrap(True)
+    return label

@@ -44,14 +44,14 @@ class MotionPanel(KeysInView):
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
         self.message = widgets.message_label()
         layout.addWidget(self.message)
-        none = translate("Panels", "none: select it, then open this panel")
+        none = translate("Panels", "none: select it, then press Choose")
         self.keyboard = key_table.add_to(
             layout,
             convert.label_of(*self.pair) if self.pair else none,
             sourced.name_of(obj) if sourced.is_sourced(obj) else "",
         )
         self.table = self.keyboard.table
-        self.cut = not sourced.is_sourced(obj)
+        self.cut, self.chose = not sourced.is_sourced(obj), False
         self.few = widgets.message_label()
         self.few.setText(
             translate("Panels", "A motion has at least two keys: move the part, then Capture.")
@@ -115,6 +115,7 @@ class MotionPanel(KeysInView):
         rows.addRow(self.preview_text)
 
     def _connect(self):
+        self.keyboard.part.clicked.connect(lambda *ignored: self.choose_part())
         self.keyboard.wanted.connect(self.act)
         self.keyboard.typed.connect(self.edited)
         self.keyboard.chosen.connect(self.chosen)
@@ -197,11 +198,32 @@ class MotionPanel(KeysInView):
         first and opened again with its keys."""
         self._close()
         Gui.getDocument(self.document.Name).resetEdit()
-        show(self.document, self.obj, self.pair).take_over(self)
+        panel = show(self.document, self.obj, self.pair)
+        panel.home = self.home
+        text = translate(
+            "Messages",
+            "Transform is locked while the path editor is open: drag the chosen key, or type numbers.",
+        )
+        panel.take_over(self, text)
 
-    def take_over(self, before):
+    @guard.told
+    def choose_part(self):
+        """The selected part is the one that moves from now on."""
+        chosen = selection.parts()
+        if not chosen:
+            text = translate(
+                "Messages", "select the part that moves in the tree or in the 3D view."
+            )
+            raise InputProblem(text)
+        self._put_back()
+        self._close()
+        panel = show(self.document, self.obj, chosen[0])
+        panel.chose = True
+        panel.take_over(self)
+
+    def take_over(self, before, text=""):
         """Goes on where another panel was."""
-        self.keys, self.history, self.home = before.keys, before.history, before.home
+        self.keys, self.history = before.keys, before.history
         self.before, self.cut = before.before, before.cut
         for box, other in (
             (self.interpolation, before.chosen_rules[0]),
@@ -209,10 +231,6 @@ class MotionPanel(KeysInView):
         ):
             box.setCurrentIndex(box.findData(other))
         self.fill(self.history.now[1])
-        text = translate(
-            "Messages",
-            "Transform is locked while the path editor is open: drag the chosen key, or type numbers.",
-        )
         widgets.show_message(self.message, text)
 
     def _refused(self):
@@ -334,17 +352,20 @@ class MotionPanel(KeysInView):
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.Frame = self.frame.currentData()
             motion.set_changed(self.obj, "Pivot", self.keys.pivot)
-            motion.set_parts(self.obj, [self.pair] if self.pair is not None else [])
+            motion.set_parts(self.obj, [self.pair] if self.pair else [], anew=self.chose)
             self.document.recompute()
         return self._close()
 
     def reject(self):
         """Cancel: the part goes back to where it stood when the panel was opened."""
+        self._put_back()
+        return self._close()
+
+    def _put_back(self):
         if self.target is not None and widgets.alive(self.target):
             if self.target.Placement != self.home:
                 self.target.Placement = self.home
                 self.document.recompute()
-        return self._close()
 
 
 def show(document, obj=None, pair=None):

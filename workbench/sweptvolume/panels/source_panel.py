@@ -10,7 +10,7 @@ from ..trajectory import driven
 from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ACCURACY, ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
-from ..trajectory.sources import DEFAULTS, interpolation_of
+from ..trajectory.sources import DEFAULTS, frame_of, interpolation_of
 from . import focus, guard, widgets
 from .widgets import QtWidgets
 
@@ -35,7 +35,7 @@ class SourcePanel:
         if build is not None:
             build(rows)
         self.told = ""  # what was said of the poses before they are taken
-        now = (obj.Interpolation, obj.Frame) if obj else (interpolation_of(kind), "Absolute")
+        now = (obj.Interpolation, obj.Frame) if obj else (interpolation_of(kind), frame_of(kind))
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))

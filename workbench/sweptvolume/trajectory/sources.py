@@ -164,6 +164,28 @@ def interpolation_of(kind):
     return "Screw" if kind in FROM_JOINTS else "Linear"
 
 
+def frame_of(kind):
+    """What a pose of such a source means where a user asks for nothing else: a part follows a wire from where
+    it stands."""
+    return "RelativeToFirst" if kind == "Curve" else "Absolute"
+
+
+def in_order(found):
+    """Two selected objects as a source wants them: a simulation, or a value, before the part to watch. As
+    they are where both may be either."""
+    if len(found) == 2:
+        first, second = found
+        if assembly.is_simulation(second) or _is_part(first) and not _is_part(second):
+            return [second, first]
+    return list(found)
+
+
+def _is_part(obj):
+    """Whether an object has a body that can be seen to move."""
+    shape = getattr(obj, "Shape", None)
+    return hasattr(obj, "Mesh") or bool(shape is not None and shape.Faces) or hasattr(obj, "Group")
+
+
 def is_live(kind):
     """Whether the motion follows its source by itself."""
     return KINDS[kind][1]
