@@ -83,6 +83,10 @@ def names_in(module):
     return found
 
 
+def _is_set(name):
+    return isinstance(name.ctx, ast.Store)
+
+
 class Layers(unittest.TestCase):
     def test_every_module_has_a_place(self):
         for path, group in modules():
@@ -106,6 +110,28 @@ class Layers(unittest.TestCase):
                 for alias in node.names if known is not None else ():
                     text = "{}:{} {} has no {}".format(path, node.lineno, name, alias.name)
                     self.assertIn(alias.name, known, text)
+
+    def test_what_is_asked_of_a_module_is_there(self):
+        """`module.name`, wherever `module` was imported from one of our packages."""
+        for path, _ in modules():
+            with open(path, encoding="utf-8") as file:
+                tree = ast.parse(file.read())
+            known = {}
+            for name, node in imports(path):
+                for alias in node.names if isinstance(node, ast.ImportFrom) else ():
+                    module = name if node.module is None else name + "." + alias.name
+                    file = os.path.join(HERE, *module.split(".")[1:]) + ".py"
+                    if module.startswith("sweptvolume.") and os.path.isfile(file):
+                        if module.endswith("." + alias.name):
+                            known[alias.asname or alias.name] = names_in(module)
+            stored = {n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and _is_set(n)}
+            stored |= {n.arg for n in ast.walk(tree) if isinstance(n, ast.arg)}
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+                    here = node.value.id
+                    if here in known and here not in stored and not node.attr.startswith("__"):
+                        text = "{}:{} {}.{}".format(path, node.lineno, here, node.attr)
+                        self.assertIn(node.attr, known[here], text)
 
     def test_gui_only_in_views_panels_commands(self):
         for path, group in modules():

@@ -9,6 +9,7 @@ from ..convert import InputProblem, label_of
 from ..features import clearance, clearance_table, motion
 from ..features.base import objects_of_kind
 from ..features.envelope import Envelope
+from ..features.envelope_plan import Plan as EnvelopePlan
 from ..texts import translate
 from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, selection, widgets
@@ -210,7 +211,7 @@ class ClearancePanel(StartPanel):
         envelope = self.document.getObject(name) if name else None
         pairs, path = self.pairs, None
         if envelope is not None:
-            moving = clearance.envelope_feature.Plan.of(envelope)
+            moving = EnvelopePlan.of(envelope)
             pairs, path = moving.pairs, moving.motion
         elif self.path.currentData():
             path = self.document.getObject(self.path.currentData())
