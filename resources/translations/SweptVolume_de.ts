@@ -643,8 +643,32 @@ Versucht:
    <translation>Ausgelassen: {0}</translation>
   </message>
   <message>
+   <source>smallest {0} at t = {1} s ({2})</source>
+   <translation>kleinster Abstand {0} bei t = {1} s ({2})</translation>
+  </message>
+  <message>
+   <source>{0} clash</source>
+   <translation>{0} durchdringen sich</translation>
+  </message>
+  <message>
+   <source>{0} in contact</source>
+   <translation>{0} berühren sich</translation>
+  </message>
+  <message>
+   <source>{0} too near</source>
+   <translation>{0} zu nah</translation>
+  </message>
+  <message>
+   <source>deepest {0} at t = {1} s ({2})</source>
+   <translation>tiefste Durchdringung {0} bei t = {1} s ({2})</translation>
+  </message>
+  <message>
    <source>{0} table</source>
    <translation>{0} Tabelle</translation>
+  </message>
+  <message>
+   <source>{0} checked</source>
+   <translation>{0} geprüft</translation>
   </message>
   <message>
    <source>Compute envelope</source>

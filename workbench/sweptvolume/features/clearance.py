@@ -30,6 +30,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
 )
 from .clearance_plan import Plan
 from .clearance_properties import INPUT, RESULT
+from .clearance_table import summary
 
 TYPE = "App::FeaturePython"
 
@@ -129,7 +130,7 @@ def apply(obj, outcome, hash_at_start):
     """Writes the result of a check."""
     report = dict(outcome.report, notes=outcome.notes)
     obj.Report = json.dumps(report)
-    obj.Summary = report["summary"]
+    obj.Summary = summary(report)
     obj.Checked = len(report["neighbours"])
     obj.Smallest = report["neighbours"][report["smallest"]]["distance"]
     obj.MapDistances = [] if outcome.distances is None else [float(d) for d in outcome.distances]

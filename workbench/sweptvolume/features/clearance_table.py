@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a clearance check as a table: CSV file, spreadsheet. Lengths are in the unit of FreeCAD's
-preferences, which the head of a column names; numbers have no separators, so that others can read them."""
+"""The result of a clearance check in one line and as a table: CSV file, spreadsheet. Lengths are in the unit
+of FreeCAD's preferences, which the head of a column names; numbers in files have no separators, so that
+others can read them."""
 import csv
 
-from ..quantities import length_unit
+from ..quantities import TABLE_DIGITS, length_unit, number, quantity
 from ..texts import translate
 
 #: Title, unit ("mm": that of the preferences) and how to find it in a row of the report.
@@ -23,6 +24,30 @@ _COLUMNS = [
     ("Neighbour Y", "mm", lambda row, deep: row["point_on_neighbour"][1]),
     ("Neighbour Z", "mm", lambda row, deep: row["point_on_neighbour"][2]),
 ]
+
+
+def summary(report):
+    """The result in one line, as the core has it, in the user's language and unit."""
+    rows, nearest = report["neighbours"], report.get("smallest")
+    if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # damaged
+        return report["summary"]
+    words = [translate("Messages", "{0} checked").format(len(rows))]
+    for verdict, text in (
+        ("clash", translate("Messages", "{0} clash")),
+        ("contact", translate("Messages", "{0} in contact")),
+        ("below", translate("Messages", "{0} too near")),
+    ):
+        count = sum(row["verdict"] == verdict for row in rows)
+        if count:
+            words.append(text.format(count))
+    row = rows[nearest]
+    deep = row.get("penetration", {}).get("depth") if row["verdict"] == "clash" else None
+    text = translate("Messages", "smallest {0} at t = {1} s ({2})")
+    length = max(0.0, row["distance"] - row.get("chord_error", 0.0))
+    if isinstance(deep, (int, float)):
+        text, length = translate("Messages", "deepest {0} at t = {1} s ({2})"), deep
+    where = quantity(length, TABLE_DIGITS), number(row["time_seconds"], TABLE_DIGITS), row["name"]
+    return ", ".join(words + [text.format(*where)])
 
 
 def columns():

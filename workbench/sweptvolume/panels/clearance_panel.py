@@ -270,7 +270,7 @@ class ClearancePanel(StartPanel):
         if report is None:
             return
         self.report = report
-        text = report["summary"]
+        text = clearance_table.summary(report)
         if self.obj.Status != clearance.UP_TO_DATE:
             text = translate("Panels", "{0} (stale: check again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
