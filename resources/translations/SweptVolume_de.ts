@@ -1264,8 +1264,8 @@ Versucht:
    <translation>Stützstellen</translation>
   </message>
   <message>
-   <source>Choos&amp;e</source>
-   <translation>W&amp;ählen</translation>
+   <source>&amp;Pick</source>
+   <translation>Wählen</translation>
   </message>
   <message>
    <source>Takes the part that is selected in the tree or in the view</source>
@@ -1352,7 +1352,7 @@ Versucht:
    <translation>Quelle</translation>
   </message>
   <message>
-   <source>none: select it, then press Choose</source>
+   <source>none: select it, then press Pick</source>
    <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
   <message>
@@ -1452,8 +1452,8 @@ Versucht:
    <translation>Gewählter Punkt</translation>
   </message>
   <message>
-   <source>&amp;Take</source>
-   <translation>Ü&amp;bernehmen</translation>
+   <source>Ta&amp;ke</source>
+   <translation>Set&amp;zen</translation>
   </message>
   <message>
    <source>Takes the selected vertex, or the centre of the selected edge or face</source>

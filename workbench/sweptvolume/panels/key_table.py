@@ -172,7 +172,7 @@ class KeyTable(QtCore.QObject):
 def add_to(layout, part, source=""):
     """The table in its titled box, with the names of the part and of what the keys come from above."""
     rows = widgets.group(translate("Panels", "Key placements"), layout)
-    button = QtWidgets.QPushButton(translate("Panels", "Choos&e"))
+    button = QtWidgets.QPushButton(translate("Panels", "&Pick"))
     button.setObjectName("SweptVolumeChoosePart")
     button.setToolTip(
         translate("Panels", "Takes the part that is selected in the tree or in the view")

@@ -44,7 +44,7 @@ class MotionPanel(KeysInView):
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
         self.message = widgets.message_label()
         layout.addWidget(self.message)
-        none = translate("Panels", "none: select it, then press Choose")
+        none = translate("Panels", "none: select it, then press Pick")
         self.keyboard = key_table.add_to(
             layout,
             convert.label_of(*self.pair) if self.pair else none,

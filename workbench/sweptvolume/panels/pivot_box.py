@@ -31,7 +31,7 @@ class PivotBox(QtWidgets.QWidget):
         }
         self.kind = widgets.choice(list(texts), "Origin", list(texts.values()))
         self.kind.setObjectName("SweptVolumePivot")
-        self.take = QtWidgets.QPushButton(translate("Panels", "&Take"))
+        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke"))
         self.take.setObjectName("SweptVolumeTakePivot")
         self.take.setToolTip(
             translate(
