@@ -90,6 +90,11 @@ class Settings(Made):
         self.doc.recompute()
         self.assertEqual((obj.Status, obj.Placements[1].Base.x), ("", 1000.0))
 
+    def test_a_driven_motion_knows_the_part_that_was_watched(self):
+        obj, _ = self.driven()
+        self.assertEqual(motion.parts_of(obj), [(self.doc.Box, "")])
+        self.assertEqual(motion.label_for(motion.parts_of(obj)), "Motion of Box")
+
     def test_another_range_makes_a_driven_motion_stale(self):
         obj, _ = self.driven()
         self.doc.recompute()

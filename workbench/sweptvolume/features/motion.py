@@ -227,7 +227,16 @@ def _motion_of(document, settings, interpolation, frame):
     store(obj, poses)
     obj.Interpolation = interpolation
     obj.Frame = frame
+    if settings.kind in sources.FROM_JOINTS:  # the part that was watched
+        set_parts(obj, [convert.root_path(settings.objects[1])])
     return obj
+
+
+def label_for(pairs):
+    """Of a new motion of these parts; None: the usual one."""
+    if not pairs:
+        return None
+    return translate("Messages", "Motion of {0}").format(convert.label_of(*pairs[0]))
 
 
 def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
@@ -256,6 +265,7 @@ __all__ = [
     "from_world",
     "is_motion",
     "is_stale",
+    "label_for",
     "look",
     "make_motion",
     "make_stored",

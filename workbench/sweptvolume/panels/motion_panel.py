@@ -332,18 +332,14 @@ class MotionPanel(KeysInView):
         Gui.Control.closeDialog()
         return True
 
-    def _label(self):
-        """Of a new motion."""
-        if self.pair is None:
-            return None
-        return translate("Messages", "Motion of {0}").format(convert.label_of(*self.pair))
-
     @guard.told
     def accept(self):
         guard.check_fields(self.form)
         with runner.transaction(self.document, translate("Messages", "Edit motion")):
             if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
-                self.obj = motion.make_motion(self.document, self._label())
+                self.obj = motion.make_motion(
+                    self.document, motion.label_for([self.pair] if self.pair else [])
+                )
             if content(self.keys)[:2] != self.before[:2]:
                 motion.make_stored(self.obj)
                 motion.store(self.obj, self.keys.poses())

@@ -187,6 +187,7 @@ class SourcePanel:
             obj = motion.motion_from_source(
                 self.document, self.kind, self.objects, *rules, **values
             )
+            obj.Label = motion.label_for(motion.parts_of(obj)) or obj.Label
             self.document.recompute([obj])
             return obj
         motion.change_source(self.obj, values)
