@@ -78,18 +78,6 @@ class Settings(Made):
         self.doc.recompute()
         self.assertEqual(obj.Status, "")
 
-    def test_another_unit_of_the_file_makes_the_poses_stale(self):
-        path = self.file("a.csv", "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,1,0,0,0,0,0,1\n")
-        obj = motion.motion_from_file(self.doc, path)
-        self.doc.recompute()
-        self.assertEqual(obj.Status, "")
-        obj.SourceUnit = "m"
-        self.doc.recompute()
-        self.assertEqual(obj.Status, STALE)
-        motion.reload_source(obj)
-        self.doc.recompute()
-        self.assertEqual((obj.Status, obj.Placements[1].Base.x), ("", 1000.0))
-
     def test_a_driven_motion_knows_the_part_that_was_watched(self):
         obj, _ = self.driven()
         self.assertEqual(motion.parts_of(obj), [(self.doc.Box, "")])
@@ -106,6 +94,22 @@ class Settings(Made):
             motion.reload_source(obj)
             self.doc.recompute()
         self.assertEqual((obj.Count, obj.Duration, obj.Placements[-1].Base.x), (9, 3.0, 6.0))
+
+
+class Files(Case):
+    NEEDS_CORE = True  # it reads them
+
+    def test_another_unit_of_the_file_makes_the_poses_stale(self):
+        path = self.file("a.csv", "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,1,0,0,0,0,0,1\n")
+        obj = motion.motion_from_file(self.doc, path)
+        self.doc.recompute()
+        self.assertEqual(obj.Status, "")
+        obj.SourceUnit = "m"
+        self.doc.recompute()
+        self.assertEqual(obj.Status, STALE)
+        motion.reload_source(obj)
+        self.doc.recompute()
+        self.assertEqual((obj.Status, obj.Placements[1].Base.x), ("", 1000.0))
 
 
 class Older(Made):
