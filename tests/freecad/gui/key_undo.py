@@ -118,11 +118,16 @@ def scenario():
     table.setRangeSelected(QtWidgets.QTableWidgetSelectionRange(1, 0, 1, 6), True)
     press(table, QtCore.Qt.Key_C, HELD)
     assert clipboard.text() == "2\t50\t0\t10\t0\t0\t0", clipboard.text()
-    # Transform is locked out.
+    # Transform is locked out; what was chosen stays.
+    box_of_pivot = find(QtWidgets.QComboBox, "SweptVolumePivot")
+    assert box_of_pivot.currentData() == "Origin"
+    box_of_pivot.setCurrentIndex(box_of_pivot.findData("Middle"))
     Gui.getDocument(doc.Name).setEdit(box.Name, 1)
+    yield lambda: motion_panel.opened[-1] is not panel
     yield 0.5
     panel = motion_panel.opened[-1]
     assert Gui.getDocument(doc.Name).getInEdit() is None and "Transform" in panel.message.text()
+    assert find(QtWidgets.QComboBox, "SweptVolumePivot").currentData() == "Middle"
     assert panel.keys.times == [0, 2, 3.5] and panel.history.before, panel.keys.times
     shot("64_transform")
     yield 0.3

@@ -50,7 +50,7 @@ class KeysInView:
     def _begin_pivot(self, middle):
         """As the motion has it; a new one has the middle of the part."""
         point = middle if self.obj is None else None
-        if self.obj is not None and self.obj.Pivot.Length:
+        if self.obj is not None and self.obj.Pivot.Length and len(self.keys):
             place = self.body.placement.inverse()
             point = place.multiply(self.base()).multVec(self.obj.Pivot)
         self.pivot.begin(middle, point)

@@ -83,6 +83,7 @@ class MotionPanel(KeysInView):
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
         self.pivot = PivotBox(self.pair)
+        self.pivot.show_fixed(self.keys.pivot)
         rows.addRow(translate("Panels", "Pivot"), self.pivot)
         self.tangent = TangentBox()
         layout.addWidget(self.tangent)
@@ -230,6 +231,8 @@ class MotionPanel(KeysInView):
             (self.frame, before.chosen_rules[1]),
         ):
             box.setCurrentIndex(box.findData(other))
+        if before.pair == self.pair:
+            self.pivot.follow(*before.chosen_pivot)
         self.fill(self.history.now[1])
         widgets.show_message(self.message, text)
 
@@ -319,6 +322,7 @@ class MotionPanel(KeysInView):
 
     def _close(self):
         self.chosen_rules = self.interpolation.currentData(), self.frame.currentData()
+        self.chosen_pivot = self.pivot.kind.currentData(), self.pivot.point
         self.watch.stop()
         self.undo_keys.stop()
         self.lock.stop()

@@ -45,6 +45,7 @@ class PivotBox(QtWidgets.QWidget):
         self.kind.currentIndexChanged.connect(lambda *ignored: self._chosen())
         self.take.clicked.connect(lambda *ignored: self._take())
         self._explain()
+        self.setEnabled(False)  # until begin(): without a part there is nothing to choose
 
     def begin(self, middle, point):
         """middle, point: in the coordinates of the part (mm); point None: the origin of the poses."""
@@ -52,6 +53,16 @@ class PivotBox(QtWidgets.QWidget):
         near = point is not None and (point - middle).Length <= SAME
         self.point = middle if point is None or near else point
         self._set("Origin" if point is None else "Middle" if near else "Point")
+        self.setEnabled(True)
+
+    def follow(self, kind, point):
+        """The choice of another box for the same part."""
+        self.point = point
+        self._set(kind)
+
+    def show_fixed(self, pivot):
+        """What a motion without a part has."""
+        self._set("Point" if pivot.Length else "Origin")
 
     def in_part(self):
         """The pivot in the coordinates of the part (mm); None: the origin of the poses."""
