@@ -120,10 +120,10 @@ Trajectory trajectoryFromObject(const py::object& motion, const std::string& int
   trajectory.interpolation = parseInterpolation(interpolation);
   const bool isSequence = py::isinstance<py::tuple>(motion) || py::isinstance<py::list>(motion);
   const auto parts = isSequence ? py::len(motion) : 0;
-  if (isSequence && parts != 2 && parts != 3) {
+  if (isSequence && (parts < 2 || parts > 4)) {
     throw py::value_error(
-        "motion must be (times, quaternions, translations), (times, matrices) or an array (K, 4, "
-        "4)");
+        "motion must be (times, quaternions, translations), the same and a pivot, (times, "
+        "matrices) or an array (K, 4, 4)");
   }
   if (!isSequence) {
     trajectory.poses = posesFromMatrices(motion, nullptr);
@@ -144,6 +144,11 @@ Trajectory trajectoryFromObject(const py::object& motion, const std::string& int
   const Doubles translations = doublesFrom(sequence[2], "translations");
   checkShape(quaternions, "quaternions", {count, 4}, "(K, 4), order x, y, z, w");
   checkShape(translations, "translations", {count, 3}, "(K, 3), mm");
+  if (parts == 4) {
+    const Doubles pivot = doublesFrom(sequence[3], "pivot");
+    checkShape(pivot, "pivot", {3}, "(3,), mm");
+    trajectory.pivot = {pivot.data()[0], pivot.data()[1], pivot.data()[2]};
+  }
   trajectory.poses.reserve(static_cast<std::size_t>(count));
   for (py::ssize_t k = 0; k < count; ++k) {
     trajectory.poses.push_back(

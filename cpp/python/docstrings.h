@@ -39,6 +39,8 @@ vertices   float (N, 3), mm
 triangles  int (M, 3), counter-clockwise seen from outside
 motion     one of
              (times (K,) s, quaternions (K, 4) in the order x, y, z, w, translations (K, 3) mm)
+             the same and a pivot (3,), mm: the point of the body that moves straight between two poses
+               where the interpolation is linear, in the body's coordinates; else its origin does
              (times (K,) s, matrices (K, 4, 4))
              matrices (K, 4, 4), at the times 0, 1, 2, ...
            x_world = R x + t

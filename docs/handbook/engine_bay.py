@@ -9,6 +9,7 @@ from driver import (
     Ok,
     QtWidgets,
     answered,
+    choose,
     click,
     find,
     new_document,
@@ -86,6 +87,7 @@ def design_path(starter):
     select(starter)
     Gui.runCommand("SweptVolume_NewMotion")
     yield 0.5
+    choose("SweptVolumePivot", "Origin")  # the table of the page has the starter's placements
     click(find(QtWidgets.QPushButton, "SweptVolumeCapture"))
     for _ in keys[1:]:
         click(find(QtWidgets.QPushButton, "SweptVolumeDuplicate"))

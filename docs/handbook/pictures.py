@@ -340,6 +340,13 @@ def slider():
     Gui.Selection.clearSelection()
     yield 0.5
     yield from picture("stale_motion")
+    select(next(o for o in doc.Objects if motion.is_motion(o) and o.SourceType == "Driven"))
+    Gui.runCommand("SweptVolume_EditSource")
+    yield 0.5
+    show_parts()
+    yield from picture("edit_source")
+    click(panel_button(Cancel))
+    yield no_panel
     App.closeDocument(doc.Name)
 
 

@@ -195,8 +195,9 @@ def compute(
         threads=threads,
         memory_limit_mb=memory_limit_mb,
     )
-    arrays = (way.times, way.quaternions, way.translations)
-    core = _core.compute(body.vertices, body.triangles, arrays, way.interpolation, run, **options)
+    core = _core.compute(
+        body.vertices, body.triangles, way._arrays(), way.interpolation, run, **options
+    )
     result = Result._of_core(core)
     result.report["warnings"][:0] = body.findings
     _log(result.report["warnings"])
@@ -220,9 +221,8 @@ def estimate(
     which takes up to a second; without, memory, seconds and triangles are from boxes, and rough."""
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
-    arrays = (way.times, way.quaternions, way.translations)
     return _core.estimate(
-        body.vertices, body.triangles, arrays, way.interpolation, trial, run, **given
+        body.vertices, body.triangles, way._arrays(), way.interpolation, trial, run, **given
     )
 
 
@@ -253,8 +253,7 @@ class PreviewSession:
         """As compute(); from one thread at a time. sketch: the surface alone, neither mended nor
         checked (finding NotChecked), to be drawn; half the time."""
         way = motion_of(motion, interpolation)
-        arrays = (way.times, way.quaternions, way.translations)
-        return Result._of_core(self._session.compute(arrays, way.interpolation, run, sketch))
+        return Result._of_core(self._session.compute(way._arrays(), way.interpolation, run, sketch))
 
 
 def check_mesh(mesh: MeshLike, *, run: Optional[RunContext] = None) -> Dict[str, Any]:
@@ -346,7 +345,7 @@ def clearance(
     report: Dict[str, Any] = _core.clearance(
         body.vertices,
         body.triangles,
-        (way.times, way.quaternions, way.translations),
+        way._arrays(),
         [_neighbour(item) for item in neighbours],
         way.interpolation,
         required,

@@ -126,14 +126,16 @@ def _mesh_again(
 class Motion:
     """Poses in the order of time: times float64 (K,) in s, quaternions float64 (K, 4) in the order
     x, y, z, w, translations float64 (K, 3) in mm; x_world = R x + t. All are read-only.
-    interpolation says what the body does between two poses: "linear" (lerp and slerp), "screw", or
-    "none" (nothing: the poses are a union of posed copies)."""
+    interpolation says what the body does between two poses: "linear" (straight line and slerp),
+    "screw", or "none" (nothing: the poses are a union of posed copies). pivot float64 (3,), mm, in the
+    body's coordinates: the point that moves straight where the interpolation is linear."""
 
-    __slots__ = ("times", "quaternions", "translations", "interpolation")
+    __slots__ = ("times", "quaternions", "translations", "interpolation", "pivot")
     times: Floats
     quaternions: Floats
     translations: Floats
     interpolation: str
+    pivot: Floats
 
     def __init__(
         self,
@@ -142,6 +144,7 @@ class Motion:
         translations: npt.ArrayLike,
         *,
         interpolation: str = "linear",
+        pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
     ) -> None:
         self.times = frozen(times, np.float64, (-1,), "times")
         count = len(self.times)
@@ -150,6 +153,7 @@ class Motion:
         if interpolation not in ("none", "linear", "screw"):
             raise bad_option(f"interpolation is '{interpolation}'; allowed: none, linear, screw")
         self.interpolation = interpolation
+        self.pivot = frozen(pivot, np.float64, (3,), "pivot")
 
     @classmethod
     def from_matrices(
@@ -158,32 +162,51 @@ class Motion:
         times: Optional[npt.ArrayLike] = None,
         *,
         interpolation: str = "linear",
+        pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
     ) -> Motion:
         """Of rigid matrices (K, 4, 4); without times at 0, 1, 2 ... s."""
         checked = frozen(matrices, np.float64, (-1, 4, 4), "matrices")
         at = np.arange(len(checked), dtype=np.float64) if times is None else times
         at = frozen(at, np.float64, (len(checked),), "times")
-        return cls(*_core.poses_from_matrices(at, checked), interpolation=interpolation)
+        arrays = _core.poses_from_matrices(at, checked)
+        return cls(*arrays, interpolation=interpolation, pivot=pivot)
 
     @classmethod
-    def read(cls, path: Path, *, unit: str = "mm", interpolation: str = "linear") -> Motion:
+    def read(
+        cls,
+        path: Path,
+        *,
+        unit: str = "mm",
+        interpolation: str = "linear",
+        pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
+    ) -> Motion:
         """Reads a table of poses, plain or packed with gzip or xz; unit: of its translations."""
         require_file(path)
-        return cls(*_core.read_trajectory_csv(path, unit), interpolation=interpolation)
+        arrays = _core.read_trajectory_csv(path, unit)
+        return cls(*arrays, interpolation=interpolation, pivot=pivot)
+
+    def with_pivot(self, pivot: npt.ArrayLike) -> Motion:
+        """The same poses with another point of the body (3,), mm, moving straight between them."""
+        arrays = self.times, self.quaternions, self.translations
+        return Motion(*arrays, interpolation=self.interpolation, pivot=pivot)
+
+    def _arrays(self) -> Tuple[Floats, Floats, Floats, Floats]:
+        """As the core takes a motion."""
+        return self.times, self.quaternions, self.translations, self.pivot
 
     def __len__(self) -> int:
         return len(self.times)
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        arrays = (np.array(self.times), np.array(self.quaternions), np.array(self.translations))
-        return _motion_again, arrays + (self.interpolation,)
+        times, quaternions, translations, pivot = map(np.array, self._arrays())
+        return _motion_again, (times, quaternions, translations, self.interpolation, pivot)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Motion):
             return NotImplemented
         return self.interpolation == other.interpolation and all(
             np.array_equal(getattr(self, name), getattr(other, name))
-            for name in ("times", "quaternions", "translations")
+            for name in ("times", "quaternions", "translations", "pivot")
         )
 
     __hash__ = None  # type: ignore[assignment]
@@ -192,13 +215,19 @@ class Motion:
         text = f"<Motion: {len(self)} poses, {self.interpolation}"
         if len(self):
             text += f", from {self.times[0]:.6g} to {self.times[-1]:.6g} s"
+        if self.pivot.any():
+            text += ", pivot {:.6g}, {:.6g}, {:.6g} mm".format(*self.pivot)
         return text + ">"
 
 
 def _motion_again(
-    times: Floats, quaternions: Floats, translations: Floats, interpolation: str
+    times: Floats,
+    quaternions: Floats,
+    translations: Floats,
+    interpolation: str,
+    pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
 ) -> Motion:
-    return Motion(times, quaternions, translations, interpolation=interpolation)
+    return Motion(times, quaternions, translations, interpolation=interpolation, pivot=pivot)
 
 
 MeshLike = Union[Mesh, Tuple[npt.ArrayLike, npt.ArrayLike]]
@@ -237,7 +266,8 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
         )
     if interpolation is None or interpolation == made.interpolation:
         return made
-    return Motion(made.times, made.quaternions, made.translations, interpolation=interpolation)
+    arrays = made.times, made.quaternions, made.translations
+    return Motion(*arrays, interpolation=interpolation, pivot=made.pivot)
 
 
 def read_mesh(path: Path, *, unit: str = "mm") -> Mesh:
@@ -250,9 +280,15 @@ def write_mesh(path: Path, mesh: MeshLike, *, no_clobber: bool = False) -> None:
     mesh_of(mesh).write(path, no_clobber=no_clobber)
 
 
-def read_motion(path: Path, *, unit: str = "mm", interpolation: str = "linear") -> Motion:
+def read_motion(
+    path: Path,
+    *,
+    unit: str = "mm",
+    interpolation: str = "linear",
+    pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
+) -> Motion:
     """Motion.read()."""
-    return Motion.read(path, unit=unit, interpolation=interpolation)
+    return Motion.read(path, unit=unit, interpolation=interpolation, pivot=pivot)
 
 
 def read_body(

@@ -139,6 +139,14 @@
    <translation>Bearbeitet die Schlüssel der ausgewählten Bewegung in einer Tabelle und spielt sie mit einem Geisterbild des Teils ab</translation>
   </message>
   <message>
+   <source>Settings of the source...</source>
+   <translation>Einstellungen der Quelle...</translation>
+  </message>
+  <message>
+   <source>Changes what the source of the selected motion is asked for (accuracy, orientation, duration, range, unit) and reads it again</source>
+   <translation>Ändert, was von der Quelle der gewählten Bewegung verlangt wird (Genauigkeit, Ausrichtung, Dauer, Bereich, Einheit), und liest sie neu</translation>
+  </message>
+  <message>
    <source>Export envelope...</source>
    <translation>Hülle exportieren …</translation>
   </message>
@@ -231,6 +239,10 @@
    <translation>Bewegung bearbeiten</translation>
   </message>
   <message>
+   <source>Settings of the source</source>
+   <translation>Einstellungen der Quelle</translation>
+  </message>
+  <message>
    <source>Create envelope</source>
    <translation>Hülle erzeugen</translation>
   </message>
@@ -286,8 +298,8 @@
    <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Erlaubt sind nur Drehungen und Verschiebungen.</translation>
   </message>
   <message>
-   <source>A pose or its time cannot be used: times must grow.</source>
-   <translation>Eine Lage oder ihre Zeit ist unbrauchbar: Die Zeiten müssen wachsen.</translation>
+   <source>A pose or its time cannot be used: times may not go back.</source>
+   <translation>Eine Lage oder ihre Zeit ist unbrauchbar: Die Zeiten dürfen nicht zurückgehen.</translation>
   </message>
   <message>
    <source>Between two poses the part makes half a turn: put a pose between them.</source>
@@ -362,6 +374,10 @@
    <translation>Dreiecke Rücken an Rücken wurden weggelassen.</translation>
   </message>
   <message>
+   <source>Poses have the time of the one before; their order was kept.</source>
+   <translation>Lagen haben die Zeit der vorigen; ihre Reihenfolge wurde beibehalten.</translation>
+  </message>
+  <message>
    <source>The part was inside out and was turned over.</source>
    <translation>Das Innere des Teils war außen; es wurde umgestülpt.</translation>
   </message>
@@ -425,28 +441,16 @@
    <translation>Öffnen Sie zuerst ein Dokument.</translation>
   </message>
   <message>
-   <source>There is no envelope in the document: make one with Create envelope.</source>
-   <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
-  </message>
-  <message>
-   <source>Select one of the {0} envelopes.</source>
-   <translation>Wählen Sie eine der {0} Hüllen aus.</translation>
-  </message>
-  <message>
    <source>Select an envelope first.</source>
    <translation>Zuerst eine Hülle auswählen.</translation>
   </message>
   <message>
-   <source>There is no motion in the document: make one with New motion.</source>
-   <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit Neue Bewegung an.</translation>
-  </message>
-  <message>
-   <source>Select one of the {0} motions.</source>
-   <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
-  </message>
-  <message>
    <source>Select a motion first.</source>
    <translation>Zuerst eine Bewegung auswählen.</translation>
+  </message>
+  <message>
+   <source>The motion has no source whose settings can be changed.</source>
+   <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
   </message>
   <message>
    <source>Select the object with the value, then the part that it moves.</source>
@@ -615,10 +619,6 @@ Versucht:
    <translation>Abstand</translation>
   </message>
   <message>
-   <source>{0} table</source>
-   <translation>{0} Tabelle</translation>
-  </message>
-  <message>
    <source>no neighbour is given: choose parts or show some others.</source>
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
@@ -641,6 +641,34 @@ Versucht:
   <message>
    <source>Left out: {0}</source>
    <translation>Ausgelassen: {0}</translation>
+  </message>
+  <message>
+   <source>smallest {0} at t = {1} s ({2})</source>
+   <translation>kleinster Abstand {0} bei t = {1} s ({2})</translation>
+  </message>
+  <message>
+   <source>{0} clash</source>
+   <translation>{0} durchdringen sich</translation>
+  </message>
+  <message>
+   <source>{0} in contact</source>
+   <translation>{0} berühren sich</translation>
+  </message>
+  <message>
+   <source>{0} too near</source>
+   <translation>{0} zu nah</translation>
+  </message>
+  <message>
+   <source>deepest {0} at t = {1} s ({2})</source>
+   <translation>tiefste Durchdringung {0} bei t = {1} s ({2})</translation>
+  </message>
+  <message>
+   <source>{0} table</source>
+   <translation>{0} Tabelle</translation>
+  </message>
+  <message>
+   <source>{0} checked</source>
+   <translation>{0} geprüft</translation>
   </message>
   <message>
    <source>Compute envelope</source>
@@ -747,6 +775,10 @@ Versucht:
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
   </message>
   <message>
+   <source>select the part that moves in the tree or in the 3D view.</source>
+   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
+  </message>
+  <message>
    <source>no part: close the panel, select the moving part and open it again.</source>
    <translation>Kein Teil: das Fenster schließen, das bewegte Teil auswählen und neu öffnen.</translation>
   </message>
@@ -759,8 +791,32 @@ Versucht:
    <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
   </message>
   <message>
+   <source>Motion of {0}</source>
+   <translation>Bewegung von {0}</translation>
+  </message>
+  <message>
    <source>Edit motion</source>
    <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
+   <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
+   <translation>wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
+  </message>
+  <message>
+   <source>There is no envelope in the document: make one with Create envelope.</source>
+   <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} envelopes.</source>
+   <translation>Wählen Sie eine der {0} Hüllen aus.</translation>
+  </message>
+  <message>
+   <source>There is no motion in the document: make one with New motion.</source>
+   <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit Neue Bewegung an.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} motions.</source>
+   <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
   </message>
   <message>
    <source>Export envelope</source>
@@ -905,8 +961,12 @@ Versucht:
    <translation>Lage {0}: ihre Zeit ({1:g}) ist kein Zeitpunkt.</translation>
   </message>
   <message>
-   <source>pose {0}: its time {1:g} s is not after the {2:g} s of the pose before; times must grow.</source>
-   <translation>Lage {0}: Ihre Zeit {1:g} s liegt nicht nach den {2:g} s der Lage davor; Zeiten müssen wachsen.</translation>
+   <source>pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may not go back.</source>
+   <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor den {2:g} s der Lage davor; Zeiten dürfen nicht zurückgehen.</translation>
+  </message>
+  <message>
+   <source>poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from a moving reference, need different ones.</source>
+   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Eine glatte Bewegung, und eine von einem bewegten Bezugsteil aus gesehene, brauchen verschiedene.</translation>
   </message>
   <message>
    <source>choose one Robot trajectory.</source>
@@ -1184,6 +1244,10 @@ Versucht:
    <translation>Eine Lage ist</translation>
   </message>
   <message>
+   <source>The last change of the keys</source>
+   <translation>Die letzte Änderung der Schlüssel</translation>
+  </message>
+  <message>
    <source>yaw</source>
    <translation>Gier</translation>
   </message>
@@ -1198,6 +1262,14 @@ Versucht:
   <message>
    <source>Key placements</source>
    <translation>Stützstellen</translation>
+  </message>
+  <message>
+   <source>&amp;Pick</source>
+   <translation>Wählen</translation>
+  </message>
+  <message>
+   <source>Takes the part that is selected in the tree or in the view</source>
+   <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
   </message>
   <message>
    <source>Part</source>
@@ -1276,8 +1348,12 @@ Versucht:
    <translation>Eine Sekunde von Schlüssel zu Schlüssel</translation>
   </message>
   <message>
-   <source>none: select it, then open this panel</source>
-   <translation>keines: wählen, dann diesen Bereich öffnen</translation>
+   <source>Source</source>
+   <translation>Quelle</translation>
+  </message>
+  <message>
+   <source>none: select it, then press Pick</source>
+   <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
   <message>
    <source>Steps in which the arrows and arcs move; 0: freely</source>
@@ -1290,6 +1366,10 @@ Versucht:
   <message>
    <source>A motion has at least two keys: move the part, then Capture.</source>
    <translation>Eine Bewegung hat mindestens zwei Stützstellen: Bewegen Sie das Teil, dann Aufnehmen.</translation>
+  </message>
+  <message>
+   <source>Pivot</source>
+   <translation>Drehpunkt</translation>
   </message>
   <message>
    <source>In the 3D view</source>
@@ -1354,6 +1434,34 @@ Versucht:
   <message>
    <source>Its motion</source>
    <translation>Seine Bewegung</translation>
+  </message>
+  <message>
+   <source>The point that goes straight between two keys, and about which a key is turned; x, y, z of the keys are its own.</source>
+   <translation>Der Punkt, der zwischen zwei Schlüsseln geradeaus geht und um den ein Schlüssel gedreht wird; x, y, z der Schlüssel sind die seinen.</translation>
+  </message>
+  <message>
+   <source>Middle of the part</source>
+   <translation>Mitte des Teils</translation>
+  </message>
+  <message>
+   <source>Origin of the poses</source>
+   <translation>Ursprung der Lagen</translation>
+  </message>
+  <message>
+   <source>Selected point</source>
+   <translation>Gewählter Punkt</translation>
+  </message>
+  <message>
+   <source>Ta&amp;ke</source>
+   <translation>Set&amp;zen</translation>
+  </message>
+  <message>
+   <source>Takes the selected vertex, or the centre of the selected edge or face</source>
+   <translation>Übernimmt den gewählten Punkt oder die Mitte der gewählten Kante oder Fläche</translation>
+  </message>
+  <message>
+   <source>In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm</source>
+   <translation>In den Koordinaten des Teils: {0:.6g}, {1:.6g}, {2:.6g} mm</translation>
   </message>
   <message>
    <source>Play</source>
@@ -1548,6 +1656,10 @@ etwa {2}, {3}</translation>
   <message>
    <source>OK once more takes the motion as it is.</source>
    <translation>Noch einmal OK nimmt die Bewegung, wie sie ist.</translation>
+  </message>
+  <message>
+   <source>The poses of "{0}" come from {1} and follow it. To change a key, the link has to be cut: the motion then keeps the poses as they are. Cut it?</source>
+   <translation>Die Lagen von „{0}“ kommen von {1} und folgen ihm. Um einen Schlüssel zu ändern, muss die Verknüpfung getrennt werden: Die Bewegung behält dann die Lagen, wie sie sind. Trennen?</translation>
   </message>
   <message>
    <source>Tangent at the key</source>
@@ -1861,6 +1973,14 @@ etwa {2}, {3}</translation>
    <translation>Was das Teil zwischen zwei Posen tut. Linear: gerade Linie und gleichmäßige Drehung. Screw: eine Schraubbewegung. Spline: glatt durch alle Posen. None: es steht nur an ihnen</translation>
   </message>
   <message>
+   <source>Point that goes straight (Linear) or along the spline between two poses, in the coordinates that a pose places: of the part where Frame is Absolute</source>
+   <translation>Punkt, der zwischen zwei Lagen geradeaus geht (Linear) oder auf dem Spline, in den Koordinaten, die eine Lage setzt: denen des Teils, wenn Frame Absolute ist</translation>
+  </message>
+  <message>
+   <source>Parts that this motion moves; the path editor shows the first of them</source>
+   <translation>Teile, die diese Bewegung bewegt; der Bahneditor zeigt das erste</translation>
+  </message>
+  <message>
    <source>Spline: what happens at each pose: Auto, Stop, Corner or Given (then by Velocities); missing ones are Auto</source>
    <translation>Spline: was an jeder Pose geschieht: Auto, Stop, Corner oder Given (dann nach Velocities); fehlende sind Auto</translation>
   </message>
@@ -1907,6 +2027,46 @@ etwa {2}, {3}</translation>
   <message>
    <source>State of the source when it was read</source>
    <translation>Zustand der Quelle, als sie gelesen wurde</translation>
+  </message>
+  <message>
+   <source>Number of poses; along a path 0: as many as SourceAccuracy asks for</source>
+   <translation>Zahl der Lagen; entlang eines Pfads 0: so viele, wie SourceAccuracy verlangt</translation>
+  </message>
+  <message>
+   <source>How far the straight way between two poses may leave the path</source>
+   <translation>Wie weit der gerade Weg zwischen zwei Lagen den Pfad verlassen darf</translation>
+  </message>
+  <message>
+   <source>Fixed: the part never turns. Tangent: x of the part stays on the tangent. SecondCurve: z points to the second curve</source>
+   <translation>Fixed: Das Teil dreht sich nie. Tangent: x des Teils bleibt auf der Tangente. SecondCurve: z zeigt zur zweiten Kurve</translation>
+  </message>
+  <message>
+   <source>Time from the first to the last pose (s)</source>
+   <translation>Zeit von der ersten bis zur letzten Lage (s)</translation>
+  </message>
+  <message>
+   <source>Time from one pose to the next (s)</source>
+   <translation>Zeit von einer Lage zur nächsten (s)</translation>
+  </message>
+  <message>
+   <source>Speed of G0</source>
+   <translation>Geschwindigkeit von G0</translation>
+  </message>
+  <message>
+   <source>What the words A, B and C turn: the tool head, or the table</source>
+   <translation>Was die Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
+  </message>
+  <message>
+   <source>Name of the value that is driven</source>
+   <translation>Name des Werts, der angetrieben wird</translation>
+  </message>
+  <message>
+   <source>Driven value at the first pose, in its unit (mm, degrees)</source>
+   <translation>Angetriebener Wert bei der ersten Lage, in seiner Einheit (mm, Grad)</translation>
+  </message>
+  <message>
+   <source>Driven value at the last pose, in its unit (mm, degrees)</source>
+   <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
   </message>
   <message>
    <source>Envelope (or any closed mesh) of which this is the solid</source>

@@ -79,7 +79,7 @@ class BadRuns(BadCase):
 
     def test_bad_input_22_bad_pose(self):
         before = len(self.doc.Objects)
-        with self.assertRaisesRegex((core.CoreError, InputProblem), "pose 2.*must grow"):
+        with self.assertRaisesRegex((core.CoreError, InputProblem), "pose 2.*may not go back"):
             self.motion_of("1,0,0,0,0,0,0,1", "0,30,0,0,0,0,0,1")
         self.assertEqual(len(self.doc.Objects), before)
 

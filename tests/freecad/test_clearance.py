@@ -7,7 +7,7 @@ import FreeCAD as App
 
 from case import Case, shift
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope
+from sweptvolume.features import clearance, clearance_table, envelope
 
 
 class Clearance(Case):
@@ -48,7 +48,7 @@ class Clearance(Case):
         # Both solids are meshed to 0.05 mm: that, and the tolerance, is not promised.
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
         self.assertTrue(
-            obj.Summary.startswith("2 checked, 1 below required, smallest 3.4 mm at t = 1 s")
+            obj.Summary.startswith("2 checked, 1 too near, smallest 3.4 mm at t = 1 s (Wall)")
         )
 
     def test_parts_that_others_use_are_neighbours_too(self):
@@ -125,15 +125,26 @@ class Clearance(Case):
         obj = self.made()
         clearance.compute(obj)
         path = os.path.join(self.folder, "table.csv")
-        clearance.write_csv(clearance.report_of(obj), path)
+        clearance_table.write_csv(clearance.report_of(obj), path)
         with open(path, encoding="utf-8") as file:
             rows = list(csv.reader(file))
-        self.assertEqual(rows[0], clearance.COLUMNS)
+        self.assertEqual(rows[0], clearance_table.columns())
+        self.assertEqual(rows[0][2], "Distance (mm)")
         self.assertEqual(len(rows), 3)
-        sheet = clearance.make_spreadsheet(obj)
+        sheet = clearance_table.make_spreadsheet(obj, clearance.report_of(obj))
         self.doc.recompute()
         self.assertEqual(sheet.get("A1"), "Neighbour")
         self.assertAlmostEqual(float(sheet.get("C2")), float(rows[1][2]), places=6)
+        App.Units.setSchema(3)  # inches
+        try:
+            inches = clearance_table.table(clearance.report_of(obj))
+            self.assertEqual(clearance_table.columns()[2], "Distance (in)")
+            text = clearance_table.summary(clearance.report_of(obj))
+            self.assertIn("smallest 0.1339 in at t = 1 s", text)
+        finally:
+            App.Units.setSchema(0)
+        self.assertAlmostEqual(inches[0][2] * 25.4, float(rows[1][2]))
+        self.assertEqual(inches[0][4], float(rows[1][4]))  # seconds stay what they are
 
     def test_no_neighbour_is_named(self):
         self.wall.Visibility = self.far.Visibility = False

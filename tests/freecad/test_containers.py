@@ -8,7 +8,7 @@ import numpy as np
 
 from case import Case, V, shift, turn
 from sweptvolume import convert
-from sweptvolume.features import clearance, containers, envelope, motion
+from sweptvolume.features import clearance, clearance_plan, containers, envelope, motion
 from sweptvolume.trajectory.poses import FRAMES, base_of
 
 
@@ -214,7 +214,7 @@ class Rule(Case):
     def assert_computed(self, obj, frame, pair):
         envelope.compute(obj)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)
-        vertices = clearance.envelope_arrays(obj)[0]
+        vertices = clearance_plan.envelope_arrays(obj)[0]
         low, high = self.expected_box(frame, pair)
         cell = obj.UsedCellSize.Value
         self.assertLess(abs(vertices.min(axis=0) - low).max(), cell)
@@ -274,5 +274,5 @@ class Rule(Case):
         envelope.compute(obj)
         self.assertAlmostEqual(obj.Volume.Value, volume, delta=0.02 * volume)
         # The group is turned by 90 degrees: so is the way, which went along x.
-        vertices = clearance.envelope_arrays(obj)[0]
+        vertices = clearance_plan.envelope_arrays(obj)[0]
         self.assertGreater(float(np.ptp(vertices[:, 1])), float(np.ptp(vertices[:, 0])))

@@ -56,6 +56,37 @@ def modules():
             yield path, group
 
 
+def names_in(module):
+    """Names that a module of ours has at its top, modules below a package among them; None for others."""
+    parts = module.split(".")
+    if parts[0] != "sweptvolume":
+        return None
+    place = os.path.join(HERE, *parts[1:])
+    found = set()
+    if os.path.isdir(place):
+        found = {name.replace(".py", "") for name in os.listdir(place)}
+        place = os.path.join(place, "__init__")
+    with open(place + ".py", encoding="utf-8") as file:
+        top = list(ast.parse(file.read()).body)
+    while top:
+        node = top.pop()
+        if isinstance(node, (ast.If, ast.Try, ast.With)):
+            top += node.body + getattr(node, "orelse", [])
+            top += [n for handler in getattr(node, "handlers", []) for n in handler.body]
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            found.add(node.name)
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            found |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
+        elif isinstance(node, (ast.Assign, ast.AnnAssign)):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            found |= {n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)}
+    return found
+
+
+def _is_set(name):
+    return isinstance(name.ctx, ast.Store)
+
+
 class Layers(unittest.TestCase):
     def test_every_module_has_a_place(self):
         for path, group in modules():
@@ -68,6 +99,39 @@ class Layers(unittest.TestCase):
                 if parts[0] == "sweptvolume" and len(parts) > 1 and parts[1] in LEVEL:
                     text = "{}:{} imports {}".format(path, node.lineno, name)
                     self.assertLessEqual(LEVEL[parts[1]], LEVEL[group], text)
+
+    def test_what_is_imported_is_there(self):
+        """Also where no test without a window goes."""
+        for path, _ in modules():
+            for name, node in imports(path):
+                if not isinstance(node, ast.ImportFrom) or node.module is None:
+                    continue  # a module of a package
+                known = names_in(name)
+                for alias in node.names if known is not None else ():
+                    text = "{}:{} {} has no {}".format(path, node.lineno, name, alias.name)
+                    self.assertIn(alias.name, known, text)
+
+    def test_what_is_asked_of_a_module_is_there(self):
+        """`module.name`, wherever `module` was imported from one of our packages."""
+        for path, _ in modules():
+            with open(path, encoding="utf-8") as file:
+                tree = ast.parse(file.read())
+            known = {}
+            for name, node in imports(path):
+                for alias in node.names if isinstance(node, ast.ImportFrom) else ():
+                    module = name if node.module is None else name + "." + alias.name
+                    file = os.path.join(HERE, *module.split(".")[1:]) + ".py"
+                    if module.startswith("sweptvolume.") and os.path.isfile(file):
+                        if module.endswith("." + alias.name):
+                            known[alias.asname or alias.name] = names_in(module)
+            stored = {n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and _is_set(n)}
+            stored |= {n.arg for n in ast.walk(tree) if isinstance(n, ast.arg)}
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+                    here = node.value.id
+                    if here in known and here not in stored and not node.attr.startswith("__"):
+                        text = "{}:{} {}.{}".format(path, node.lineno, here, node.attr)
+                        self.assertIn(node.attr, known[here], text)
 
     def test_gui_only_in_views_panels_commands(self):
         for path, group in modules():

@@ -6,7 +6,7 @@ import FreeCAD as App
 
 from case import SHARED, Case, V, shift, turn
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import motion
+from sweptvolume.features import envelope, motion
 from sweptvolume.trajectory.poses import Poses, at_time, base_of, course, straightened
 
 CSV = (
@@ -22,9 +22,9 @@ class Motion(Case):
         self.assertEqual((obj.Count, obj.Duration, obj.Interpolation), (2, 2.5, "Screw"))
         self.assertEqual((obj.Frame, obj.SourceType, obj.Status), ("Relative", "Stored", ""))
 
-    def test_times_must_grow(self):
-        with self.assertRaisesRegex(InputProblem, "pose 3: .*1 s is not after the 1 s"):
-            Poses([0, 1, 1], [shift()] * 3)
+    def test_times_may_not_go_back(self):
+        with self.assertRaisesRegex(InputProblem, "pose 3: .*0.5 s comes before the 1 s"):
+            Poses([0, 1, 0.5], [shift()] * 3)
 
     def test_bad_edit_is_told_and_marks_the_object(self):
         obj = self.line()
@@ -165,6 +165,29 @@ class Spline(Case):
 
 class MotionFile(Case):
     NEEDS_CORE = True
+
+    def test_poses_with_one_time_keep_their_order_as_in_the_core(self):
+        """The part goes on between them; its place as a function of time is the last one's."""
+        places = [shift(), shift(10), shift(10, 20), shift(30, 20)]
+        obj = motion.motion_from_poses(self.doc, [0, 1, 1, 2], places)
+        hull = self.envelope([self.box()], obj, CellSize=0.5)
+        found = envelope.compute(hull)
+        box = hull.Mesh.BoundBox
+        self.assertAlmostEqual(box.XLength, 40, delta=0.5)
+        self.assertAlmostEqual(box.YLength, 30, delta=0.5)
+        self.assertIn("EqualTimes", [w["code"] for w in found.report["warnings"]])
+        self.assertIn("the time of the pose before", hull.Message)
+        here = at_time(motion.poses_of(obj), "Linear", 1.0)
+        self.assertEqual((here.Base.x, here.Base.y), (10, 20))
+        obj.Interpolation = "Spline"
+        self.doc.recompute()
+        with self.assertRaisesRegex(InputProblem, "poses 2 and 3 have the same time"):
+            envelope.compute(hull)
+        obj.Interpolation = "Linear"
+        rest = motion.motion_from_poses(self.doc, [0, 2], [shift(), shift()])
+        hull.Reference, hull.ReferenceMotion = (self.box("Table"), [""]), rest
+        with self.assertRaisesRegex(InputProblem, "a moving reference"):
+            envelope.compute(hull)
 
     def test_csv_with_unit(self):
         obj = motion.motion_from_file(self.doc, self.file("m.csv", CSV), "cm")

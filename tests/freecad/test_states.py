@@ -131,6 +131,74 @@ def wire_is_deleted(doc):
     doc.removeObject("Wire")
 
 
+@change
+def turned_about_a_pivot(doc):
+    doc.Motion.Placements, doc.Motion.Pivot = [shift(), turn(60)], V(5, 5, 5)
+
+
+@change
+def pivot_by_expression(doc):
+    doc.Motion.Placements = [shift(), turn(60)]
+    doc.Motion.setExpression("Pivot.x", "Values.length")
+
+
+@change
+def smooth_with_velocities(doc):
+    doc.Motion.Interpolation = "Spline"
+    doc.Motion.Tangents, doc.Motion.Velocities = ["Given", "Stop"], [V(0, 30, 0), V()]
+
+
+@change
+def source_turns(doc):
+    doc.Motion001.SourceOrientation = "Tangent"
+
+
+@change
+def source_lasts(doc):
+    doc.Motion001.SourceDuration = 3
+
+
+@change
+def source_counts(doc):
+    doc.Motion001.SourceCount = 5
+
+
+@change
+def source_by_expression(doc):
+    doc.Motion001.setExpression("SourceDuration", "Values.length / 1 mm")
+
+
+@change
+def source_is_cut(doc):
+    motion.make_stored(doc.Motion001)
+
+
+@change
+def wire_moves(doc):
+    doc.Wire.Placement = shift(0, 5)
+
+
+@change
+def wire_into_a_group(doc):
+    doc.Group.Placement = turn(10, base=V(0, 2, 0))
+    doc.Group.addObject(doc.Wire)
+
+
+@change
+def part_of_the_motion_is_another(doc):
+    doc.Motion.Parts = [(doc.Plate, "")]
+
+
+@change
+def a_motion_for_each_part(doc):
+    doc.Envelope.Motions = [doc.Motion, doc.Motion001, doc.Motion]
+
+
+@change
+def seen_from_a_part_that_moves(doc):
+    doc.Envelope.Reference, doc.Envelope.ReferenceMotion = (doc.Wall, [""]), doc.Motion001
+
+
 # --- expressions
 
 
@@ -236,6 +304,26 @@ def part_leaves_its_group(doc):
 @change
 def link_target(doc):
     doc.Link.LinkedObject = doc.Plate
+
+
+@change
+def link_is_scaled(doc):
+    doc.Link.Scale = 2
+
+
+@change
+def solid_of_the_other_envelope(doc):
+    doc.EnvelopeSolid.Source = doc.Envelope001
+
+
+@change
+def check_of_the_envelope(doc):
+    doc.Clearance.Envelope = doc.Envelope
+
+
+@change
+def accuracy_of_the_check(doc):
+    doc.Clearance.Deflection = 0.5
 
 
 @change

@@ -143,7 +143,7 @@ def test_shapes_types_and_names_are_checked(box, still):
     with pytest.raises(ValueError, match="quaternions"):
         _swept.compute(vertices, triangles, (still[0], still[1][:, :3], still[2]))
     with pytest.raises(ValueError, match="motion must be"):
-        _swept.compute(vertices, triangles, (1, 2, 3, 4))
+        _swept.compute(vertices, triangles, (1, 2, 3, 4, 5))
     with pytest.raises(TypeError, match="unknown option 'resolutoin'"):
         _swept.compute(vertices, triangles, still, resolutoin=4)
     with pytest.raises(TypeError, match="resolution"):

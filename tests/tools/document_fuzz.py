@@ -134,7 +134,7 @@ def use(path, copy):
     import FreeCAD as App
     from sweptvolume import core
     from sweptvolume.convert import InputProblem
-    from sweptvolume.features import base, clearance, envelope, motion, solid
+    from sweptvolume.features import base, clearance, clearance_table, envelope, motion, solid
 
     def tried(action, *arguments):
         timer = None
@@ -175,7 +175,7 @@ def use(path, copy):
             ends["solid " + tried(solid.compute, obj)[1]] += 1
         elif kind == clearance.Clearance.KIND:
             if clearance.report_of(obj):
-                clearance.table(clearance.report_of(obj))
+                clearance_table.table(clearance.report_of(obj))
             ends["clearance " + tried(clearance.compute, obj)[1]] += 1
     doc.recompute(None, True)
     count = len(doc.Objects)

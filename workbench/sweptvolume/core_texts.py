@@ -26,7 +26,7 @@ _TEXTS = {
     "NotRigid": mark(
         "Core", "A pose scales, shears or mirrors the part: give turns and shifts only."
     ),
-    "BadPose": mark("Core", "A pose or its time cannot be used: times must grow."),
+    "BadPose": mark("Core", "A pose or its time cannot be used: times may not go back."),
     "AmbiguousTurn": mark(
         "Core", "Between two poses the part makes half a turn: put a pose between them."
     ),
@@ -56,6 +56,7 @@ _TEXTS = {
     "DegenerateTriangles": mark("Core", "Triangles without an area were left out."),
     "DuplicateTriangles": mark("Core", "Triangles that repeat others were left out."),
     "OppositeTriangles": mark("Core", "Triangles back to back were left out."),
+    "EqualTimes": mark("Core", "Poses have the time of the one before; their order was kept."),
     "Flipped": mark("Core", "The part was inside out and was turned over."),
     "MixedOrientation": mark("Core", "Triangles of the part face different ways."),
     "NotOrientable": mark("Core", "The surface of the part has one side only."),

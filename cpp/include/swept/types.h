@@ -58,12 +58,14 @@ struct Pose {
 };
 
 /// What the body does between two poses. None: nothing, the poses are a union of posed copies.
-/// Linear: translation lerp + rotation slerp. Screw: constant screw motion.
+/// Linear: straight line of the pivot + rotation slerp. Screw: constant screw motion.
 enum class Interpolation { None, Linear, Screw };
 
 struct Trajectory {
   std::vector<Pose> poses;
   Interpolation interpolation = Interpolation::Linear;
+  /// mm, in the body's coordinates: the point that moves straight between two poses (Linear).
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
 };
 
 /// How crossings of a cell are joined to surface components (docs/contouring.md).

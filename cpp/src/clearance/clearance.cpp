@@ -14,6 +14,7 @@
 #include "base/timer.h"
 #include "clearance/pair_check.h"
 #include "input/trajectory_check.h"
+#include "motion/pivot.h"
 
 namespace swept {
 namespace {
@@ -83,16 +84,17 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   Timer timer;
   run.checkpoint(Phase::Input);
   checkClearanceOptions(options, neighbours);
+  const Eigen::Vector3d pivot = pivotOf(trajectory);
   CheckedTrajectory checked = checkTrajectory(trajectory);
   report.warnings = std::move(checked.findings);
   bool mended = false;
-  const Part moving = closedPart(body, "the moving body", run, mended);
+  const Part moving = closedPart(seenFromPivot(body, pivot), "the moving body", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
   for (const ClearanceNeighbour& part : neighbours)
     report.neighbourTriangles += std::ssize(part.mesh.triangles);
   run.checkpoint(Phase::Motion);
   const Box box = moving.box(moving.tree().root());
-  const MotionTree motion(checked.trajectory, box.centre, box.half);
+  const MotionTree motion(carriedByPivot(checked.trajectory, pivot), box.centre, box.half);
   report.placements = std::ssize(checked.trajectory.poses);
   report.seconds.push_back({"prepare", timer.lap()});
   report.neighbours.resize(neighbours.size());
@@ -102,8 +104,10 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
     const Part still = closedPart(neighbours[i].mesh, "neighbour '" + neighbours[i].name + "'", run,
                                   neighbourMended);
     const CheckedPair pair{moving, mended, still, neighbourMended};
-    report.neighbours[i] =
-        checkPair(pair, neighbours[i].name, neighbours[i].chordError, motion, options, run);
+    NeighbourClearance& row = report.neighbours[i];
+    row = checkPair(pair, neighbours[i].name, neighbours[i].chordError, motion, options, run);
+    row.pose = backFromPivot(row.pose, pivot);
+    row.penetration.pose = backFromPivot(row.penetration.pose, pivot);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
   });
   std::vector<std::string> names;

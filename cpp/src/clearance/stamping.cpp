@@ -7,6 +7,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "clearance/motion_tree.h"
+#include "motion/pivot.h"
 #include "swept/clearance.h"
 
 namespace swept::clearance {
@@ -73,7 +74,9 @@ namespace swept {
 
 StampedClearance stampedClearance(const TriMesh& body, const Trajectory& trajectory,
                                   const TriMesh& neighbour, int between, RunContext& run) {
-  const std::vector<Pose> poses = clearance::densePoses(trajectory, between);
+  const Eigen::Vector3d pivot = pivotOf(trajectory);
+  std::vector<Pose> poses = clearance::densePoses(carriedByPivot(trajectory, pivot), between);
+  for (Pose& pose : poses) pose = backFromPivot(pose, pivot);
   const clearance::StampedMinimum least = clearance::stampEveryPose(body, poses, neighbour, run);
   return {least.distance, poses[least.pose].timeSeconds, std::ssize(poses)};
 }

@@ -6,6 +6,7 @@
 #include "crossings/hermite.h"
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
+#include "motion/pivot.h"
 #include "pipeline/backend.h"
 #include "pipeline/enclosure.h"
 #include "pipeline/finish_surface.h"
@@ -33,15 +34,29 @@ void WarmBody::setBody(CheckedBody checked) {
   cache.clear();
 }
 
+void WarmBody::setPivot(const Eigen::Vector3d& wanted) {
+  if (wanted == pivot) return;
+  CheckedBody moved = body;
+  moved.mesh = seenFromPivot(std::move(moved.mesh), wanted - pivot);
+  setBody(std::move(moved));
+  pivot = wanted;
+  grid.reset();
+}
+
 void EnvelopeRun::compute(const TriMesh& body, const Trajectory& trajectory) {
   begin();
-  prepared_.body = checkBody(body, options_, run_);
+  prepared_.pivot = pivotOf(trajectory);
+  prepared_.body = prepared_.pivot.isZero(0)
+                       ? checkBody(body, options_, run_)
+                       : checkBody(seenFromPivot(body, prepared_.pivot), options_, run_);
   sweep(trajectory);
 }
 
 void EnvelopeRun::compute(WarmBody& warm, const Trajectory& trajectory, bool sketch) {
   begin();
   sketch_ = sketch;
+  prepared_.pivot = pivotOf(trajectory);
+  warm.setPivot(prepared_.pivot);
   prepared_.body = warm.body;
   prepared_.keepRoom = true;
   if (warm.grid) prepared_.lastGrid = &*warm.grid;

@@ -28,7 +28,10 @@ struct WarmBody {
   std::optional<GridPlan> grid;
   SampleCache cache;
 
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  ///< origin of the body's coordinates
+
   void setBody(CheckedBody checked);
+  void setPivot(const Eigen::Vector3d& wanted);
 };
 
 class EnvelopeRun {

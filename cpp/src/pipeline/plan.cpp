@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/number_text.h"
 #include "grid/plan_grid.h"
+#include "motion/pivot.h"
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
 #include "motion/split_edges.h"
@@ -91,6 +92,7 @@ bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
 
 void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options& options) {
   p.trajectory = checkTrajectory(trajectory);
+  p.trajectory.trajectory = carriedByPivot(std::move(p.trajectory.trajectory), p.pivot);
   p.givenPoses = p.trajectory.trajectory.poses.size();
   if (!(options.positionFilter > 0)) return;
   FilteredTrajectory filtered =
@@ -191,9 +193,11 @@ void requireMemory(const Estimate& e, const RunContext& run) {
 
 namespace {
 
+/// `body`: as seen from the pivot of the trajectory.
 Prepared preparedFor(CheckedBody body, const Trajectory& trajectory, const Options& options,
                      RunContext& run) {
   Prepared prepared;
+  prepared.pivot = pivotOf(trajectory);
   prepared.body = std::move(body);
   prepareTrajectory(prepared, trajectory, options);
   planRun(prepared, options, run);
@@ -206,14 +210,15 @@ Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Optio
   checkOptions(options);
   RunContext run;
   CheckedBody unchecked;
-  unchecked.mesh = body;
+  unchecked.mesh = seenFromPivot(body, pivotOf(trajectory));
   return estimateOf(preparedFor(std::move(unchecked), trajectory, options, run), options);
 }
 
 Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, const Options& options,
                          RunContext& run) {
   checkOptions(options);
-  const Prepared prepared = preparedFor(checkBody(body, options, run), trajectory, options, run);
+  CheckedBody checked = checkBody(seenFromPivot(body, pivotOf(trajectory)), options, run);
+  const Prepared prepared = preparedFor(std::move(checked), trajectory, options, run);
   Estimate found = estimateByTrial(estimateOf(prepared, options), prepared,
                                    buildTopology(prepared.body.mesh), options, run);
   found.usefulFilter = usefulFilterOf(prepared, options);

@@ -22,6 +22,8 @@ constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
 constexpr double kMaxMarginCells = kMarginCells.back();
 
 struct Prepared {
+  /// Origin of the coordinates of body and trajectory, in those of the body as given.
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   CheckedBody body;
   CheckedTrajectory trajectory;
   std::size_t givenPoses = 0;         ///< before the position filter

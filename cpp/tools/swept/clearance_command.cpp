@@ -29,6 +29,7 @@ struct ClearanceJob {
   double neighbourChord = 0;
   double deflection = 0.05;
   Interpolation interpolation = Interpolation::Linear;
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   ClearanceOptions options;
   std::int64_t curve = 200;
   std::int64_t stamp = -1;
@@ -64,6 +65,9 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
       "motion between two poses (default linear)");
+  addPoint(app, "--pivot", job.pivot,
+           "point of the generator that moves straight between two poses, where the interpolation "
+           "is linear (default 0,0,0: its origin)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
             "how far the generator's triangles leave its exact surface (default 0)");
   addNumber(app, "--neighbour-chord", "MM", job.neighbourChord,
@@ -145,10 +149,14 @@ Body readGenerator(const ClearanceJob& job, RunContext& run) {
   return readInputBody(job.generatorPath, job.generatorFormat, options, run);
 }
 
+Trajectory readMotion(const ClearanceJob& job) {
+  return readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
+}
+
 void compute(const ClearanceJob& job, RunContext& run, std::optional<Body>& body,
              std::optional<Trajectory>& motion, ClearanceReport& report) {
   if (!body) body = readGenerator(job, run);
-  if (!motion) motion = readTrajectoryCsv(job.motionPath, job.motionUnit, job.interpolation);
+  if (!motion) motion = readMotion(job);
   const std::vector<ClearanceNeighbour> parts = readNeighbours(
       job.neighbourPaths, {job.neighbourUnit, job.neighbourChord, job.deflection}, run);
   ClearanceOptions options = job.options;
@@ -174,8 +182,7 @@ int runClearance(const ClearanceJob& job) {
     std::optional<Body> body;
     std::optional<Trajectory> motion;
     if (isStream(job.generatorPath)) body = readGenerator(job, run);
-    if (isStream(job.motionPath))
-      motion = readTrajectoryCsv(inputPath(job.motionPath), job.motionUnit, job.interpolation);
+    if (isStream(job.motionPath)) motion = readMotion(job);
     runWatched(run, common.quiet, [&] {
       checkAccess(inputs, {});
       compute(job, run, body, motion, report);

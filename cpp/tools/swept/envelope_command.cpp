@@ -30,6 +30,7 @@ struct EnvelopeJob {
   std::optional<double> generatorTolerance;
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   Options options;
   std::int64_t resolution = 128;
   std::int64_t memoryLimitMegabytes = 0;
@@ -100,6 +101,9 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
       "motion between two poses (default linear)");
+  addPoint(app, "--pivot", job.pivot,
+           "point of the generator that moves straight between two poses, where the interpolation "
+           "is linear (default 0,0,0: its origin)");
   addSamplingOptions(app, job);
   addCommonOptions(app, job.common);
 #ifdef HAVE_SWEPT_SOLID
@@ -201,7 +205,7 @@ void readInputs(const EnvelopeJob& job, bool streamsOnly, RunContext& run, Input
   if (!inputs.body && (!streamsOnly || isStream(job.generatorPath)))
     inputs.body = readInputBody(job.generatorPath, job.generatorFormat, files, run);
   if (!inputs.motion && (!streamsOnly || isStream(job.motionPath)))
-    inputs.motion = readTrajectoryCsv(inputPath(job.motionPath), job.motionUnit, job.interpolation);
+    inputs.motion = readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
 }
 
 // STL keeps single precision: the report is of the mesh in the file.
@@ -280,6 +284,7 @@ int runEnvelope(const EnvelopeJob& job) {
   Json json = reportJson(report);
   json["input"] = job.generatorPath;
   json["motion"] = job.motionPath;
+  json["pivot"] = {job.pivot.x(), job.pivot.y(), job.pivot.z()};
   if (ok) json["output"] = job.outputPath;
 #ifdef HAVE_SWEPT_SOLID
   if (solid) json["solid"] = Json::parse(toJson(*solid));

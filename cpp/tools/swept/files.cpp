@@ -123,6 +123,13 @@ Body readInputBody(const std::string& path, const std::string& format,
   return body;
 }
 
+Trajectory readInputMotion(const std::string& path, double unit, Interpolation interpolation,
+                           const Eigen::Vector3d& pivot) {
+  Trajectory motion = readTrajectoryCsv(inputPath(path), unit, interpolation);
+  motion.pivot = pivot;
+  return motion;
+}
+
 bool isSolidSuffix(const std::string& suffix) {
   return suffix == "step" || suffix == "stp" || suffix == "brep" || suffix == "brp";
 }

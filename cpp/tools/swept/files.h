@@ -41,6 +41,10 @@ TriMesh readInputMesh(const std::string& path, const std::string& format, double
 Body readInputBody(const std::string& path, const std::string& format,
                    const BodyFileOptions& options, RunContext& run);
 
+/// Poses from a file or standard input; pivot: mm.
+Trajectory readInputMotion(const std::string& path, double unit, Interpolation interpolation,
+                           const Eigen::Vector3d& pivot);
+
 bool isSolidSuffix(const std::string& suffix);  ///< step, stp, brep, brp
 
 /// Where an output is made: its own path, or for "-" a file beside nobody's that deliver() copies

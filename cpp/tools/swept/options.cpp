@@ -3,6 +3,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 #include "base/limits.h"
 #include "swept/types.h"
@@ -61,6 +63,22 @@ CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& t
         if (parseWhole(value, target) && target >= least && target <= most) return;
         badOption(name + " is '" + value + "'; expected a whole number from " +
                   std::to_string(least) + " to " + std::to_string(most));
+      },
+      about);
+}
+
+CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& target,
+                      const std::string& about) {
+  return addConverted(
+      app, names, "X,Y,Z",
+      [names, &target](const std::string& text) {
+        std::istringstream parts(text);
+        std::vector<double> numbers;
+        for (std::string part; std::getline(parts, part, ',');)
+          numbers.push_back(numberOf(names, part));
+        if (numbers.size() != 3)
+          badOption(names + " is '" + text + "'; expected three numbers (mm) such as 10,0,2.5");
+        target = {numbers[0], numbers[1], numbers[2]};
       },
       about);
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -25,6 +26,9 @@ CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::strin
 CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
                         std::int64_t least, std::int64_t most, const std::string& about);
 double numberOf(const std::string& name, const std::string& text);
+/// Three numbers with commas between them.
+CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& target,
+                      const std::string& about);
 /// mm, cm, m or in.
 CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
                      const std::string& about);

@@ -67,7 +67,7 @@ def scenario():
         yield 0.8
         click(panel_button(Close if name == "Clearance" else Cancel))
         yield no_panel
-    path.touch()
+    path.Interpolation = "Screw"
     wall.Placement.Base.y = 14
     doc.recompute()
     shot("43_dark_tree")

@@ -15,6 +15,7 @@ from driver import (  # noqa: E402
     Gui,
     Ok,
     QtWidgets,
+    choose,
     click,
     find,
     new_document,
@@ -108,6 +109,7 @@ def robot_arm(keyboard):
     Gui.Selection.clearSelection()
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     assert focused() == "SweptVolumeKeys" and table.rowCount() == 0, focused()
+    choose("SweptVolumePivot", "Origin")  # what was recorded is the placement
     for count, (time, place) in enumerate(recorded[:CAPTURED], 1):
         gripper.Placement = place
         yield from keyboard.press("Control_L+Return")

@@ -171,6 +171,14 @@ def widen():
             window.resizeDocks([dock], [400], QtCore.Qt.Horizontal)
 
 
+def tree():
+    """The tree of the documents."""
+    for found in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget):
+        if found.metaObject().className() == "Gui::TreeWidget" and found.isVisible():
+            return found
+    raise AssertionError("no tree is seen")
+
+
 def find(kind, name):
     """A visible widget by object name."""
     found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]

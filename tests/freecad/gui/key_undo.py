@@ -40,6 +40,17 @@ def undo_key(name):
     ours[0].activated.emit()
 
 
+def file_buttons():
+    bar = Gui.getMainWindow().findChild(QtWidgets.QToolBar, "File")
+    return [a for a in bar.actions() if not a.isSeparator()]
+
+
+def toolbar_button(name):
+    """The button of the toolbar File with a named action."""
+    bar = Gui.getMainWindow().findChild(QtWidgets.QToolBar, "File")
+    return bar.widgetForAction(next(a for a in file_buttons() if a.objectName() == name))
+
+
 def scenario():
     from sweptvolume.features import motion
     from sweptvolume.panels import motion_panel, widgets
@@ -74,6 +85,20 @@ def scenario():
     assert list(doc.UndoNames) == undo
     undo_key("redo")
     assert table.item(1, 1).text() == "40"
+    # The buttons of the toolbar and the entries of the menu are of the keys as well.
+    undo_button, redo_button = (toolbar_button("SweptVolume" + n) for n in ("Undo", "Redo"))
+    assert undo_button.isEnabled() and redo_button.isEnabled()
+    click(undo_button)
+    assert table.item(1, 1).text() == "30" and not undo_button.isEnabled()
+    click(redo_button)
+    assert table.item(1, 1).text() == "40" and list(doc.UndoNames) == undo
+    edit = next(
+        m
+        for m in Gui.getMainWindow().findChildren(QtWidgets.QMenu)
+        if [a for a in m.actions() if a.objectName() == "Std_Undo"]
+    )
+    seen = [a.objectName() for a in edit.actions() if a.isVisible()]
+    assert "SweptVolumeUndo" in seen and "Std_Undo" not in seen, seen
     # Rows of a spreadsheet over the second key and on; nonsense changes nothing.
     clipboard = QtWidgets.QApplication.clipboard()
     table.setCurrentCell(1, 1)
@@ -93,11 +118,16 @@ def scenario():
     table.setRangeSelected(QtWidgets.QTableWidgetSelectionRange(1, 0, 1, 6), True)
     press(table, QtCore.Qt.Key_C, HELD)
     assert clipboard.text() == "2\t50\t0\t10\t0\t0\t0", clipboard.text()
-    # Transform is locked out.
+    # Transform is locked out; what was chosen stays.
+    box_of_pivot = find(QtWidgets.QComboBox, "SweptVolumePivot")
+    assert box_of_pivot.currentData() == "Origin"
+    box_of_pivot.setCurrentIndex(box_of_pivot.findData("Middle"))
     Gui.getDocument(doc.Name).setEdit(box.Name, 1)
+    yield lambda: motion_panel.opened[-1] is not panel
     yield 0.5
     panel = motion_panel.opened[-1]
     assert Gui.getDocument(doc.Name).getInEdit() is None and "Transform" in panel.message.text()
+    assert find(QtWidgets.QComboBox, "SweptVolumePivot").currentData() == "Middle"
     assert panel.keys.times == [0, 2, 3.5] and panel.history.before, panel.keys.times
     shot("64_transform")
     yield 0.3
@@ -106,6 +136,11 @@ def scenario():
     assert not path.ViewObject.Visibility and list(path.Times) == [0, 1]
     action = widgets.actions_of("Std_Undo")
     assert action and action[0].shortcuts(), "FreeCAD's Undo has lost its keys"
+    yield
+    seen = [a.objectName() for a in edit.actions() if a.isVisible()]
+    assert "SweptVolumeUndo" not in seen and "Std_Undo" in seen, seen
+    texts = [b.text() for b in file_buttons() if b.isVisible()]
+    assert texts.count("&Undo") == 1, texts
     # Inches: numbers typed and shown are inches.
     App.Units.setSchema(3)
     panel = motion_panel.show(doc, path, (box, ""))

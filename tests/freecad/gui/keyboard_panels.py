@@ -105,7 +105,7 @@ def from_wire(keyboard, doc):
     yield no_panel
     made = motions(doc)[-1]
     assert made.Count > 20 and made.SourceType == "Curve", (made.Count, made.SourceType)
-    assert '"accuracy": 0.2' in made.SourceSettings, made.SourceSettings
+    assert made.SourceAccuracy.Value == 0.2 and made.SourceOrientation == "Tangent"
 
 
 def from_value(keyboard, doc):

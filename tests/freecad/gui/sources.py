@@ -82,6 +82,7 @@ def scenario():
     yield no_panel
     along = made(doc).Placements[0].Rotation.multVec(V(1, 0, 0))
     assert (along - V(0, 0, 1)).Length < 1e-9, along
+    assert made(doc).Frame == "RelativeToFirst"  # it follows the wire from where the part is
 
     # A driven value: the cell of a spreadsheet moves the box.
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")
@@ -91,7 +92,7 @@ def scenario():
     box.setExpression("Placement.Base.z", "Values.lift * 2")
     doc.recompute()
     undo = doc.UndoCount
-    select(sheet, box)
+    select(box, sheet)  # in any order
     yield 0.5
     to_3d_view()  # FreeCAD 1.1 opens a sheet that is selected
     yield 0.3

@@ -15,6 +15,7 @@ from driver import (  # noqa: E402
     open_workbench,
     run,
     shot,
+    tree,
 )
 
 V = App.Vector
@@ -22,12 +23,7 @@ V = App.Vector
 
 def items(document):
     """Label -> label of the item above it, of the whole tree, as it is shown."""
-    trees = [
-        t
-        for t in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
-        if t.metaObject().className() == "Gui::TreeWidget" and t.isVisible()
-    ]
-    found, walk = {}, [trees[0].topLevelItem(i) for i in range(trees[0].topLevelItemCount())]
+    found, walk = {}, [tree().topLevelItem(i) for i in range(tree().topLevelItemCount())]
     while walk:
         item = walk.pop()
         for k in range(item.childCount()):

@@ -12,6 +12,7 @@ _MODULES = [
     "motion_from_source",
     "motion_driven",
     "edit_motion",
+    "edit_source",
     "reload_motion",
     "",
     "create_envelope",
@@ -26,7 +27,12 @@ _MODULES = [
     "demo_command",
 ]
 #: Commands that belong in the menu only.
-_MENU_ONLY = {"SweptVolume_EditEnvelope", "SweptVolume_ToTree", "SweptVolume_Demo"}
+_MENU_ONLY = {
+    "SweptVolume_EditSource",
+    "SweptVolume_EditEnvelope",
+    "SweptVolume_ToTree",
+    "SweptVolume_Demo",
+}
 _names = []
 
 
@@ -67,6 +73,8 @@ def fill_context_menu(workbench, recipient):
     if recipient not in ("View", "Tree"):
         return
     names = []
+    if recipient == "Tree" and selection.ours():
+        return  # its view provider fills the menu there, whichever workbench is active
     if selection.motion():
         names += ["SweptVolume_EditMotion", "SweptVolume_ReloadMotion"]
     elif selection.parts():

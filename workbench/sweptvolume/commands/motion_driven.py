@@ -26,8 +26,9 @@ class Command(BaseCommand):
     def run(self, document):
         from ..panels import selection, source_panel
         from ..trajectory import driven
+        from ..trajectory.sources import in_order
 
-        objects = selection.plain()
+        objects = in_order(selection.plain())
         if len(objects) != 2 or not driven.is_driver(objects[0]):
             raise InputProblem(
                 translate(

@@ -19,7 +19,7 @@ class Command(BaseCommand):
         from ..panels import selection
         from ..trajectory import sources
 
-        if sources.kind_for(selection.plain()):
+        if sources.kind_for(sources.in_order(selection.plain())):
             return ""
         return translate(
             "Messages",
@@ -30,7 +30,7 @@ class Command(BaseCommand):
         from ..panels import selection, source_panel
         from ..trajectory import sources
 
-        objects = selection.plain()
+        objects = sources.in_order(selection.plain())
         kind = sources.kind_for(objects)
         if not kind:
             raise InputProblem(

@@ -5,16 +5,12 @@
 A run is three steps: prepare() reads the document (GUI thread), what it returns works on plain arrays
 (any thread), apply() writes the result (GUI thread).
 """
-import hashlib
 import json
-
-import numpy as np
 
 from .. import convert, core
 from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
-from ..trajectory.poses import swept_box
 from . import containers, kept, missing, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
@@ -30,8 +26,8 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     quietly,
     stored,
 )
-from .envelope_properties import ACCURACY, BACKENDS, COMPONENTS, INPUT, PLACED, RESULT
-from .moving import Moving
+from .envelope_plan import Plan
+from .envelope_properties import ACCURACY, INPUT, PLACED, RESULT
 
 TYPE = "Mesh::FeaturePython"
 
@@ -54,10 +50,6 @@ REPORT = {
     "simplification_deviation": float,
     "warnings": [{"code": str, "text": str}],
 }
-#: About as many cells as a grid can have along a side; the core says exactly.
-MOST_CELLS = 8000
-#: Straight pieces of a smooth motion leave it by at most this part of a cell.
-STRAIGHT = 0.02
 
 containers.watch()
 missing.watch()
@@ -108,196 +100,6 @@ class Envelope(Feature):
 
 def is_envelope(obj):
     return kind_of(obj) == Envelope.KIND
-
-
-class Plan:
-    """What is to be computed: generators, motions, reference, values of the settings by property name.
-
-    Made from an object or from a panel, anew for each use; reads documents only in the thread of the
-    GUI.
-    motions: one for each of pairs, or empty; reference: (root, sub).
-    """
-
-    SETTINGS = [name for _, name, *_ in ACCURACY]
-
-    def __init__(self, pairs, motion, values, motions=(), reference=None, reference_motion=None):
-        self.lost = ""  # what was deleted that the object needs
-        self.pairs = list(pairs)
-        self.motion = motion
-        self.values = dict(values)
-        self.motions = list(motions) if any(m is not motion for m in motions) else []
-        self.reference = reference
-        self.reference_motion = reference_motion
-        self._words = None  # of the parts and motions, as they were when first asked
-
-    @classmethod
-    def of(cls, obj):
-        values = {name: getattr(obj, name) for name in cls.SETTINGS}
-        for name, value in values.items():
-            values[name] = getattr(value, "Value", value)
-        seen_from = convert.pairs_of(obj.Reference)
-        plan = cls(
-            convert.pairs_of(obj.Generators),
-            obj.Motion,
-            values,
-            obj.Motions,
-            seen_from[0] if seen_from else None,
-            obj.ReferenceMotion,
-        )
-        plan.lost = missing.text(obj)
-        return plan
-
-    def write(self, obj):
-        """Puts the plan into an envelope object."""
-        missing.forget(obj)
-        containers.set_pairs(obj, "Generators", self.pairs)
-        obj.Motion = self.motion
-        obj.Motions = self.motions
-        containers.set_pairs(obj, "Reference", [self.reference] if self.reference else [])
-        obj.ReferenceMotion = self.reference_motion
-        for name, value in self.values.items():
-            if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
-                setattr(obj, name, value)
-
-    def objects(self):
-        """Document objects that a run needs to its end."""
-        found = [root for root, _ in self.pairs] + [self.motion, self.reference_motion]
-        found += self.motions + ([self.reference[0]] if self.reference else [])
-        return [obj for obj in found if obj is not None]
-
-    def groups(self):
-        """Parts that move together: list of Moving. Raises InputProblem."""
-        if self.lost:
-            raise InputProblem(self.lost)
-        if self.motions and len(self.motions) != len(self.pairs):
-            raise InputProblem(
-                translate(
-                    "Messages",
-                    "{0} moving parts and {1} motions of their own: give one for each part, or none.",
-                ).format(len(self.pairs), len(self.motions))
-            )
-        reference = (self.reference, self.reference_motion)
-        groups = []
-        for pair, motion in zip(self.pairs, self.motions or [self.motion] * len(self.pairs)):
-            for group in groups:
-                if group.motion is motion:
-                    group.pairs.append(pair)
-                    break
-            else:
-                groups.append(Moving([pair], motion, *reference))
-        return groups or [Moving([], self.motion, *reference)]
-
-    def options(self):
-        """Settings as the core takes them."""
-        v = self.values
-        return {
-            "resolution": int(v["Resolution"]),
-            "cell": float(v["CellSize"]),
-            "tolerance": float(v["Tolerance"]),
-            "offset": float(v["Offset"]),
-            "conservative": bool(v["Conservative"]),
-            "position_filter": float(v["PositionFilter"]),
-            "keep_cavities": bool(v["KeepCavities"]),
-            "components": COMPONENTS[v["Components"]],
-            "backend": BACKENDS[v["Backend"]],
-        }
-
-    def hash(self, without=()):
-        """Short text that stands for all the result depends on; "" while inputs are unusable. without:
-        options that are left out."""
-        return status.hash_or_problem(lambda: self.checked_hash(without))[0]
-
-    def checked_hash(self, without=()):
-        """As hash(); raises InputProblem that says why the inputs are unusable."""
-        if self._words is None:
-            self._words = [word for group in self.groups() for word in group.words()]
-        return status.VERSION + self._hash(self._words, without)
-
-    def hash_of_before(self):
-        """As version 1 had it; raises InputProblem."""
-        return self._hash([word for group in self.groups() for word in group.words_of_before()])
-
-    def _hash(self, inputs, without=()):
-        options = self.options()
-        for name in ("backend",) + tuple(without):  # the surface is the same whoever computes it
-            del options[name]
-        if not options["position_filter"]:
-            del options["position_filter"]  # so are those made before there was one
-        words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
-        return hashlib.sha256("\n".join(words + inputs).encode()).hexdigest()[:32]
-
-    def cell(self, groups):
-        """Edge of a cell (mm): as given, or from the resolution and the boxes of the parts."""
-        if self.values["CellSize"] > 0:
-            return float(self.values["CellSize"])
-        low, high = np.full(3, np.inf), np.full(3, -np.inf)
-        for group in groups:
-            poses = group.trajectory(np.inf)[0]
-            box = swept_box(group.corners(), poses.placements)
-            low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
-        return max(float((high - low).max()) / max(self.values["Resolution"], 1), 1e-9)
-
-    def requests(self):
-        """One run for each group of parts that move together, no document behind them."""
-        groups, options = self.groups(), self.options()
-        cell = self.cell(groups)
-        if any(np.ptp(g.corners(), axis=0).max() > MOST_CELLS * cell for g in groups):
-            self.estimate()  # refused by the core, before solids get triangles for such a cell
-        if len(groups) > 1:
-            options.update(cell=cell, tolerance=0.0)
-            if options["keep_cavities"]:
-                raise InputProblem(
-                    translate(
-                        "Messages",
-                        "cavities cannot be kept where parts have motions of their own: make one "
-                        "envelope for each motion.",
-                    )
-                )
-        deflection = max(self.values["MeshDeflection"], 1e-3) * cell
-        return [g.body_request(deflection, STRAIGHT * cell, options) for g in groups]
-
-    def coarse_requests(self, cells):
-        """As requests(), of a quick look: `cells` along the longest side, nothing simplified."""
-        values = dict(
-            self.values,
-            Resolution=cells,
-            CellSize=0.0,
-            Tolerance=0.0,
-            KeepCavities=False,
-            MeshDeflection=0.25,
-        )
-        reference = self.reference, self.reference_motion
-        return Plan(self.pairs, self.motion, values, self.motions, *reference).requests()
-
-    def findings(self):
-        """What is to be said of the motions themselves, as findings of a report: they hide more than a cell
-        between two frames, or ended early."""
-        groups, found = self.groups(), []
-        cell = self.cell(groups)
-        for group in groups:
-            off, text = group.hidden()
-            if off > cell:
-                found.append({"code": "FramesFarApart", "text": text})
-            if group.motion.Message:
-                found.append({"code": "MotionIncomplete", "text": group.motion.Message})
-        return found
-
-    def union_options(self, requests):
-        """Settings of the run that joins the envelopes of several groups."""
-        return dict(
-            self.options(), cell=requests[0].options["cell"], offset=0.0, position_filter=0.0
-        )
-
-    def estimate(self):
-        """What the run would take, from the outermost points of the parts: dict of the core. Grid and cell
-        are those of the run."""
-        groups, options = self.groups(), self.options()
-        if len(groups) > 1:
-            options["cell"] = self.cell(groups)
-        tolerance = STRAIGHT * self.cell(groups)
-        found = [core.estimate(g.request(*g.outline(), tolerance, options)) for g in groups]
-        most = max(found, key=lambda e: e["memory_bytes"])
-        return dict(most, seconds=sum(e["seconds"] for e in found))
 
 
 def work(requests, union_options, control, compute=core.compute):
@@ -442,5 +244,6 @@ def make_envelope(document, generators, motion, label=None, **settings):
     obj.Motion = motion
     for name, value in settings.items():
         setattr(obj, name, value)
+    Plan.of(obj).tell_motions()
     attach_view(obj, "sweptvolume.views.envelope_view:EnvelopeView")
     return obj

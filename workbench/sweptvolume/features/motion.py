@@ -3,16 +3,20 @@
 import FreeCAD as App
 import numpy as np
 
-from .. import contents, core
-from ..convert import InputProblem, global_placement, matrix_of, root_path
-from ..texts import mark, translate
+from .. import contents, convert, core
+from ..convert import InputProblem, matrix_of
+from ..texts import translate
 from ..trajectory import sources
-from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS, Poses, even_times
-from . import containers, missing, status
-from .base import HIDDEN, READ_ONLY, STALE, Feature, attach_view, kind_of, set_changed
+from ..trajectory.poses import Poses, even_times
+from . import containers, missing, motion_source, status
+from .base import STALE, Feature, attach_view, kind_of, quietly, set_changed
+from .motion_frame import container_of, from_world, seen_from_document
+from .motion_properties import PROPERTIES, SETTINGS, UNITS
+from .motion_source import make_stored, settings_of
 
 TYPE = "App::FeaturePython"
-UNITS = ["mm", "cm", "m", "in"]
+#: Interpolations for which it matters which point of the part goes the way.
+PIVOTED = ("Linear", "Spline")
 
 containers.watch()
 missing.watch()
@@ -24,145 +28,7 @@ class Motion(Feature):
     KIND = "SweptVolume::Motion"
 
     def properties(self):
-        return [
-            (
-                "App::PropertyFloatList",
-                "Times",
-                "Motion",
-                mark("Properties", "Time of each pose (s), growing"),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyPlacementList",
-                "Placements",
-                "Motion",
-                mark("Properties", "Pose of the moving part at each time"),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyEnumeration",
-                "Interpolation",
-                "Motion",
-                mark(
-                    "Properties",
-                    "What the part does between two poses. Linear: straight line and even turn. Screw: "
-                    "one screw movement. Spline: smooth through all poses. None: it only stands at them",
-                ),
-                list(INTERPOLATIONS),
-                0,
-            ),
-            ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
-            (
-                "App::PropertyStringList",
-                "Tangents",
-                "Motion",
-                mark(
-                    "Properties",
-                    "Spline: what happens at each pose: Auto, Stop, Corner or Given (then by "
-                    "Velocities); missing ones are Auto",
-                ),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyVectorList",
-                "Velocities",
-                "Motion",
-                mark("Properties", "Spline: velocity at each pose with the tangent Given (mm/s)"),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyEnumeration",
-                "SourceType",
-                "Source",
-                mark("Properties", "Where the poses come from"),
-                list(sources.KINDS),
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyFile",
-                "SourceFile",
-                "Source",
-                mark("Properties", "File of the poses; Reload motion reads it again"),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyEnumeration",
-                "SourceUnit",
-                "Source",
-                mark("Properties", "Unit of the lengths in the file"),
-                list(UNITS),
-                0,
-            ),
-            (
-                "App::PropertyLinkListGlobal",
-                "SourceObjects",
-                "Source",
-                mark("Properties", "Objects whose placements or shape give the poses"),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyString",
-                "SourceSettings",
-                "Source",
-                mark("Properties", "Settings of the source"),
-                None,
-                HIDDEN,
-            ),
-            (
-                "App::PropertyInteger",
-                "Count",
-                "Result",
-                mark("Properties", "Number of poses"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyFloat",
-                "Duration",
-                "Result",
-                mark("Properties", "Last time minus first time (s)"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyString",
-                "Status",
-                "Result",
-                mark("Properties", "Whether the motion can be used"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyString",
-                "Message",
-                "Result",
-                mark("Properties", "What is to be known of the poses as they were read"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyString",
-                "SourceHash",
-                "Source",
-                mark("Properties", "State of the source when it was read"),
-                None,
-                HIDDEN,
-            ),
-            (
-                "App::PropertyString",
-                missing.PROPERTY,
-                "Source",
-                mark("Properties", "Inputs that were deleted (JSON)"),
-                None,
-                HIDDEN,
-            ),
-        ]
+        return PROPERTIES + SETTINGS
 
     def __init__(self, obj):
         super().__init__(obj)
@@ -173,7 +39,7 @@ class Motion(Feature):
         try:
             missing.check(obj)
             if sources.is_live(obj.SourceType):
-                store(obj, _read(obj), touch=False)
+                store(obj, motion_source.read(obj), touch=False)
             poses = poses_of(obj)
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
@@ -188,7 +54,11 @@ class Motion(Feature):
         missing.changed(obj, name)
 
     def onDocumentRestored(self, obj):
+        of_before = "SourceCount" not in obj.PropertiesList
         super().onDocumentRestored(obj)
+        if of_before:
+            motion_source.take_over(obj)
+        motion_source.show_settings(obj)
         if obj.SourceType == "File":  # the file may have changed while the document was closed
             look(obj)
             if obj.Status:
@@ -198,7 +68,7 @@ class Motion(Feature):
 def look(obj):
     """Compares the source with what was read from it and says so in Status."""
     text = "" if len(obj.Placements) else translate("Messages", "no poses yet")
-    if obj.SourceHash and obj.SourceHash != _signature(obj):
+    if obj.SourceHash and obj.SourceHash != motion_source.signature(obj):
         text = STALE
     set_changed(obj, "Status", text)
 
@@ -214,17 +84,6 @@ def check_usable(obj):
         raise InputProblem('"{}": {}'.format(obj.Label, obj.Status))
 
 
-def settings_of(obj):
-    """The source of a motion object as a plain value."""
-    return sources.Settings(
-        kind=obj.SourceType,
-        file=obj.SourceFile,
-        unit=obj.SourceUnit,
-        objects=list(obj.SourceObjects),
-        extra=obj.SourceSettings,
-    )
-
-
 def is_motion(obj):
     return kind_of(obj) == Motion.KIND
 
@@ -232,56 +91,27 @@ def is_motion(obj):
 def poses_of(obj):
     """Poses of a motion object; raises InputProblem naming it."""
     try:
-        return Poses(obj.Times, obj.Placements, tangents_of(obj))
+        return Poses(obj.Times, obj.Placements, tangents_of(obj), pivot=obj.Pivot)
     except InputProblem as problem:
         raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
 
 
-def container_of(obj):
-    """Placement of the group that holds a motion, through all groups around it: its poses count there, as the
-    line that is drawn does."""
-    return global_placement(*root_path(obj))
+def parts_of(obj):
+    """(root, sub) of the parts that a motion moves, as far as it knows."""
+    return convert.pairs_of(obj.Parts)
+
+
+def set_parts(obj, pairs, anew=False):
+    """The parts that a motion moves, where it knows none yet, or anew. No reason to recompute: poses do not
+    follow the part."""
+    if pairs and (anew or not obj.Parts):
+        with quietly(obj):
+            containers.set_pairs(obj, "Parts", pairs)
 
 
 def world_poses_of(obj):
     """Poses seen from the document; raises InputProblem naming the motion."""
     return seen_from_document(poses_of(obj), container_of(obj))
-
-
-def seen_from_document(poses, container):
-    """Poses of a group with that placement, as the document sees them."""
-    if container.isIdentity():
-        return poses
-    tangents = [
-        (kind, None if v is None else container.Rotation.multVec(v)) for kind, v in poses.tangents
-    ]
-    return Poses(poses.times, [container.multiply(p) for p in poses.placements], tangents)
-
-
-def from_world(obj, placement):
-    """A pose of a motion (by its Frame) that is given as seen from the document."""
-    container = container_of(obj)
-    inside = container.inverse().multiply(placement)
-    return inside.multiply(container) if obj.Frame == "Relative" else inside
-
-
-def _read(obj):
-    """Poses of the source as this motion keeps them. A file is read as it is."""
-    poses = sources.read(settings_of(obj))
-    if obj.SourceType != "File" and not container_of(obj).isIdentity():
-        inside = [from_world(obj, p) for p in poses.placements]
-        return Poses(poses.times, inside, note=poses.note)
-    return poses
-
-
-def _signature(obj):
-    """State of a source that is not live, and of the group in which its poses were put down."""
-    found = sources.signature(settings_of(obj))
-    container = container_of(obj)
-    if found and obj.SourceType != "File" and not container.isIdentity():
-        relative = " relative" if obj.Frame == "Relative" else ""
-        found += " in " + contents.matrices(matrix_of(container)) + relative
-    return found
 
 
 def tangents_of(obj):
@@ -303,6 +133,8 @@ def words(obj):
     found.append(contents.matrices([placement.toMatrix().A for placement in obj.Placements]))
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
+    if obj.Pivot.Length and obj.Interpolation in PIVOTED:
+        found.append("pivot {!r}".format(tuple(obj.Pivot)))
     if not container_of(obj).isIdentity():
         found.append(contents.matrices(matrix_of(container_of(obj))))
     return found
@@ -311,6 +143,8 @@ def words(obj):
 def words_of_before(obj):
     """The same as version 1 had them, to know its results again; raises InputProblem where poses meant
     something else."""
+    if obj.Pivot.Length:
+        raise InputProblem("there was no pivot")
     if not container_of(obj).isIdentity():
         raise InputProblem(
             "poses of a motion in a group that stands elsewhere were those of the world"
@@ -339,11 +173,16 @@ def _same(a, b):
     return abs(matrix_of(a) - matrix_of(b)).max() <= 1e-12
 
 
+def change_source(obj, values):
+    """Other settings for a motion that has a source, as motion_from_source() takes them; not read yet."""
+    motion_source.keep(obj, settings_of(obj).with_values(values))
+
+
 def reload_source(obj):
     """Reads the source again, whatever its kind (not for stored poses)."""
     missing.check(obj)
-    store(obj, _read(obj))
-    obj.SourceHash = _signature(obj)
+    store(obj, motion_source.read(obj))
+    obj.SourceHash = motion_source.signature(obj)
 
 
 def make_motion(document, label=None):
@@ -356,7 +195,7 @@ def make_motion(document, label=None):
 
 
 def motion_from_poses(document, times, placements, interpolation="Linear", frame="Absolute"):
-    """A motion object holding the given poses."""
+    """A motion object holding the given poses. Its pivot is their origin (property Pivot)."""
     poses = Poses(times, placements)
     obj = make_motion(document)
     store(obj, poses)
@@ -367,32 +206,37 @@ def motion_from_poses(document, times, placements, interpolation="Linear", frame
 
 def motion_from_file(document, path, unit="mm", interpolation="Linear", frame="Absolute"):
     """A motion object filled from a CSV file (`t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers)."""
-    poses = sources.read(sources.Settings(kind="File", file=path, unit=unit))
-    obj = make_motion(document)
-    obj.SourceType = "File"
-    obj.SourceFile = path
-    obj.SourceUnit = unit
-    obj.SourceHash = sources.signature(settings_of(obj))
-    store(obj, poses)
-    obj.Interpolation = interpolation
-    obj.Frame = frame
-    return obj
+    settings = sources.Settings(kind="File", file=path, unit=unit)
+    return _motion_of(document, settings, interpolation, frame)
 
 
 def motion_from_source(document, kind, objects, interpolation="", frame="Absolute", **values):
     """A motion object linked to a source other than a file. interpolation: "" for that of the kind; `values`:
     see trajectory/sources.py."""
-    settings = sources.Settings(kind=kind, objects=list(objects), **values)
+    values = dict(sources.DEFAULTS.get(kind, {}), **values)
+    settings = sources.Settings(kind=kind, objects=objects, **values)
+    kept = interpolation or sources.interpolation_of(kind)
+    return _motion_of(document, settings, kept, frame)
+
+
+def _motion_of(document, settings, interpolation, frame):
     poses = sources.read(settings)
     obj = make_motion(document)
-    obj.SourceType = kind
-    obj.SourceObjects = list(objects)
-    obj.SourceSettings = settings.extra
-    obj.SourceHash = sources.signature(settings)
+    motion_source.keep(obj, settings)
+    obj.SourceHash = motion_source.signature(obj)
     store(obj, poses)
-    obj.Interpolation = interpolation or sources.interpolation_of(kind)
+    obj.Interpolation = interpolation
     obj.Frame = frame
+    if settings.kind in sources.FROM_JOINTS:  # the part that was watched
+        set_parts(obj, [convert.root_path(settings.objects[1])])
     return obj
+
+
+def label_for(pairs):
+    """Of a new motion of these parts; None: the usual one."""
+    if not pairs:
+        return None
+    return translate("Messages", "Motion of {0}").format(convert.label_of(*pairs[0]))
 
 
 def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
@@ -412,35 +256,35 @@ def capture(obj, placement, time=None):
     store(obj, poses)
 
 
-def make_stored(obj):
-    """Cuts a motion off its source: the poses it has are its own."""
-    obj.SourceType = "Stored"
-    obj.SourceObjects = []
-    obj.SourceHash = ""
-
-
 __all__ = [
-    "Motion",
     "capture",
+    "change_source",
+    "check_usable",
     "container_of",
-    "from_world",
     "even_times",
+    "from_world",
     "is_motion",
     "is_stale",
+    "label_for",
     "look",
     "make_motion",
     "make_stored",
+    "Motion",
     "motion_from_file",
     "motion_from_objects",
-    "motion_from_source",
     "motion_from_poses",
+    "motion_from_source",
+    "parts_of",
     "poses_of",
     "reload_source",
     "seen_from_document",
+    "set_parts",
     "set_tangents",
     "settings_of",
+    "STALE",
     "store",
     "tangents_of",
+    "UNITS",
     "words",
     "words_of_before",
     "world_poses_of",

@@ -8,7 +8,14 @@ from .. import contents, convert, core
 from ..convert import InputProblem, matrix_of, transform
 from ..texts import translate
 from ..trajectory import sources
-from ..trajectory.poses import INTERPOLATIONS, at_time, base_of, course, straightened
+from ..trajectory.poses import (
+    INTERPOLATIONS,
+    at_time,
+    base_of,
+    course,
+    shift_to,
+    straightened,
+)
 from . import motion as motion_feature
 
 
@@ -16,7 +23,8 @@ def _in_world(motion, standing):
     """(poses, base): the poses of a motion seen from the document, and the frame in which they take a part
     that stands there."""
     poses = motion_feature.world_poses_of(motion)
-    return poses, base_of(poses, motion.Frame, standing, motion_feature.container_of(motion))
+    base = base_of(poses, motion.Frame, standing, motion_feature.container_of(motion))
+    return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
 #: What two steps leave their way by, one step leaves it by a quarter of.
@@ -141,6 +149,7 @@ class Moving:
             return poses, INTERPOLATIONS[kind]
         at, knots = course(poses, kind), poses.times
         if self.reference_motion is not None:
+            poses.check_function()
             at, knots, steps = self._seen_from_reference(at, knots)
             if steps or kind == "None":
                 seen = motion_feature.Poses(knots, [at(t) for t in knots])
@@ -152,6 +161,7 @@ class Moving:
     def _seen_from_reference(self, at, knots):
         standing = convert.global_placement(*self.reference)
         poses, base = _in_world(self.reference_motion, standing)
+        poses.check_function()
         there = course(poses, self.reference_motion.Interpolation)
 
         def seen(time):

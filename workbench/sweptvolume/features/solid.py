@@ -11,14 +11,12 @@ import numpy as np
 
 from .. import contents, convert, core
 from ..convert import InputProblem
-from ..texts import mark, translate
+from ..texts import translate
 from . import envelope as envelope_feature
 from . import faceted, missing, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     FAILED,
-    HIDDEN,
     NOT_COMPUTED,
-    READ_ONLY,
     STALE,
     UP_TO_DATE,
     Feature,
@@ -27,6 +25,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     quietly,
     set_changed,
 )
+from .solid_properties import MAX_FACES, PROPERTIES
 
 TYPE = "Part::FeaturePython"
 
@@ -39,8 +38,6 @@ missing.watch()
 #: Edges whose faces meet within this (mm) are as good as any: CAD systems take it for closed.
 LEAST_GAP = 1e-3
 
-#: Budget of faces of a new solid.
-MAX_FACES = 20000
 #: What request_for() takes for a new one; max_megabytes: of a file, 0: any size; tessellated: the
 #: triangles as they are, in a STEP file.
 DEFAULTS = {
@@ -58,120 +55,7 @@ class Solid(Feature):
     KIND = "SweptVolume::Solid"
 
     def properties(self):
-        return [
-            (
-                "App::PropertyLinkGlobal",
-                "Source",
-                "Solid",
-                mark("Properties", "Envelope (or any closed mesh) of which this is the solid"),
-                None,
-                0,
-            ),
-            (
-                "App::PropertyBool",
-                "MergeCoplanar",
-                "Solid",
-                mark("Properties", "Flat regions become single faces"),
-                True,
-                0,
-            ),
-            (
-                "App::PropertyInteger",
-                "MaxFaces",
-                "Solid",
-                mark("Properties", "At most this many faces; without a Tolerance it is chosen so"),
-                MAX_FACES,
-                0,
-            ),
-            (
-                "App::PropertyLength",
-                "Tolerance",
-                "Solid",
-                mark(
-                    "Properties",
-                    "The solid may leave the mesh by this: cylinders, spheres and the like are found, "
-                    "the rest is simplified. 0: exact, unless MaxFaces asks for more",
-                ),
-                0.0,
-                0,
-            ),
-            (
-                "App::PropertyLength",
-                "Deviation",
-                "Result",
-                mark("Properties", "Largest distance of the mesh from the solid, as measured"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyLength",
-                "EdgeTolerance",
-                "Result",
-                mark(
-                    "Properties",
-                    "Largest tolerance of an edge of the solid: its faces meet within it",
-                ),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyString",
-                "Status",
-                "Result",
-                mark("Properties", "State of the result"),
-                NOT_COMPUTED,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyString",
-                "Message",
-                "Result",
-                mark("Properties", "Why the last run failed"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyInteger",
-                "Faces",
-                "Result",
-                mark("Properties", "Faces of the solid"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyVolume",
-                "Volume",
-                "Result",
-                mark("Properties", "Volume of the solid"),
-                None,
-                READ_ONLY,
-            ),
-            (
-                "App::PropertyString",
-                "InputHash",
-                "Result",
-                mark("Properties", "Inputs of the stored result"),
-                None,
-                HIDDEN,
-            ),
-            (
-                "App::PropertyString",
-                "TriedHash",
-                "Result",
-                mark("Properties", "Inputs of the last run that gave nothing"),
-                None,
-                HIDDEN,
-            ),
-            (
-                "App::PropertyString",
-                missing.PROPERTY,
-                "Result",
-                mark("Properties", "Inputs that were deleted (JSON)"),
-                None,
-                HIDDEN,
-            ),
-            envelope_feature.PLACED,
-        ]
+        return PROPERTIES
 
     def execute(self, obj):
         """Marks the solid stale or current; keeps the shape."""

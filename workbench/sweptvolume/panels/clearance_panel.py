@@ -6,9 +6,10 @@ from PySide import QtCore, QtGui
 
 from .. import quantities
 from ..convert import InputProblem, label_of
-from ..features import clearance, motion
+from ..features import clearance, clearance_table, motion
 from ..features.base import objects_of_kind
 from ..features.envelope import Envelope
+from ..features.envelope_plan import Plan as EnvelopePlan
 from ..texts import translate
 from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, selection, widgets
@@ -210,7 +211,7 @@ class ClearancePanel(StartPanel):
         envelope = self.document.getObject(name) if name else None
         pairs, path = self.pairs, None
         if envelope is not None:
-            moving = clearance.envelope_feature.Plan.of(envelope)
+            moving = EnvelopePlan.of(envelope)
             pairs, path = moving.pairs, moving.motion
         elif self.path.currentData():
             path = self.document.getObject(self.path.currentData())
@@ -269,7 +270,7 @@ class ClearancePanel(StartPanel):
         if report is None:
             return
         self.report = report
-        text = report["summary"]
+        text = clearance_table.summary(report)
         if self.obj.Status != clearance.UP_TO_DATE:
             text = translate("Panels", "{0} (stale: check again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
@@ -362,12 +363,12 @@ class ClearancePanel(StartPanel):
     def export_csv(self):
         path = file_dialogs.ask_table(self.obj.Label)
         if path:
-            clearance.write_csv(self.report, path)
+            clearance_table.write_csv(self.report, path)
 
     @guard.told
     def export_sheet(self):
         self.document.openTransaction(translate("Messages", "Clearance table"))
-        clearance.make_spreadsheet(self.obj)
+        clearance_table.make_spreadsheet(self.obj, self.report)
         self.document.commitTransaction()
         self.document.recompute()
 

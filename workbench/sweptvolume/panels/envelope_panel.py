@@ -6,7 +6,8 @@ from PySide import QtCore
 
 from .. import quantities, settings
 from ..convert import InputProblem
-from ..features.envelope import BACKENDS, COMPONENTS, Plan
+from ..features.envelope_plan import Plan
+from ..features.envelope_properties import BACKENDS, COMPONENTS
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
 from . import focus, guard, widgets

@@ -18,10 +18,11 @@ from .widgets import QtWidgets
 
 
 class FilePanel:
-    """Shows what the file holds in the chosen unit before it is taken."""
+    """Shows what the file holds in the chosen unit before it is taken: by a new motion (obj None), or by one
+    that was read from a file before."""
 
-    def __init__(self, document, path):
-        self.document = document
+    def __init__(self, document, path, obj=None):
+        self.document, self.obj = document, obj
         self.form, layout = widgets.window(
             translate("Panels", "Motion from file"), "SweptVolume_MotionFromFile"
         )
@@ -33,10 +34,11 @@ class FilePanel:
         line.addWidget(self.path, 1)
         line.addWidget(browse)
         rows.addRow(line)
-        self.unit = widgets.choice(UNITS, "mm")
+        self.unit = widgets.choice(UNITS, obj.SourceUnit if obj else "mm")
         self.unit.setObjectName("SweptVolumeUnit")
-        self.interpolation = widgets.choice(list(INTERPOLATIONS), "Linear")
-        self.frame = widgets.choice(FRAMES, "Absolute")
+        now = (obj.Interpolation, obj.Frame) if obj else ("Linear", "Absolute")
+        self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
+        self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Unit of length"), self.unit)
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
@@ -74,15 +76,17 @@ class FilePanel:
     @guard.told
     def accept(self):
         with runner.transaction(self.document, translate("Messages", "Motion from file")):
-            obj = motion.motion_from_file(
-                self.document,
-                self.path.text(),
-                self.unit.currentData(),
-                self.interpolation.currentData(),
-                self.frame.currentData(),
-            )
-            obj.Label = os.path.splitext(os.path.basename(self.path.text()))[0]
-            self.document.recompute([obj])
+            given = self.path.text(), self.unit.currentData()
+            rules = self.interpolation.currentData(), self.frame.currentData()
+            if self.obj is None:
+                obj = motion.motion_from_file(self.document, *given, *rules)
+                obj.Label = os.path.splitext(os.path.basename(self.path.text()))[0]
+                self.document.recompute([obj])
+            else:
+                self.obj.SourceFile, self.obj.SourceUnit = given
+                self.obj.Interpolation, self.obj.Frame = rules
+                motion.reload_source(self.obj)
+                self.document.recompute()
         Gui.Control.closeDialog()
         return True
 
@@ -104,7 +108,7 @@ def ask_file():
     return answer[0]
 
 
-def show(document, path):
-    panel = FilePanel(document, path)
+def show(document, path, obj=None):
+    panel = FilePanel(document, path, obj)
     focus.show(panel)
     return panel

@@ -3,8 +3,9 @@
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from ..texts import translate
 from ..trajectory.edit import Keys
-from .widgets import QtWidgets, actions_of
+from .widgets import Action, QtWidgets, actions_of, shiboken
 
 #: Steps that are kept: more than anybody goes back, and some megabytes with a thousand keys.
 MOST_STEPS = 200
@@ -13,7 +14,8 @@ _Shortcut = getattr(QtGui, "QShortcut", None) or QtWidgets.QShortcut
 
 
 def copy_of(keys):
-    return Keys(keys.times, keys.placements, keys.tangents, keys.step)
+    rules = keys.step, keys.pivot, keys.displaces
+    return Keys(keys.times, keys.placements, keys.tangents, *rules)
 
 
 def content(keys):
@@ -50,17 +52,18 @@ class History:
 
 
 class UndoKeys(QtCore.QObject):
-    """The keys of Undo and Redo call a function (back: True, False) until stop(): FreeCAD's own commands
-    are without them meanwhile."""
+    """Undo and Redo of keyboard, menu and toolbar call a function (back: True, False) until stop():
+    FreeCAD's own are hidden and without their keys meanwhile."""
 
     def __init__(self, step):
         window = Gui.getMainWindow()
         super().__init__(window)
-        self.taken, self.keys = [], []
+        self.taken, self.keys, self.hidden, self.ours = [], [], [], {}
         for name, back in (("Std_Undo", True), ("Std_Redo", False)):
             for action in actions_of(name):
                 self.taken.append((action, action.shortcuts()))
                 action.setShortcuts([])
+            self._replace(name, back, step)
             standard = QtGui.QKeySequence.Undo if back else QtGui.QKeySequence.Redo
             for sequence in QtGui.QKeySequence.keyBindings(standard):
                 key = _Shortcut(sequence, window)
@@ -68,10 +71,49 @@ class UndoKeys(QtCore.QObject):
                 key.activated.connect(lambda back=back: step(back))
                 self.keys.append(key)
 
+    def _replace(self, name, back, step):
+        """An entry of ours in the place of FreeCAD's, in menus and toolbars. The one in the toolbar has no
+        name, but the text of the other."""
+        texts = {action.text() for action in actions_of(name)}
+        window = self.parent()
+        for holder in window.findChildren(QtWidgets.QToolBar) + window.findChildren(
+            QtWidgets.QMenu
+        ):
+            for action in holder.actions():
+                if action.text() in texts and action not in self.ours.values():
+                    ours = self._entry(action, back, step)
+                    holder.insertAction(action, ours)
+                    action.setVisible(False)
+                    self.hidden.append((holder, action, ours))
+
+    def _entry(self, action, back, step):
+        if back not in self.ours:
+            ours = Action(action.icon(), action.text(), self)
+            ours.setObjectName("SweptVolumeUndo" if back else "SweptVolumeRedo")
+            tip = translate("Panels", "The last change of the keys")
+            ours.setToolTip("{} ({})".format(action.text().replace("&", ""), tip))
+            ours.triggered.connect(lambda *ignored: step(back))
+            self.ours[back] = ours
+        return self.ours[back]
+
+    def show(self, history):
+        """What can be undone and done again."""
+        for back, steps in ((True, history.before), (False, history.undone)):
+            if back in self.ours:
+                self.ours[back].setEnabled(bool(steps))
+
     def stop(self):
         for key in self.keys:
             key.setEnabled(False)
             key.deleteLater()
         for action, shortcuts in self.taken:
             action.setShortcuts(shortcuts)
-        self.taken, self.keys = [], []
+        for holder, action, ours in self.hidden:
+            if shiboken.isValid(holder) and shiboken.isValid(
+                action
+            ):  # another workbench may be active
+                holder.removeAction(ours)
+                action.setVisible(True)
+        for ours in self.ours.values():
+            ours.deleteLater()
+        self.taken, self.keys, self.hidden, self.ours = [], [], [], {}

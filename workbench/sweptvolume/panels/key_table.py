@@ -4,7 +4,7 @@ from PySide import QtCore
 
 from ..quantities import length_unit
 from ..texts import mark, translate
-from ..trajectory.edit import as_numbers, rows_from
+from ..trajectory.edit import rows_from
 from . import widgets
 from .widgets import QtWidgets
 
@@ -122,7 +122,7 @@ class KeyTable(QtCore.QObject):
 
     def _fill(self, keys, row):
         right = QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
-        for column, number in enumerate((keys.times[row],) + as_numbers(keys.placements[row])):
+        for column, number in enumerate((keys.times[row],) + keys.numbers(row)):
             unit, one = self.units[column]
             item = QtWidgets.QTableWidgetItem(short(number / one))
             item.setTextAlignment(widgets.number_of(right))
@@ -133,7 +133,7 @@ class KeyTable(QtCore.QObject):
         """The chosen rows go to the clipboard, as a spreadsheet takes them."""
         lines = []
         for row in sorted({index.row() for index in self.table.selectedIndexes()}):
-            numbers = (keys.times[row],) + as_numbers(keys.placements[row])
+            numbers = (keys.times[row],) + keys.numbers(row)
             lines.append(
                 "\t".join("{:.9g}".format(n / one) for n, (_, one) in zip(numbers, self.units))
             )
@@ -169,10 +169,26 @@ class KeyTable(QtCore.QObject):
         return super().eventFilter(watched, event)
 
 
-def add_to(layout, part):
-    """The table in its titled box, with the name of the part above."""
+def add_to(layout, part, source=""):
+    """The table in its titled box, with the names of the part and of what the keys come from above."""
     rows = widgets.group(translate("Panels", "Key placements"), layout)
-    label = QtWidgets.QLabel(part)
+    button = QtWidgets.QPushButton(translate("Panels", "&Pick"))
+    button.setObjectName("SweptVolumeChoosePart")
+    button.setToolTip(
+        translate("Panels", "Takes the part that is selected in the tree or in the view")
+    )
+    line = QtWidgets.QHBoxLayout()
+    line.addWidget(_name(part), 1)
+    line.addWidget(button)
+    rows.addRow(translate("Panels", "Part"), line)
+    if source:
+        rows.addRow(translate("Panels", "Source"), _name(source))
+    table = KeyTable(rows)
+    table.part = button
+    return table
+
+
+def _name(text):
+    label = QtWidgets.QLabel(text)
     label.setWordWrap(True)
-    rows.addRow(translate("Panels", "Part"), label)
-    return KeyTable(rows)
+    return label

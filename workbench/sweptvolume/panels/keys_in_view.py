@@ -7,7 +7,7 @@ import FreeCAD as App
 from .. import convert, core
 from ..convert import InputProblem
 from ..features import motion
-from ..trajectory.poses import at_time, base_of
+from ..trajectory.poses import at_time, base_of, shift_to
 from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
 from ..views.surface import LightParts
@@ -37,18 +37,38 @@ class KeysInView:
             widgets.show_message(self.message, str(problem))
             return
         self.body = body
-        middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
-        middle = App.Vector(*(float(x) for x in middle))
-        # The dragger stands in the middle of the part, turned as the part.
-        self.handle = body.placement.inverse().multiply(
-            App.Placement(middle, body.placement.Rotation)
-        )
+        inside = convert.transform(convert.matrix_of(body.placement.inverse()), corners)
+        middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
+        self._begin_pivot(App.Vector(*map(float, middle)))
         self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
         self.light = LightParts(self.pair, PART_TRIANGLES)
         self._show_own_path(False)  # the edited one is drawn in its place
         self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
         self._set_snap()
+
+    def _begin_pivot(self, middle):
+        """As the motion has it; a new one has the middle of the part."""
+        point = middle if self.obj is None else None
+        if self.obj is not None and self.obj.Pivot.Length and len(self.keys):
+            place = self.body.placement.inverse()
+            point = place.multiply(self.base()).multVec(self.obj.Pivot)
+        self.pivot.begin(middle, point)
+        self.renew_pivot()
+
+    def renew_pivot(self):
+        """The pivot in the coordinates that the keys place, which change with what a pose means."""
+        self.keys.displaces = self.frame.currentData() == "Relative"
+        if self.body is None or not len(self.keys):
+            return
+        point, base = self.pivot.in_part(), self.base()
+        if point is None:
+            self.keys.pivot = App.Vector()
+        else:
+            self.keys.pivot = base.inverse().multVec(self.body.placement.multVec(point))
+        # The dragger stands at the pivot, turned as the part.
+        here = base.multVec(self.keys.pivot)
+        self.handle = shift_to(self.body.placement.inverse().multVec(here))
 
     def _show_own_path(self, on):
         """The path of the document, as it was seen before (on), or hidden."""
@@ -145,7 +165,11 @@ class KeysInView:
     def show_moving(self):
         if len(self.keys) and self.ghosts is not None:
             now = self.player.now()
-            here = at_time(self.world_poses(), self.interpolation.currentData(), now)
+            kind = self.interpolation.currentData()
+            try:
+                here = at_time(self.world_poses(), kind, now)
+            except InputProblem:  # of a spline; its preview tells
+                here = at_time(self.world_poses(), "Linear", now)
             self.ghosts.show_moving(self._applied([here])[0])
 
     def ask_preview(self, take=True):
@@ -158,6 +182,8 @@ class KeysInView:
             return
         try:
             poses, rules = self.world_poses(), (self.base(), self.interpolation.currentData())
+            if rules[1] == "Spline":
+                poses.check_function()
             self.preview.want(lambda cells: [request_for(self.body, poses, *rules, cells)], take)
         except (InputProblem, core.CoreMissing) as problem:
             self.report_preview(str(problem))

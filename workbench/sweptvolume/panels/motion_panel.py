@@ -8,13 +8,14 @@ from .. import convert, runner, settings
 from ..convert import InputProblem
 from ..features import motion
 from ..texts import translate
-from ..trajectory.edit import Keys, as_numbers, from_numbers, number_from, snapped
+from ..trajectory.edit import Keys, number_from, rounded
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
 from ..trajectory.spline import Spline
 from ..views.edit_lock import EditLock
-from . import focus, guard, key_table, selection, widgets
-from .key_history import History, UndoKeys, content
+from . import focus, guard, key_table, selection, sourced, widgets
+from .key_history import History, UndoKeys, content, copy_of
 from .keys_in_view import KeysInView
+from .pivot_box import PivotBox
 from .player import Player
 from .preview import MOST_CELLS, Preview
 from .tangent_box import TangentBox
@@ -30,7 +31,9 @@ class MotionPanel(KeysInView):
     def __init__(self, document, obj=None, pair=None):
         self.document, self.obj = document, obj
         self.pair = pair or selection.moved_part(obj)
-        self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj)) if obj else Keys()
+        self.keys = Keys()
+        if obj:
+            self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj), pivot=obj.Pivot)
         self.before, self.history = content(self.keys), History(self.keys, 0)
         # Keys count in the group that holds the motion; all that is drawn stands in the world.
         self.container = motion.container_of(obj) if obj else App.Placement()
@@ -41,11 +44,14 @@ class MotionPanel(KeysInView):
         self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
         self.message = widgets.message_label()
         layout.addWidget(self.message)
-        none = translate("Panels", "none: select it, then open this panel")
+        none = translate("Panels", "none: select it, then press Pick")
         self.keyboard = key_table.add_to(
-            layout, convert.label_of(*self.pair) if self.pair else none
+            layout,
+            convert.label_of(*self.pair) if self.pair else none,
+            sourced.name_of(obj) if sourced.is_sourced(obj) else "",
         )
         self.table = self.keyboard.table
+        self.cut, self.chose = not sourced.is_sourced(obj), False
         self.few = widgets.message_label()
         self.few.setText(
             translate("Panels", "A motion has at least two keys: move the part, then Capture.")
@@ -76,6 +82,9 @@ class MotionPanel(KeysInView):
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
+        self.pivot = PivotBox(self.pair)
+        self.pivot.show_fixed(self.keys.pivot)
+        rows.addRow(translate("Panels", "Pivot"), self.pivot)
         self.tangent = TangentBox()
         layout.addWidget(self.tangent)
 
@@ -107,12 +116,15 @@ class MotionPanel(KeysInView):
         rows.addRow(self.preview_text)
 
     def _connect(self):
+        self.keyboard.part.clicked.connect(lambda *ignored: self.choose_part())
         self.keyboard.wanted.connect(self.act)
         self.keyboard.typed.connect(self.edited)
         self.keyboard.chosen.connect(self.chosen)
         self.tangent.changed.connect(self._tangent_changed)
         self.player.moved.connect(self.show_moving)
-        self.frame.currentIndexChanged.connect(lambda *ignored: self.show_all())
+        self.frame.currentIndexChanged.connect(lambda *ignored: self.fill(self.keyboard.row()))
+        self.pivot.changed.connect(self._pivot_changed)
+        self.pivot.failed.connect(lambda text: widgets.show_message(self.message, text))
         self.interpolation.currentIndexChanged.connect(lambda *ignored: self.show_all())
         self.preview_box.toggled.connect(lambda *ignored: self.ask_preview())
         self.drag_box.toggled.connect(lambda *ignored: self.show_dragger())
@@ -156,7 +168,7 @@ class MotionPanel(KeysInView):
         if name == "Update":
             keys.update(row, self.container.inverse().multiply(self.standing()))
         elif name == "Round":
-            keys.update(row, snapped(keys.placements[row], *self._snap_steps()))
+            keys.update(row, keys.placed(rounded(keys.numbers(row), *self._snap_steps())))
         elif name == "Delete":
             keys.delete(row)
         return min(row, len(keys) - 1)
@@ -187,31 +199,66 @@ class MotionPanel(KeysInView):
         first and opened again with its keys."""
         self._close()
         Gui.getDocument(self.document.Name).resetEdit()
-        show(self.document, self.obj, self.pair).take_over(self)
+        panel = show(self.document, self.obj, self.pair)
+        panel.home = self.home
+        text = translate(
+            "Messages",
+            "Transform is locked while the path editor is open: drag the chosen key, or type numbers.",
+        )
+        panel.take_over(self, text)
 
-    def take_over(self, before):
+    @guard.told
+    def choose_part(self):
+        """The selected part is the one that moves from now on."""
+        chosen = selection.parts()
+        if not chosen:
+            text = translate(
+                "Messages", "select the part that moves in the tree or in the 3D view."
+            )
+            raise InputProblem(text)
+        self._put_back()
+        self._close()
+        panel = show(self.document, self.obj, chosen[0])
+        panel.chose = True
+        panel.take_over(self)
+
+    def take_over(self, before, text=""):
         """Goes on where another panel was."""
-        self.keys, self.history, self.home = before.keys, before.history, before.home
-        self.before = before.before
+        self.keys, self.history = before.keys, before.history
+        self.before, self.cut = before.before, before.cut
         for box, other in (
             (self.interpolation, before.chosen_rules[0]),
             (self.frame, before.chosen_rules[1]),
         ):
             box.setCurrentIndex(box.findData(other))
+        if before.pair == self.pair:
+            self.pivot.follow(*before.chosen_pivot)
         self.fill(self.history.now[1])
-        text = translate(
-            "Messages",
-            "Transform is locked while the path editor is open: drag the chosen key, or type numbers.",
-        )
         widgets.show_message(self.message, text)
+
+    def _refused(self):
+        """Whether a change of the keys of a motion with a source is taken back: asked at the first one."""
+        kept = self.history.now[0]
+        if self.cut or content(self.keys)[:2] == content(kept)[:2]:
+            return False
+        self.cut = sourced.may_cut(self.obj)
+        if self.cut:
+            return False
+        self.keys = copy_of(kept)
+        self.fill(self.keyboard.row())
+        return True
 
     def noted(self):
         """The keys were changed: one step of Undo."""
+        if self._refused():
+            return
         self.history.note(self.keys, self.keyboard.row())
+        self.undo_keys.show(self.history)
         self.few.setVisible(len(self.keys) < 2)
 
     def fill(self, current):
         """Shows the keys everywhere."""
+        self.renew_pivot()
         self.keyboard.fill(self.keys, current)
         self.player.set_times(self.keys.times)
         self.chosen(self.keyboard.row())
@@ -228,9 +275,10 @@ class MotionPanel(KeysInView):
                 self.keys.set_time(row, number)
                 self.player.set_times(self.keys.times)
             else:
-                numbers = list(as_numbers(self.keys.placements[row]))
+                numbers = list(self.keys.numbers(row))
                 numbers[column - 1] = number
-                self.keys.update(row, from_numbers(numbers))
+                self.keys.update(row, self.keys.placed(numbers))
+                self.renew_pivot()
         except Exception as problem:
             guard.tell(self.message, problem)
         self.keyboard.show_row(self.keys, row)
@@ -250,9 +298,17 @@ class MotionPanel(KeysInView):
         self.tangent.setVisible(smooth)
         self.tangent.setEnabled(0 <= row < len(self.keys) > 1)
         if smooth and self.tangent.isEnabled():
-            spline = Spline(self.keys.times, self.keys.placements, self.keys.tangents)
+            poses = self.keys.poses().carried()
+            if len(set(poses.times)) < len(poses.times):
+                self.tangent.setEnabled(False)  # two keys at one time: the preview tells
+                return
+            spline = Spline(poses.times, poses.placements, poses.tangents)
             velocity = spline.velocity(row, after=row + 1 < len(self.keys))[0]
             self.tangent.show_tangent(self.keys.tangents[row][0], velocity)
+
+    def _pivot_changed(self):
+        widgets.show_message(self.message, "")
+        self.fill(self.keyboard.row())
 
     def _tangent_changed(self, kind, velocity):
         if 0 <= self.keyboard.row() < len(self.keys):
@@ -266,6 +322,7 @@ class MotionPanel(KeysInView):
 
     def _close(self):
         self.chosen_rules = self.interpolation.currentData(), self.frame.currentData()
+        self.chosen_pivot = self.pivot.kind.currentData(), self.pivot.point
         self.watch.stop()
         self.undo_keys.stop()
         self.lock.stop()
@@ -284,7 +341,9 @@ class MotionPanel(KeysInView):
         guard.check_fields(self.form)
         with runner.transaction(self.document, translate("Messages", "Edit motion")):
             if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
-                self.obj = motion.make_motion(self.document)
+                self.obj = motion.make_motion(
+                    self.document, motion.label_for([self.pair] if self.pair else [])
+                )
             if content(self.keys)[:2] != self.before[:2]:
                 motion.make_stored(self.obj)
                 motion.store(self.obj, self.keys.poses())
@@ -292,16 +351,21 @@ class MotionPanel(KeysInView):
                 motion.set_tangents(self.obj, self.keys.tangents)
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.Frame = self.frame.currentData()
+            motion.set_changed(self.obj, "Pivot", self.keys.pivot)
+            motion.set_parts(self.obj, [self.pair] if self.pair else [], anew=self.chose)
             self.document.recompute()
         return self._close()
 
     def reject(self):
         """Cancel: the part goes back to where it stood when the panel was opened."""
+        self._put_back()
+        return self._close()
+
+    def _put_back(self):
         if self.target is not None and widgets.alive(self.target):
             if self.target.Placement != self.home:
                 self.target.Placement = self.home
                 self.document.recompute()
-        return self._close()
 
 
 def show(document, obj=None, pair=None):

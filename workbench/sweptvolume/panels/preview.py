@@ -10,7 +10,7 @@ from .. import convert, core, runner, settings
 from ..convert import InputProblem
 from ..features import envelope
 from ..runner import Task
-from ..trajectory.poses import INTERPOLATIONS, course, straightened
+from ..trajectory.poses import INTERPOLATIONS, course, shift_to, straightened
 from ..views.surface import drawn
 from .widgets import alive
 
@@ -32,6 +32,8 @@ STRAIGHT = 1e-3
 
 def request_for(body, poses, base, interpolation, resolution):
     """Run for a body as it stands now (convert.Body), no document behind it. base: as poses.base_of()."""
+    base = base.multiply(shift_to(poses.pivot))
+    poses = poses.carried()
     vertices = body.seen(convert.matrix_of(base.inverse()))
     if interpolation == "Spline":
         reach = float(np.linalg.norm(vertices, axis=1).max())

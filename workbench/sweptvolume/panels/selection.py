@@ -3,11 +3,11 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from ..convert import leaves, pairs_of, root_path, split_path
+from ..convert import leaves, pairs_of, root_path, split_path, targets
 from ..features.base import kind_of, objects_of_kind
 from ..features.clearance import is_clearance
 from ..features.envelope import Envelope, is_envelope
-from ..features.motion import Motion, is_motion
+from ..features.motion import Motion, is_motion, parts_of
 from ..features.solid import can_be_source, is_solid
 from ..texts import translate
 
@@ -49,9 +49,9 @@ def parts():
 
 
 def moved_part(obj):
-    """The part that a motion (None: a new one) moves: the selected one, else the first of an envelope
-    that uses it."""
-    chosen = parts()
+    """The part that a motion (None: a new one) moves: the selected one, else the motion's own, else the
+    first of an envelope that uses it."""
+    chosen = parts() or [pair for pair in (parts_of(obj) if obj else []) if targets([pair])]
     if chosen:
         return chosen[0]
     for user in obj.InList if obj else []:
@@ -59,6 +59,11 @@ def moved_part(obj):
             return pairs_of(user.Generators)[0]
     document = obj.Document if obj else App.ActiveDocument
     return next(iter(_only_part(document)), None)
+
+
+def ours():
+    """Whether an object of ours is selected."""
+    return _first(_ours) is not None
 
 
 def motion():

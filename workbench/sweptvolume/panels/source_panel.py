@@ -10,16 +10,19 @@ from ..trajectory import driven
 from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ACCURACY, ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
-from ..trajectory.sources import interpolation_of
+from ..trajectory.sources import DEFAULTS, frame_of, interpolation_of
 from . import focus, guard, widgets
 from .widgets import QtWidgets
 
 
 class SourcePanel:
-    """Asks what the kind of source needs."""
+    """Asks what the kind of source needs: for a new motion (obj None), or for one that has it already."""
 
-    def __init__(self, document, kind, objects):
-        self.document, self.kind, self.objects = document, kind, objects
+    def __init__(self, document, kind, objects, obj=None):
+        self.document, self.kind, self.objects, self.obj = document, kind, objects, obj
+        self.given = dict(DEFAULTS.get(kind, {}))
+        if obj is not None:
+            self.given.update(motion.settings_of(obj).values)
         self.title = translate("Panels", "Motion from path object")
         icon_name = "SweptVolume_MotionFromSource"
         if kind == "Driven":
@@ -32,8 +35,9 @@ class SourcePanel:
         if build is not None:
             build(rows)
         self.told = ""  # what was said of the poses before they are taken
-        self.interpolation = widgets.choice(list(INTERPOLATIONS), interpolation_of(kind))
-        self.frame = widgets.choice(FRAMES, "Absolute")
+        now = (obj.Interpolation, obj.Frame) if obj else (interpolation_of(kind), frame_of(kind))
+        self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
+        self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
@@ -43,7 +47,7 @@ class SourcePanel:
     # --- what each kind asks for
 
     def _build_curve(self, rows):
-        accuracy = widgets.length(ACCURACY, 1e-4, 0.01)
+        accuracy = widgets.length(self.given.get("accuracy", ACCURACY), 1e-4, 0.01)
         accuracy.setObjectName("SweptVolumeAccuracy")
         widgets.hint(
             accuracy,
@@ -54,7 +58,7 @@ class SourcePanel:
         )
         rows.addRow(translate("Panels", "Accuracy"), accuracy)
         self.values["accuracy"] = lambda: float(accuracy.property("rawValue"))
-        names, now = ORIENTATIONS, "Fixed"
+        names, now = ORIENTATIONS, self.given.get("orientation", "Fixed")
         if len(self.objects) > 1:
             names, now = ["SecondCurve"], "SecondCurve"
         else:
@@ -80,14 +84,17 @@ class SourcePanel:
         self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
 
     def _build_robot(self, rows):
-        self._count(rows, 32)
+        self._count(rows)
 
     def _build_array(self, rows):
         self._seconds(rows, "step", translate("Panels", "Time a pose"), 1.0)
 
+    _build_placements = _build_array
+
     def _build_cam(self, rows):
         texts = [translate("Panels", "the tool head"), translate("Panels", "the table")]
-        convention = widgets.choice(CONVENTIONS, "Head", texts)
+        now = self.given.get("convention", "Head")
+        convention = widgets.choice(CONVENTIONS, now, texts)
         convention.setObjectName("SweptVolumeConvention")
         widgets.hint(
             convention,
@@ -103,13 +110,13 @@ class SourcePanel:
         rapid = QtWidgets.QDoubleSpinBox()
         rapid.setRange(0, 1e12)
         rapid.setSuffix(" mm/s")
-        rapid.setValue(100.0)
+        rapid.setValue(self.given.get("rapid", 100.0))
         rows.addRow(translate("Panels", "Speed of G0"), rapid)
         self.values["rapid"] = rapid.value
 
     def _build_driven(self, rows):
         names = driven.names_of(self.objects[0])
-        name = widgets.choice(names, names[0] if names else "")
+        name = widgets.choice(names, self.given.get("property", names[0] if names else ""))
         name.setObjectName("SweptVolumeValue")
         rows.addRow(translate("Panels", "Value"), name)
         self.values["property"] = name.currentData
@@ -134,21 +141,22 @@ class SourcePanel:
             except InputProblem as problem:  # it follows an expression
                 widgets.show_message(self.message, str(problem))
                 return
-            for field, more in zip(fields, (0.0, 90.0)):
+            kept = self.given.get("property") == handle.name
+            for field, key, more in zip(fields, ("start", "end"), (0.0, 90.0)):
                 field.setSuffix(" " + handle.unit() if handle.unit() else "")
-                field.setValue(handle.value() + more)
+                field.setValue(self.given[key] if kept else handle.value() + more)
 
         name.currentIndexChanged.connect(show_range)
         if names:
             show_range()
-        self._count(rows, 16)
+        self._count(rows)
         self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
 
-    def _count(self, rows, value):
+    def _count(self, rows):
         count = QtWidgets.QSpinBox()
         count.setObjectName("SweptVolumeCount")
         count.setRange(0, 999999999)
-        count.setValue(value)
+        count.setValue(self.given["count"])
         rows.addRow(translate("Panels", "Poses"), count)
         self.values["count"] = count.value
 
@@ -156,7 +164,7 @@ class SourcePanel:
         field = QtWidgets.QDoubleSpinBox()
         field.setRange(0, 1e12)
         field.setSuffix(" s")
-        field.setValue(value)
+        field.setValue(self.given.get(name, value))
         rows.addRow(title, field)
         self.values[name] = field.value
 
@@ -164,16 +172,7 @@ class SourcePanel:
     def accept(self):
         guard.check_fields(self.form)
         with runner.transaction(self.document, self.title):
-            values = {name: read() for name, read in self.values.items()}
-            obj = motion.motion_from_source(
-                self.document,
-                self.kind,
-                self.objects,
-                self.interpolation.currentData(),
-                self.frame.currentData(),
-                **values,
-            )
-            self.document.recompute([obj])
+            obj = self._written({name: read() for name, read in self.values.items()})
             if obj.Message != self.told:
                 self.told = obj.Message
                 once_more = translate("Panels", "OK once more takes the motion as it is.")
@@ -181,12 +180,28 @@ class SourcePanel:
         Gui.Control.closeDialog()
         return True
 
+    def _written(self, values):
+        """The motion with these settings."""
+        rules = self.interpolation.currentData(), self.frame.currentData()
+        if self.obj is None:
+            obj = motion.motion_from_source(
+                self.document, self.kind, self.objects, *rules, **values
+            )
+            obj.Label = motion.label_for(motion.parts_of(obj)) or obj.Label
+            self.document.recompute([obj])
+            return obj
+        motion.change_source(self.obj, values)
+        self.obj.Interpolation, self.obj.Frame = rules
+        motion.reload_source(self.obj)
+        self.document.recompute()
+        return self.obj
+
     def reject(self):
         Gui.Control.closeDialog()
         return True
 
 
-def show(document, kind, objects):
-    panel = SourcePanel(document, kind, objects)
+def show(document, kind, objects, obj=None):
+    panel = SourcePanel(document, kind, objects, obj)
     focus.show(panel)
     return panel

@@ -8,7 +8,7 @@ import FreeCAD as App
 
 from ..convert import InputProblem
 from ..texts import translate
-from .poses import Poses, at_time
+from .poses import Poses, at_time, shift_to
 
 
 #: Beyond it no number of a key is a length, an angle or a time; the core takes up to 1e9 mm.
@@ -18,9 +18,12 @@ AUTO = ("Auto", None)
 
 class Keys:
     """Times (s), placements and tangents (spline.py) under edit. Indices count from 0; times always
-    grow."""
+    grow. pivot: as Poses have it; displaces: a key is a displacement, and its numbers are zero where it
+    leaves the part."""
 
-    def __init__(self, times=(), placements=(), tangents=(), step=1.0):
+    def __init__(self, times=(), placements=(), tangents=(), step=1.0, pivot=None, displaces=False):
+        self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
+        self.displaces = displaces
         self.times = list(times)
         self.placements = [App.Placement(p) for p in placements]
         self.tangents = (list(tangents) + [AUTO] * len(self.times))[: len(self.times)]
@@ -30,7 +33,19 @@ class Keys:
         return len(self.times)
 
     def poses(self):
-        return Poses(self.times, self.placements, self.tangents)
+        return Poses(self.times, self.placements, self.tangents, pivot=self.pivot)
+
+    def numbers(self, index):
+        """x, y, z (mm) of the pivot at a key, or how far it went; yaw, pitch, roll (degrees)."""
+        shown = self.placements[index].multiply(shift_to(self.pivot))
+        if self.displaces:
+            shown = shift_to(-self.pivot).multiply(shown)
+        return as_numbers(shown)
+
+    def placed(self, numbers):
+        """The way back from numbers()."""
+        placement = from_numbers(numbers).multiply(shift_to(-self.pivot))
+        return shift_to(self.pivot).multiply(placement) if self.displaces else placement
 
     def _put(self, index, time, placement):
         self.times.insert(index, float(time))
@@ -100,8 +115,8 @@ class Keys:
         begin = max(index, 0)
         times, placements = list(self.times), list(self.placements)
         times[begin : begin + len(rows)] = [row[0] for row in rows]
-        placements[begin : begin + len(rows)] = [from_numbers(row[1:]) for row in rows]
-        Poses(times, placements)  # times must grow
+        placements[begin : begin + len(rows)] = [self.placed(row[1:]) for row in rows]
+        Poses(times, placements)  # times may not go back
         self.times, self.placements = times, placements
         self.tangents = (self.tangents + [AUTO] * len(times))[: len(times)]
         return begin + len(rows) - 1
@@ -125,11 +140,10 @@ class Keys:
         self.step = step
 
 
-def snapped(placement, millimetres, degrees):
-    """A placement rounded to steps of position and of yaw, pitch, roll; a step of 0 leaves them."""
-    numbers = as_numbers(placement)
+def rounded(numbers, millimetres, degrees):
+    """Numbers of a key rounded to steps of position and of yaw, pitch, roll; a step of 0 leaves them."""
     steps = (millimetres,) * 3 + (degrees,) * 3
-    return from_numbers([round(n / s) * s if s > 0 else n for n, s in zip(numbers, steps)])
+    return [round(n / s) * s if s > 0 else n for n, s in zip(numbers, steps)]
 
 
 def as_numbers(placement):

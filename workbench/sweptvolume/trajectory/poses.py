@@ -31,10 +31,12 @@ FRAME_HELP = mark(
 
 class Poses:
     """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline; note: what is
-    to be known of how they were read."""
+    to be known of how they were read; pivot: the point (mm, in the coordinates that are placed) that goes
+    straight or along the spline between two poses, and whose velocities the tangents give."""
 
-    def __init__(self, times, placements, tangents=(), note=""):
+    def __init__(self, times, placements, tangents=(), note="", pivot=None):
         self.note = note
+        self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
         self.tangents = list(tangents)
         self.times = [float(t) for t in times]
         self.placements = [App.Placement(p) for p in placements]
@@ -52,17 +54,43 @@ class Poses:
                     )
                 )
         for i in range(1, len(self.times)):
-            if not self.times[i] > self.times[i - 1]:
+            if self.times[i] < self.times[i - 1]:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "pose {0}: its time {1:g} s is not after the {2:g} s of the pose before; times "
-                        "must grow.",
+                        "pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may "
+                        "not go back.",
                     ).format(i + 1, self.times[i], self.times[i - 1])
                 )
 
     def __len__(self):
         return len(self.times)
+
+    def check_function(self):
+        """Raises InputProblem where two poses have one time. The part then goes on between them all the
+        same, but its place is no function of time, of which splines and moving references are made.
+        """
+        for i in range(1, len(self.times)):
+            if self.times[i] == self.times[i - 1]:
+                raise InputProblem(
+                    translate(
+                        "Messages",
+                        "poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from "
+                        "a moving reference, need different ones.",
+                    ).format(i, i + 1, self.times[i])
+                )
+
+    def carried(self):
+        """The placements of the pivot: the same motion for coordinates whose origin it is."""
+        if not self.pivot.Length:
+            return self
+        shift = shift_to(self.pivot)
+        return Poses(self.times, [p.multiply(shift) for p in self.placements], self.tangents)
+
+
+def shift_to(pivot):
+    """From coordinates with the pivot as their origin to those in which it is given."""
+    return App.Placement(pivot, App.Rotation())
 
 
 def even_times(count, step=1.0):
@@ -105,9 +133,15 @@ def at_time(poses, interpolation, time):
 
 
 def course(poses, interpolation):
-    """The motion as a function time -> Placement; before the first and after the last pose it rests."""
-    times, placements = poses.times, poses.placements
-    spline = Spline(times, placements, poses.tangents) if interpolation == "Spline" else None
+    """The motion as a function time -> Placement; before the first and after the last pose it rests; of
+    poses with one time the last counts. Raises InputProblem for a spline through such."""
+    if poses.pivot.Length:
+        carried, back = course(poses.carried(), interpolation), shift_to(-poses.pivot)
+        return lambda time: carried(time).multiply(back)
+    times, placements, spline = poses.times, poses.placements, None
+    if interpolation == "Spline":
+        poses.check_function()
+        spline = Spline(times, placements, poses.tangents)
 
     def at(time):
         if time <= times[0]:

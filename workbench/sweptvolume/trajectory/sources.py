@@ -14,25 +14,23 @@ MOST_POSES = 100_000
 
 
 class Settings:
-    """A source as a plain value: kind, file, unit, objects and kind-specific values (as JSON)."""
+    """A source as a plain value: kind, file, unit, objects and the values that its kind asks for."""
 
-    def __init__(self, kind="Stored", file="", unit="mm", objects=(), extra="", **values):
+    def __init__(self, kind="Stored", file="", unit="mm", objects=(), **values):
         self.kind = kind
         self.file = file
         self.unit = unit
         self.objects = list(objects)
-        self.values = dict(_read(extra), **values) if extra else values
-
-    @property
-    def extra(self):
-        return json.dumps(self.values, sort_keys=True) if self.values else ""
+        self.values = values
 
     def get(self, name, default):
-        """A value of the default's kind, text or number. Raises InputProblem."""
-        value = self.values.get(name, default)
-        if not isinstance(value, str if isinstance(default, str) else (int, float)):
-            raise _damaged()
-        return value
+        return self.values.get(name, default)
+
+    def with_values(self, values):
+        """The same source with other values."""
+        return Settings(
+            self.kind, self.file, self.unit, self.objects, **dict(self.values, **values)
+        )
 
     def count(self, default, least=2):
         """How many poses to read. Raises InputProblem."""
@@ -46,7 +44,8 @@ class Settings:
         return value
 
 
-def _damaged():
+def damaged():
+    """What is to be said where settings cannot be understood."""
     return InputProblem(
         translate(
             "Messages",
@@ -56,13 +55,14 @@ def _damaged():
     )
 
 
-def _read(extra):
+def values_from(text):
+    """Values of a source from older documents, which kept them as JSON. Raises InputProblem."""
     try:
-        values = json.loads(extra)
+        values = json.loads(text)
     except ValueError:
-        raise _damaged() from None
+        raise damaged() from None
     if not isinstance(values, dict):
-        raise _damaged()
+        raise damaged()
     return values
 
 
@@ -82,14 +82,14 @@ def _placements(settings):
 
 def _curve(settings):
     how = settings.get("orientation", "Fixed"), float(settings.get("duration", 10.0))
-    if "count" in settings.values:  # older documents
+    if settings.get("count", 0):  # older documents
         return curve.poses(settings.objects, settings.count(32), *how)
     accuracy = float(settings.get("accuracy", curve.ACCURACY))
     return curve.poses_within(settings.objects, accuracy, *how)
 
 
 def _robot(settings):
-    return robot.poses(settings.objects, settings.count(32))
+    return robot.poses(settings.objects, settings.count(DEFAULTS["Robot"]["count"]))
 
 
 def _array(settings):
@@ -110,7 +110,7 @@ def _driven(settings):
         settings.get("property", ""),
         float(settings.get("start", 0.0)),
         float(settings.get("end", 1.0)),
-        settings.count(16, least=1),
+        settings.count(DEFAULTS["Driven"]["count"], least=1),
         float(settings.get("duration", 10.0)),
     )
 
@@ -138,6 +138,8 @@ def kind_for(found):
     return ""
 
 
+#: What a source is asked for where nothing else is said.
+DEFAULTS = {"Robot": {"count": 32}, "Driven": {"count": 16}}
 #: kind -> (reader, live). Live sources are read at every recompute of the motion.
 KINDS = {
     "Stored": (_stored, False),
@@ -160,6 +162,28 @@ FROM_JOINTS = ("Driven", "Simulation")
 def interpolation_of(kind):
     """What a part does between two poses of such a source, where nothing else is asked for."""
     return "Screw" if kind in FROM_JOINTS else "Linear"
+
+
+def frame_of(kind):
+    """What a pose of such a source means where a user asks for nothing else: a part follows a wire from where
+    it stands."""
+    return "RelativeToFirst" if kind == "Curve" else "Absolute"
+
+
+def in_order(found):
+    """Two selected objects as a source wants them: a simulation, or a value, before the part to watch. As
+    they are where both may be either."""
+    if len(found) == 2:
+        first, second = found
+        if assembly.is_simulation(second) or _is_part(first) and not _is_part(second):
+            return [second, first]
+    return list(found)
+
+
+def _is_part(obj):
+    """Whether an object has a body that can be seen to move."""
+    shape = getattr(obj, "Shape", None)
+    return hasattr(obj, "Mesh") or bool(shape is not None and shape.Faces) or hasattr(obj, "Group")
 
 
 def is_live(kind):

@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 
 from .. import convert, icon
 from ..features import clearance
+from ..features.clearance_plan import envelope_arrays
 from ..texts import translate
 from .base import View, run_command, state_icon
 
@@ -97,7 +98,7 @@ class ClearanceView(View):
         self.colours.removeAllChildren()
         if obj.Envelope is None or not obj.MapDistances:
             return False
-        points, triangles = clearance.envelope_arrays(obj.Envelope)
+        points, triangles = envelope_arrays(obj.Envelope)
         if len(points) != len(obj.MapDistances):
             return False
         bands = [band_of(d, contact, required) for d in obj.MapDistances]

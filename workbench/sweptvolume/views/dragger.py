@@ -13,8 +13,8 @@ except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
 
 #: Names of FreeCAD's dragger, newest first; Coin's stands in where there is none.
 _NAMES = ("SoTransformDragger", "SoFCCSysDragger")
-#: Share of the part's size that the dragger takes.
-SIZE = 0.6
+#: Share of the diagonal of the part that the dragger takes: its arrows end a little outside a cube.
+SIZE = 0.4
 #: ms between two looks at where the dragger is. It follows the mouse by itself; how often what follows
 #: it is drawn is the panel's business.
 POLL = 30

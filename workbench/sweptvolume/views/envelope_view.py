@@ -105,6 +105,7 @@ class EnvelopeView(View):
         for text, name in (
             (translate("Commands", "Edit envelope"), "SweptVolume_EditEnvelope"),
             (translate("Commands", "Recompute envelope"), "SweptVolume_Recompute"),
+            (translate("Commands", "Check clearance"), "SweptVolume_Clearance"),
             (translate("Commands", "Make solid"), "SweptVolume_Solid"),
             (translate("Commands", "Export envelope"), "SweptVolume_Export"),
         ):

@@ -3,6 +3,7 @@
 from .. import icon
 from ..convert import InputProblem
 from ..features.motion import STALE, poses_of
+from ..features.motion_source import has_settings
 from ..texts import mark, translate
 from . import path
 from .base import View, run_command
@@ -48,7 +49,7 @@ class MotionView(View):
         return mode
 
     def updateData(self, obj, name):
-        if name in ("Times", "Placements", "Interpolation", "Tangents", "Velocities"):
+        if name in ("Times", "Placements", "Interpolation", "Tangents", "Velocities", "Pivot"):
             self.draw(obj)
         super().updateData(obj, name)
 
@@ -78,7 +79,13 @@ class MotionView(View):
         obj = view.Object
         for text, name in (
             (translate("Commands", "Edit motion"), "SweptVolume_EditMotion"),
+            (translate("Commands", "Settings of the source"), "SweptVolume_EditSource"),
             (translate("Commands", "Reload motion"), "SweptVolume_ReloadMotion"),
             (translate("Commands", "Create envelope"), "SweptVolume_Envelope"),
+            (translate("Commands", "Check clearance"), "SweptVolume_Clearance"),
         ):
+            if name == "SweptVolume_EditSource" and not has_settings(obj):
+                continue
+            if name == "SweptVolume_ReloadMotion" and obj.SourceType == "Stored":
+                continue
             self.add_menu(menu, text, name, lambda name=name: run_command(obj, name))

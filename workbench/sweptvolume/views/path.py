@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion drawn: the way of the poses' origin as a line, with a small frame at each pose."""
+"""A motion drawn: the way of its pivot as a line, with a small frame at each pose."""
 import numpy as np
 
-from ..convert import matrix_of, pose_arrays
+from ..convert import InputProblem, matrix_of, pose_arrays
 from ..trajectory.poses import course
 from .surface import fill
 
@@ -26,6 +26,7 @@ class Way:
 
     def show(self, poses, interpolation, width=3.0, size=0.0):
         """Draws Poses. width: pixels; size: mm of the frames' axes, 0: from the path."""
+        poses = poses.carried()
         self.shown.whichChild = -3 if len(poses) else -1  # all, none
         if not len(poses):
             return
@@ -45,7 +46,10 @@ def points_of(poses, interpolation):
     straight = interpolation in ("None", "Linear")
     if straight or not 2 <= len(poses) <= MOST_SMOOTH:
         return pose_arrays(poses.placements)[0]
-    at, fine = course(poses, interpolation), []
+    try:
+        at, fine = course(poses, interpolation), []
+    except InputProblem:  # of a spline, which is told where it is asked for
+        return pose_arrays(poses.placements)[0]
     for a, b in zip(poses.times, poses.times[1:]):
         fine += [a + (b - a) * k / BETWEEN for k in range(BETWEEN)]
     fine.append(poses.times[-1])

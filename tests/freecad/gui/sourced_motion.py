@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A motion with a source: a changed key asks whether to cut the link, the settings are edited later, and the
+menus of the tree name nothing twice."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Gui,
+    Ok,
+    QtCore,
+    QtGui,
+    QtWidgets,
+    choose,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    select,
+    shot,
+    tree,
+)
+
+V = App.Vector
+
+
+def answering(button, picture=""):
+    """Answers the next question by a button, from the loop; gives what was asked."""
+    asked = []
+
+    def answer():
+        box = QtWidgets.QApplication.activeModalWidget()
+        if not isinstance(box, QtWidgets.QMessageBox):
+            QtCore.QTimer.singleShot(50, answer)
+            return
+        asked.append(box.text())
+        if picture:
+            shot(picture)
+        click(box.button(button))
+
+    QtCore.QTimer.singleShot(50, answer)
+    return asked
+
+
+def menu_of(name):
+    """Texts of the context menu of an object in the tree."""
+    view = tree()
+    item = next(
+        i for i in view.findItems(name, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
+    )
+    view.setCurrentItem(item)
+    texts = []
+
+    def look():
+        menu = QtWidgets.QApplication.activePopupWidget()
+        if menu is None:
+            QtCore.QTimer.singleShot(50, look)
+            return
+        texts.extend(a.text().replace("&", "") for a in menu.actions() if not a.isSeparator())
+        shot("72_menu_" + name)
+        menu.close()
+
+    QtCore.QTimer.singleShot(100, look)
+    place = view.visualItemRect(item).center()
+    event = QtGui.QContextMenuEvent(
+        QtGui.QContextMenuEvent.Mouse, place, view.viewport().mapToGlobal(place)
+    )
+    QtWidgets.QApplication.sendEvent(view.viewport(), event)
+    return texts
+
+
+def scenario():
+    import Part
+
+    from sweptvolume.features import envelope, motion
+    from sweptvolume.panels import motion_panel
+
+    open_workbench()
+    doc = new_document("Sourced")
+    part, wire = doc.addObject("Part::Box", "Slide"), doc.addObject("Part::Feature", "Wire")
+    wire.Shape = Part.makePolygon([V(), V(60, 0, 0), V(60, 40, 0)])
+    path = motion.motion_from_source(doc, "Curve", [wire])
+    hull = envelope.make_envelope(doc, [part], path, Resolution=24)
+    doc.recompute()
+    yield 0.3
+
+    # "No" leaves key and link as they are.
+    select(path)
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield
+    panel = motion_panel.opened[-1]
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    asked = answering(QtWidgets.QMessageBox.No, "70_cut")
+    table.item(1, 1).setText("77")
+    yield
+    assert asked and "Wire" in asked[0], asked
+    assert table.item(1, 1).text() == "60" and not panel.history.before
+    shot("71_sourced_editor")
+    yield 0.3
+    click(panel_button(Ok))
+    yield no_panel
+    assert path.SourceType == "Curve" and path.Placements[1].Base.x == 60
+
+    # "Yes" cuts it, once and for all keys; undo brings it back.
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    asked = answering(QtWidgets.QMessageBox.Yes)
+    table.item(1, 1).setText("77")
+    table.item(2, 1).setText("78")
+    yield
+    assert len(asked) == 1
+    click(panel_button(Ok))
+    yield no_panel
+    assert path.SourceType == "Stored" and path.Placements[1].Base.x == 77
+    doc.undo()
+    doc.recompute()
+    assert path.SourceType == "Curve" and path.Placements[1].Base.x == 60
+
+    # The settings: shown as they are, changed, read again, in one step.
+    select(path)
+    Gui.runCommand("SweptVolume_EditSource")
+    yield
+    choose("SweptVolumeOrientation", "Tangent")
+    yield
+    shot("73_settings")
+    yield 0.3
+    click(panel_button(Ok))
+    yield no_panel
+    assert path.SourceOrientation == "Tangent" and path.Count == 4, path.Count
+    assert len([o for o in doc.Objects if motion.is_motion(o)]) == 1
+    Gui.runCommand("SweptVolume_EditSource")
+    yield
+    assert find(QtWidgets.QComboBox, "SweptVolumeOrientation").currentData() == "Tangent"
+    click(panel_button(Ok))
+    yield no_panel
+    doc.undo()
+    doc.undo()
+    doc.recompute()
+    assert (path.SourceOrientation, path.Count) == ("Fixed", 3)
+
+    # Menus of the tree.
+    for name, wanted in ((path.Label, "Edit motion"), (hull.Label, "Edit envelope")):
+        texts = menu_of(name)
+        yield
+        plain = [text.rstrip(".") for text in texts]
+        assert wanted in plain, texts
+        assert len(plain) == len(set(plain)), texts
+    App.closeDocument(doc.Name)
+    yield
+
+
+run(scenario)

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Settings of the source: what a motion's wire, value, array, file and so on was asked for."""
+from ..convert import InputProblem
+from ..features.motion import Motion
+from ..features.motion_source import has_settings
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_EditSource"
+    TEXT = mark("Commands", "Settings of the source...")
+    TIP = mark(
+        "Commands",
+        "Changes what the source of the selected motion is asked for (accuracy, orientation, duration, "
+        "range, unit) and reads it again",
+    )
+    ICON = "SweptVolume_MotionFromSource"
+
+    def missing(self, document):
+        from ..panels import selection
+
+        found = selection.of_kind(document, Motion.KIND)[0]
+        if found is None or has_settings(found):
+            return selection.wanting_motion(document)
+        return translate("Messages", "The motion has no source whose settings can be changed.")
+
+    def run(self, document):
+        from ..panels import selection, sourced
+
+        problem = self.missing(document)
+        if problem:
+            raise InputProblem(problem)
+        sourced.edit(selection.of_kind(document, Motion.KIND)[0])

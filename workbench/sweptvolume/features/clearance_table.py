@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result of a clearance check in one line and as a table: CSV file, spreadsheet. Lengths are in the unit
+of FreeCAD's preferences, which the head of a column names; numbers in files have no separators, so that
+others can read them."""
+import csv
+
+from ..quantities import TABLE_DIGITS, length_unit, number, quantity
+from ..texts import translate
+
+#: Title, unit ("mm": that of the preferences) and how to find it in a row of the report.
+_COLUMNS = [
+    ("Neighbour", "", lambda row, deep: row["name"]),
+    ("Verdict", "", lambda row, deep: row["verdict"]),
+    ("Distance", "mm", lambda row, deep: row["distance"]),
+    ("Guaranteed", "mm", lambda row, deep: row["guaranteed"]),
+    ("Time", "s", lambda row, deep: row["time_seconds"]),
+    ("Depth", "mm", lambda row, deep: deep.get("depth", 0.0)),
+    ("Depth at most", "mm", lambda row, deep: deep.get("depth_bound", 0.0)),
+    ("Too near for", "s", lambda row, deep: sum((b - a for a, b in row["below"]), 0.0)),
+    ("Body X", "mm", lambda row, deep: row["point_on_body"][0]),
+    ("Body Y", "mm", lambda row, deep: row["point_on_body"][1]),
+    ("Body Z", "mm", lambda row, deep: row["point_on_body"][2]),
+    ("Neighbour X", "mm", lambda row, deep: row["point_on_neighbour"][0]),
+    ("Neighbour Y", "mm", lambda row, deep: row["point_on_neighbour"][1]),
+    ("Neighbour Z", "mm", lambda row, deep: row["point_on_neighbour"][2]),
+]
+
+
+def summary(report):
+    """The result in one line, as the core has it, in the user's language and unit."""
+    rows, nearest = report["neighbours"], report.get("smallest")
+    if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # damaged
+        return report["summary"]
+    words = [translate("Messages", "{0} checked").format(len(rows))]
+    for verdict, text in (
+        ("clash", translate("Messages", "{0} clash")),
+        ("contact", translate("Messages", "{0} in contact")),
+        ("below", translate("Messages", "{0} too near")),
+    ):
+        count = sum(row["verdict"] == verdict for row in rows)
+        if count:
+            words.append(text.format(count))
+    row = rows[nearest]
+    deep = row.get("penetration", {}).get("depth") if row["verdict"] == "clash" else None
+    text = translate("Messages", "smallest {0} at t = {1} s ({2})")
+    length = max(0.0, row["distance"] - row.get("chord_error", 0.0))
+    if isinstance(deep, (int, float)):
+        text, length = translate("Messages", "deepest {0} at t = {1} s ({2})"), deep
+    where = quantity(length, TABLE_DIGITS), number(row["time_seconds"], TABLE_DIGITS), row["name"]
+    return ", ".join(words + [text.format(*where)])
+
+
+def columns():
+    """The head of the table."""
+    shown = {"": "", "s": " (s)", "mm": " ({})".format(length_unit()[1])}
+    return [title + shown[unit] for title, unit, _ in _COLUMNS]
+
+
+def table(report):
+    """The rows of the table, as columns()."""
+    one = length_unit()[0]
+    rows = []
+    for row in report["neighbours"]:
+        deep = row.get("penetration", {})
+        cells = [(unit, find(row, deep)) for _, unit, find in _COLUMNS]
+        rows.append([value / one if unit == "mm" else value for unit, value in cells])
+    return rows
+
+
+def write_csv(report, path):
+    """The table as a CSV file (UTF-8)."""
+    with open(path, "w", encoding="utf-8", newline="") as out:
+        writer = csv.writer(out)
+        writer.writerow(columns())
+        writer.writerows(table(report))
+
+
+def make_spreadsheet(obj, report):
+    """The table as a spreadsheet in the document."""
+    sheet = obj.Document.addObject("Spreadsheet::Sheet", "ClearanceTable")
+    sheet.Label = translate("Messages", "{0} table").format(obj.Label)
+    for r, row in enumerate([columns()] + table(report)):
+        for c, value in enumerate(row):
+            cell = "{}{}".format(chr(ord("A") + c), r + 1)
+            sheet.set(cell, repr(value) if isinstance(value, float) else "'" + str(value))
+    return sheet

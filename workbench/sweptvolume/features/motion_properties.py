@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a motion, as Feature.properties() takes them: type, name, group, help, default, mode."""
+from ..texts import mark
+from ..trajectory import sources
+from ..trajectory.cam import CONVENTIONS
+from ..trajectory.curve import ACCURACY, ORIENTATIONS
+from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
+from . import missing
+from .base import HIDDEN, READ_ONLY
+
+UNITS = ["mm", "cm", "m", "in"]
+
+PROPERTIES = [
+    (
+        "App::PropertyFloatList",
+        "Times",
+        "Motion",
+        mark("Properties", "Time of each pose (s), growing"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyPlacementList",
+        "Placements",
+        "Motion",
+        mark("Properties", "Pose of the moving part at each time"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyEnumeration",
+        "Interpolation",
+        "Motion",
+        mark(
+            "Properties",
+            "What the part does between two poses. Linear: straight line and even turn. Screw: "
+            "one screw movement. Spline: smooth through all poses. None: it only stands at them",
+        ),
+        list(INTERPOLATIONS),
+        0,
+    ),
+    ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
+    (
+        "App::PropertyVectorDistance",
+        "Pivot",
+        "Motion",
+        mark(
+            "Properties",
+            "Point that goes straight (Linear) or along the spline between two poses, in the "
+            "coordinates that a pose places: of the part where Frame is Absolute",
+        ),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkSubListHidden",
+        "Parts",
+        "Motion",
+        mark(
+            "Properties",
+            "Parts that this motion moves; the path editor shows the first of them",
+        ),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyStringList",
+        "Tangents",
+        "Motion",
+        mark(
+            "Properties",
+            "Spline: what happens at each pose: Auto, Stop, Corner or Given (then by "
+            "Velocities); missing ones are Auto",
+        ),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyVectorList",
+        "Velocities",
+        "Motion",
+        mark("Properties", "Spline: velocity at each pose with the tangent Given (mm/s)"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyEnumeration",
+        "SourceType",
+        "Source",
+        mark("Properties", "Where the poses come from"),
+        list(sources.KINDS),
+        READ_ONLY,
+    ),
+    (
+        "App::PropertyFile",
+        "SourceFile",
+        "Source",
+        mark("Properties", "File of the poses; Reload motion reads it again"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyEnumeration",
+        "SourceUnit",
+        "Source",
+        mark("Properties", "Unit of the lengths in the file"),
+        list(UNITS),
+        0,
+    ),
+    (
+        "App::PropertyLinkListGlobal",
+        "SourceObjects",
+        "Source",
+        mark("Properties", "Objects whose placements or shape give the poses"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyString",
+        "SourceSettings",
+        "Source",
+        mark("Properties", "Settings of the source"),
+        None,
+        HIDDEN,
+    ),
+    (
+        "App::PropertyInteger",
+        "Count",
+        "Result",
+        mark("Properties", "Number of poses"),
+        None,
+        READ_ONLY,
+    ),
+    (
+        "App::PropertyFloat",
+        "Duration",
+        "Result",
+        mark("Properties", "Last time minus first time (s)"),
+        None,
+        READ_ONLY,
+    ),
+    (
+        "App::PropertyString",
+        "Status",
+        "Result",
+        mark("Properties", "Whether the motion can be used"),
+        None,
+        READ_ONLY,
+    ),
+    (
+        "App::PropertyString",
+        "Message",
+        "Result",
+        mark("Properties", "What is to be known of the poses as they were read"),
+        None,
+        READ_ONLY,
+    ),
+    (
+        "App::PropertyString",
+        "SourceHash",
+        "Source",
+        mark("Properties", "State of the source when it was read"),
+        None,
+        HIDDEN,
+    ),
+    (
+        "App::PropertyString",
+        missing.PROPERTY,
+        "Source",
+        mark("Properties", "Inputs that were deleted (JSON)"),
+        None,
+        HIDDEN,
+    ),
+]
+
+#: Setting of a source (trajectory/sources.py) -> type, name, help, default of the property that keeps it.
+_SETTINGS = {
+    "count": (
+        "App::PropertyInteger",
+        "SourceCount",
+        mark("Properties", "Number of poses; along a path 0: as many as SourceAccuracy asks for"),
+        0,
+    ),
+    "accuracy": (
+        "App::PropertyLength",
+        "SourceAccuracy",
+        mark("Properties", "How far the straight way between two poses may leave the path"),
+        ACCURACY,
+    ),
+    "orientation": (
+        "App::PropertyEnumeration",
+        "SourceOrientation",
+        mark(
+            "Properties",
+            "Fixed: the part never turns. Tangent: x of the part stays on the tangent. SecondCurve: z "
+            "points to the second curve",
+        ),
+        ORIENTATIONS,
+    ),
+    "duration": (
+        "App::PropertyFloat",
+        "SourceDuration",
+        mark("Properties", "Time from the first to the last pose (s)"),
+        10.0,
+    ),
+    "step": (
+        "App::PropertyFloat",
+        "SourceStep",
+        mark("Properties", "Time from one pose to the next (s)"),
+        1.0,
+    ),
+    "rapid": (
+        "App::PropertySpeed",
+        "SourceRapid",
+        mark("Properties", "Speed of G0"),
+        100.0,
+    ),
+    "convention": (
+        "App::PropertyEnumeration",
+        "SourceConvention",
+        mark("Properties", "What the words A, B and C turn: the tool head, or the table"),
+        CONVENTIONS,
+    ),
+    "property": (
+        "App::PropertyString",
+        "SourceValue",
+        mark("Properties", "Name of the value that is driven"),
+        None,
+    ),
+    "start": (
+        "App::PropertyFloat",
+        "SourceStart",
+        mark("Properties", "Driven value at the first pose, in its unit (mm, degrees)"),
+        None,
+    ),
+    "end": (
+        "App::PropertyFloat",
+        "SourceEnd",
+        mark("Properties", "Driven value at the last pose, in its unit (mm, degrees)"),
+        None,
+    ),
+}
+#: Hidden but for those that the kind of source asks for (motion_source.show_settings).
+SETTINGS = [
+    (kind, name, "Source", text, default, HIDDEN)
+    for kind, name, text, default in _SETTINGS.values()
+]
+NAMES = {key: entry[1] for key, entry in _SETTINGS.items()}
+#: Kind of source -> its settings.
+USED = {
+    "Placements": ("step",),
+    "Curve": ("accuracy", "count", "orientation", "duration"),
+    "Robot": ("count",),
+    "Array": ("step",),
+    "CAM": ("rapid", "convention"),
+    "Driven": ("property", "start", "end", "count", "duration"),
+}

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the poses of a motion come from, as its properties keep it: what is read, whether it has changed
+since."""
+from .. import contents
+from ..convert import InputProblem, matrix_of
+from ..trajectory import sources
+from ..trajectory.poses import Poses
+from .base import HIDDEN, READ_ONLY, quietly, set_changed
+from .motion_frame import container_of, from_world
+from .motion_properties import NAMES, USED
+
+
+def settings_of(obj):
+    """The source of a motion object as a plain value. Raises InputProblem."""
+    if obj.SourceSettings:  # of an older document, and damaged: else take_over() had emptied it
+        raise sources.damaged()
+    values = {key: getattr(obj, NAMES[key]) for key in USED.get(obj.SourceType, ())}
+    return sources.Settings(
+        kind=obj.SourceType,
+        file=obj.SourceFile,
+        unit=obj.SourceUnit,
+        objects=list(obj.SourceObjects),
+        **{key: getattr(value, "Value", value) for key, value in values.items()},
+    )
+
+
+def has_settings(obj):
+    """Whether the source of a motion asks for something that can be changed."""
+    return obj.SourceType == "File" or bool(USED.get(obj.SourceType))
+
+
+def keep(obj, settings):
+    """Writes a source into a motion object; what the settings leave open stays as it is."""
+    set_changed(obj, "SourceType", settings.kind)
+    set_changed(obj, "SourceFile", settings.file)
+    set_changed(obj, "SourceUnit", settings.unit)
+    set_changed(obj, "SourceObjects", list(settings.objects))
+    for key, value in settings.values.items():
+        now = getattr(obj, NAMES[key])
+        if getattr(now, "Value", now) != value:
+            setattr(obj, NAMES[key], value)
+    show_settings(obj)
+
+
+def show_settings(obj):
+    """The property editor shows the settings that the kind of source asks for, and no others."""
+    used = {NAMES[key] for key in USED.get(obj.SourceType, ())}
+    for name in NAMES.values():
+        obj.setEditorMode(name, 0 if name in used else HIDDEN)
+    for name in ("SourceFile", "SourceUnit"):
+        obj.setEditorMode(name, 0 if obj.SourceType == "File" else HIDDEN)
+    linked = obj.SourceType not in ("File", "Stored")
+    obj.setEditorMode("SourceObjects", 0 if linked else HIDDEN)
+    obj.setEditorMode("SourceType", READ_ONLY)
+
+
+def take_over(obj):
+    """Settings of an older document, which were hidden text, become properties; damaged ones stay, and are
+    said when the source is read."""
+    if obj.SourceType in USED:
+        try:
+            values = dict(sources.DEFAULTS.get(obj.SourceType, {}))
+            if obj.SourceSettings:
+                values.update(sources.values_from(obj.SourceSettings))
+            with quietly(obj):
+                for key in USED.get(obj.SourceType, ()):
+                    if key in values:
+                        setattr(obj, NAMES[key], values[key])
+                obj.SourceSettings = ""
+        except (InputProblem, TypeError, ValueError):
+            return
+    if obj.SourceHash and obj.SourceHash == _signature_of_before(obj):
+        with quietly(obj):
+            obj.SourceHash = signature(obj)
+
+
+def read(obj):
+    """Poses of the source as this motion keeps them. A file is read as it is."""
+    poses = sources.read(settings_of(obj))
+    if obj.SourceType != "File" and not container_of(obj).isIdentity():
+        inside = [from_world(obj, p) for p in poses.placements]
+        return Poses(poses.times, inside, note=poses.note)
+    return poses
+
+
+#: Begins the signatures of today; those before left the settings out.
+VERSION = "2:"
+
+
+def signature(obj):
+    """State of a source that is not live, of its settings, and of the group in which its poses were put
+    down; "" where there is none."""
+    found = _signature_of_before(obj)
+    if not found:
+        return ""
+    try:
+        settings = settings_of(obj)
+    except InputProblem as problem:
+        return "? {}".format(problem)
+    unit = settings.unit if settings.kind == "File" else ""
+    return "{}{} {} {}".format(VERSION, found, unit, sorted(settings.values.items()))
+
+
+def _signature_of_before(obj):
+    """As version 1 had it."""
+    try:
+        found = sources.signature(settings_of(obj))
+    except InputProblem as problem:
+        return "? {}".format(problem)
+    container = container_of(obj)
+    if found and obj.SourceType != "File" and not container.isIdentity():
+        relative = " relative" if obj.Frame == "Relative" else ""
+        found += " in " + contents.matrices(matrix_of(container)) + relative
+    return found
+
+
+def make_stored(obj):
+    """Cuts a motion off its source: the poses it has are its own."""
+    obj.SourceType = "Stored"
+    obj.SourceObjects = []
+    obj.SourceHash = ""
+    show_settings(obj)

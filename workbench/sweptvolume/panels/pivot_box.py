@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The choice of the point that goes straight between two keys: a line of the path editor."""
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore
+
+from .. import convert
+from ..convert import InputProblem
+from ..texts import translate
+from . import widgets
+from .widgets import QtWidgets
+
+#: mm by which a point may miss the middle of the part and is it still.
+SAME = 1e-6
+
+
+class PivotBox(QtWidgets.QWidget):
+    """Origin, middle of the part or a selected point; `changed()` where another was chosen, `failed(text)`
+    where none can be taken."""
+
+    changed = QtCore.Signal()
+    failed = QtCore.Signal(str)
+
+    def __init__(self, pair):
+        super().__init__()
+        self.pair, self.middle, self.point = pair, None, App.Vector()
+        texts = {
+            "Middle": translate("Panels", "Middle of the part"),
+            "Origin": translate("Panels", "Origin of the poses"),
+            "Point": translate("Panels", "Selected point"),
+        }
+        self.kind = widgets.choice(list(texts), "Origin", list(texts.values()))
+        self.kind.setObjectName("SweptVolumePivot")
+        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke"))
+        self.take.setObjectName("SweptVolumeTakePivot")
+        self.take.setToolTip(
+            translate(
+                "Panels", "Takes the selected vertex, or the centre of the selected edge or face"
+            )
+        )
+        line = QtWidgets.QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.addWidget(self.kind, 1)
+        line.addWidget(self.take)
+        self.kind.currentIndexChanged.connect(lambda *ignored: self._chosen())
+        self.take.clicked.connect(lambda *ignored: self._take())
+        self._explain()
+        self.setEnabled(False)  # until begin(): without a part there is nothing to choose
+
+    def begin(self, middle, point):
+        """middle, point: in the coordinates of the part (mm); point None: the origin of the poses."""
+        self.middle = middle
+        near = point is not None and (point - middle).Length <= SAME
+        self.point = middle if point is None or near else point
+        self._set("Origin" if point is None else "Middle" if near else "Point")
+        self.setEnabled(True)
+
+    def follow(self, kind, point):
+        """The choice of another box for the same part."""
+        self.point = point
+        self._set(kind)
+
+    def show_fixed(self, pivot):
+        """What a motion without a part has."""
+        self._set("Point" if pivot.Length else "Origin")
+
+    def in_part(self):
+        """The pivot in the coordinates of the part (mm); None: the origin of the poses."""
+        return None if self.kind.currentData() == "Origin" else self.point
+
+    def _set(self, kind):
+        self.kind.blockSignals(True)
+        self.kind.setCurrentIndex(self.kind.findData(kind))
+        self.kind.blockSignals(False)
+        self._explain()
+
+    def _chosen(self):
+        if self.kind.currentData() == "Middle" and self.middle is not None:
+            self.point = self.middle
+        self._explain()
+        self.changed.emit()
+
+    def _explain(self):
+        text = translate(
+            "Panels",
+            "The point that goes straight between two keys, and about which a key is turned; x, y, z of "
+            "the keys are its own.",
+        )
+        if self.in_part() is not None:
+            here = translate(
+                "Panels", "In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm"
+            )
+            text += "\n" + here.format(*self.point)
+        self.kind.setToolTip(text)
+
+    def _take(self):
+        try:
+            world = selected_point()
+        except InputProblem as problem:
+            self.failed.emit(str(problem))
+            return
+        self.point = convert.global_placement(*self.pair).inverse().multVec(world)
+        self._set("Point")
+        self.changed.emit()
+
+
+def selected_point():
+    """The point that was selected last, seen from the document (mm). Raises InputProblem."""
+    for item in reversed(Gui.Selection.getSelectionEx("", 0)):
+        for sub in reversed(item.SubElementNames):
+            shape = item.Object.getSubObject(sub) if sub and not sub.endswith(".") else None
+            if getattr(shape, "ShapeType", "") in _POINTS:
+                return App.Vector(_POINTS[shape.ShapeType](shape))
+    raise InputProblem(
+        translate(
+            "Messages",
+            "select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.",
+        )
+    )
+
+
+def _centre_of_edge(edge):
+    """Of a circle or ellipse its centre, of any other edge the middle of its length."""
+    try:
+        return edge.Curve.Center
+    except AttributeError:
+        return edge.valueAt(edge.getParameterByLength(edge.Length / 2))
+
+
+_POINTS = {
+    "Vertex": lambda vertex: vertex.Point,
+    "Edge": _centre_of_edge,
+    "Face": lambda face: face.CenterOfMass,
+}

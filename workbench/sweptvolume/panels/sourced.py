@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A motion with a source in the panels: what it comes from, its settings, and whether to cut the link."""
+import os
+
+import FreeCADGui as Gui
+
+from ..texts import translate
+from .widgets import QtWidgets
+
+
+def is_sourced(obj):
+    """Whether the poses of a motion are those of something else."""
+    return obj is not None and obj.SourceType != "Stored"
+
+
+def name_of(obj):
+    """Of what the poses come from, for people."""
+    if obj.SourceType == "File":
+        return os.path.basename(obj.SourceFile)
+    return ", ".join(source.Label for source in obj.SourceObjects)
+
+
+def edit(obj):
+    """Opens the panel with the settings of a motion's source."""
+    from . import file_panel, source_panel
+
+    if obj.SourceType == "File":
+        file_panel.show(obj.Document, obj.SourceFile, obj)
+    else:
+        source_panel.show(obj.Document, obj.SourceType, list(obj.SourceObjects), obj)
+
+
+def may_cut(obj):
+    """Asks whether the poses of a motion may become its own."""
+    text = translate(
+        "Panels",
+        'The poses of "{0}" come from {1} and follow it. To change a key, the link has to be cut: the '
+        "motion then keeps the poses as they are. Cut it?",
+    ).format(obj.Label, name_of(obj))
+    buttons = QtWidgets.QMessageBox.Yes | QtWidgets.QMessageBox.No
+    title = translate("Panels", "Path")
+    answer = QtWidgets.QMessageBox.question(Gui.getMainWindow(), title, text, buttons)
+    return answer == QtWidgets.QMessageBox.Yes
