@@ -40,15 +40,18 @@ def undo_key(name):
     ours[0].activated.emit()
 
 
-def file_buttons():
-    bar = Gui.getMainWindow().findChild(QtWidgets.QToolBar, "File")
-    return [a for a in bar.actions() if not a.isSeparator()]
+def entries(kind):
+    """(holder, entry) of all that stands in menus or toolbars."""
+    for holder in Gui.getMainWindow().findChildren(kind):
+        for action in holder.actions():
+            yield holder, action
 
 
 def toolbar_button(name):
-    """The button of the toolbar File with a named action."""
-    bar = Gui.getMainWindow().findChild(QtWidgets.QToolBar, "File")
-    return bar.widgetForAction(next(a for a in file_buttons() if a.objectName() == name))
+    """The button of a toolbar with a named entry."""
+    found = [(h, a) for h, a in entries(QtWidgets.QToolBar) if a.objectName() == name]
+    assert found, [a.text() for _, a in entries(QtWidgets.QToolBar)]
+    return found[0][0].widgetForAction(found[0][1])
 
 
 def scenario():
@@ -139,8 +142,8 @@ def scenario():
     yield
     seen = [a.objectName() for a in edit.actions() if a.isVisible()]
     assert "SweptVolumeUndo" not in seen and "Std_Undo" in seen, seen
-    texts = [b.text() for b in file_buttons() if b.isVisible()]
-    assert texts.count("&Undo") == 1, texts
+    texts = [a.text() for _, a in entries(QtWidgets.QToolBar) if a.isVisible()]
+    assert texts.count(action[0].text()) == 1, texts
     # Inches: numbers typed and shown are inches.
     App.Units.setSchema(3)
     panel = motion_panel.show(doc, path, (box, ""))

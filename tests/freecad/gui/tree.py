@@ -23,9 +23,9 @@ V = App.Vector
 
 def items(document):
     """Label -> label of the item above it, of the whole tree, as it is shown."""
-    found, walk = {}, [tree().topLevelItem(i) for i in range(tree().topLevelItemCount())]
-    while walk:
-        item = walk.pop()
+    view, found = tree(), {}
+    walk = [view.topLevelItem(i) for i in range(view.topLevelItemCount())]
+    for item in walk:  # it grows, and keeps all: PySide 6 forgets what is below an entry with it
         for k in range(item.childCount()):
             found.setdefault(item.child(k).text(0), []).append(item.text(0))
             walk.append(item.child(k))
