@@ -47,7 +47,7 @@ class BoxTree {
   };
   /// Relative to middle().
   struct FloatBox {
-    std::array<float, 3> low, high;
+    float low[3], high[3];
   };
   /// Boxes of four brothers, relative to middle(). An empty lane is a box that nothing intersects.
   struct alignas(32) Group {
