@@ -30,7 +30,7 @@ TEST(SinglePrecision, EveryCoordinateIsTheNearestWhereNothingIsInTheWay) {
 
 /// At 10 m the numbers are a micrometre apart, and the ball's edges some of these.
 TEST(SinglePrecision, VerticesStayApartAndTrianglesKeepTheirAreas) {
-  const TriMesh ball = moved(makeBall({0, 0, 0}, 0.06, 5), {10000, 7000, -9000});
+  const TriMesh ball = moved(makeBall({0, 0, 0}, 0.03, 5), {10000, 7000, -9000});
   RunContext run;
   TriMesh nearest = ball;
   for (Eigen::Vector3d& vertex : nearest.vertices) {
@@ -54,7 +54,7 @@ TEST(SinglePrecision, VerticesStayApartAndTrianglesKeepTheirAreas) {
 }
 
 TEST(SinglePrecision, VerticesAtOnePlaceStayTogether) {
-  TriMesh soup = moved(makeBall({0, 0, 0}, 0.06, 5), {10000, 7000, -9000});
+  TriMesh soup = moved(makeBall({0, 0, 0}, 0.03, 5), {10000, 7000, -9000});
   append(soup, TriMesh(soup));
   const TriMesh single = inSinglePrecision(soup);
   const std::size_t half = soup.vertices.size() / 2;
