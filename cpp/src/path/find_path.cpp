@@ -193,7 +193,7 @@ class PathFinder {
     const State first = keys.front(), last = keys.back();
     shorten(scene_, demand_.apart, allowed, kTrials, random, keys, run_);
     const std::vector<State> in = exitTo(ends_[leg + 1], last), out = exitTo(ends_[leg], first);
-    released_.push_back({out.size() - 1, in.size() - 1, 0, keys.size()});
+    released_.push_back({out.size() - 1, in.size() - 1});
     std::vector<State> all(out.begin(), out.end() - 1);
     all.insert(all.end(), keys.begin(), keys.end());
     all.insert(all.end(), in.rbegin() + 1, in.rend());
@@ -304,8 +304,7 @@ class PathFinder {
 
   void takeFailure(const LegResult& found) {
     report_.budgetEnded = limits_.over();
-    report_.noTranslation = found.noTranslation;
-    if (found.noTranslation && !space_.turns()) report_.verdict = PathVerdict::NoTranslation;
+    if (found.noTranslation) report_.verdict = PathVerdict::NoTranslation;
     const Eigen::Vector3d goal = ends_.back().state.middle;
     report_.escape.distance = (found.farthest.middle - goal).norm();
     report_.escape.pose = scene_.outside(found.farthest);
@@ -321,6 +320,9 @@ class PathFinder {
     else
       report_.summary =
           "no path found" + std::string(report_.budgetEnded ? " within the budget" : "");
+    if (report_.possibleClearance >= 0)
+      report_.summary +=
+          "; a path with " + numberText(report_.possibleClearance, 4) + " mm was found";
     report_.summary +=
         "; the part came " + numberText(report_.escape.distance, 4) + " mm away from its goal";
     if (!order.empty())
@@ -328,7 +330,7 @@ class PathFinder {
   }
 
   struct Released {
-    std::size_t before, after, unused, keys;
+    std::size_t before, after;
   };
   const PathOptions& o_;
   const PathTask& task_;
