@@ -164,7 +164,7 @@ class PathFinder {
     if (!found.keys.empty() || !mayAskLess) return found;
     task.provable = false;
     for (const double share : {0.5, 0.25, 0.0}) {
-      limits.seconds += 0.08 * o_.budgetSeconds;
+      limits.seconds += o_.budgetSeconds / 12;
       Rule less = demand_.apart;
       for (std::size_t i = 0; i < less.size(); ++i)
         less[i] += std::max(share * demand_.required[i], demand_.tolerance) -

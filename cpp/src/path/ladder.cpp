@@ -21,7 +21,7 @@ constexpr std::size_t kNodesAtFirst = 3000;  // of both trees, before a search b
 // Skins that are taken off, in radii of the part, from the first search of a chain to the last.
 constexpr std::array<double, 3> kSkins{0.08, 0.04, 0.015};
 constexpr std::size_t kMostStarts = 8;                // that are looked for on grids, one by one
-constexpr int kPlaces = 8000, kPlacesOfProof = 2000;  // of one grid
+constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // of one grid
 constexpr std::int64_t kMostTriangles = 200000;       // of scenes that are thinned
 
 /// Scenes from the loosest to the true one, and what to keep from the neighbours in each.
