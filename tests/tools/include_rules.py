@@ -44,7 +44,7 @@ MAY_INCLUDE = {
     # A consumer beside the pipeline: it checks its own inputs as the pipeline does.
     "clearance": BELOW | {"input"},
     # Searches for a way, and asks clearance about every step of it.
-    "path": BELOW | {"clearance"},
+    "path": BELOW | {"clearance", "input"},
     "solid/carrier": BELOW,
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},

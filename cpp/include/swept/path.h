@@ -76,12 +76,11 @@ struct PathReport {
   /// What found it: "straight", "straight moves", "grid of places", "no turning" or "six
   /// dimensions".
   std::string method;
-  Trajectory path;             ///< start first; 100 mm a second; empty unless found
-  double length = 0;           ///< mm that the part's middle travels
-  double turn = 0;             ///< rad, sum over the path
-  double clearance = 0;        ///< mm, smallest guaranteed one outside the release zones
-  PathEscape escape;           ///< unless found
-  bool noTranslation = false;  ///< unless found: proven that the part cannot come without turning
+  Trajectory path;       ///< start first; 100 mm a second; empty unless found
+  double length = 0;     ///< mm that the part's middle travels
+  double turn = 0;       ///< rad, sum over the path
+  double clearance = 0;  ///< mm, smallest guaranteed one outside the release zones
+  PathEscape escape;     ///< unless found
   /// mm: the largest clearance for which a path was found instead of the one asked for; -1: none.
   double possibleClearance = -1;
   std::vector<std::string> contacts;  ///< neighbours to which the release zones apply

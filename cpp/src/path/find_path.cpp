@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/limits.h"
 #include "base/number_text.h"
 #include "base/threads.h"
 #include "clearance/pair_check.h"
 #include "path/ladder.h"
 #include "path/outside.h"
+#include "path/task_check.h"
 #include "swept/path.h"
 
 namespace swept {
@@ -20,66 +20,6 @@ using namespace path;
 
 constexpr double kSpeed = 100;  // mm a second along a path
 constexpr int kTrials = 400;    // shortcuts that are tried
-
-[[noreturn]] void badOption(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadOption", text);
-}
-
-void requireLength(const char* name, double value, bool mayBeZero) {
-  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
-    return;
-  badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
-            " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
-}
-
-void checkPathOptions(const PathTask& task, const std::vector<PathNeighbour>& neighbours,
-                      const PathOptions& o) {
-  requireLength("clearance", o.clearance, true);
-  requireLength("tolerance", o.tolerance, false);
-  requireLength("chord error of the part", o.bodyChordError, true);
-  requireLength("release", o.release, true);
-  if (!(o.budgetSeconds > 0) || !std::isfinite(o.budgetSeconds))
-    badOption("budget is " + numberText(o.budgetSeconds, kTellingDigits) +
-              " s; allowed: more than 0");
-  if (o.interpolation == Interpolation::None)
-    badOption("interpolation is 'none'; a path needs linear or screw");
-  if (o.largestTurn && !(*o.largestTurn >= 0 && *o.largestTurn <= std::numbers::pi + 1e-9))
-    badOption("largest turn is " + numberText(*o.largestTurn * 180 / std::numbers::pi, 6) +
-              " degrees; allowed: 0 to 180");
-  if (neighbours.empty())
-    throw Error(Status::InvalidInput, "NoNeighbours",
-                "no neighbouring part given; choose at least one");
-  for (const PathNeighbour& n : neighbours) {
-    requireLength("chord error of a neighbour", n.part.chordError, true);
-    if (n.clearance) requireLength("clearance of a neighbour", *n.clearance, true);
-  }
-  if (!task.start && !task.extraction)
-    throw Error(Status::InvalidInput, "NoStart",
-                "give a start, or how far or in which direction the part is to get out");
-  if (task.start && task.extraction)
-    badOption("a start and an extraction exclude each other; give one of them");
-  if (task.extraction) {
-    if (task.extraction->direction &&
-        !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
-      badOption("the direction of the extraction has no length");
-    if (!task.extraction->direction)
-      requireLength("radius of the extraction", task.extraction->radius, false);
-  }
-}
-
-Pose checkedPose(const Pose& pose, const std::string& what) {
-  const double norm = pose.rotation.norm();
-  if (!pose.translation.allFinite() || !std::isfinite(norm) || std::abs(norm - 1) > 1e-4)
-    throw Error(Status::InvalidInput, "BadPose",
-                "the " + what + " is no rigid placement; its quaternion has the length " +
-                    numberText(norm, 6) + ", which has to be 1");
-  if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
-    throw Error(Status::InvalidInput, "OutOfRange",
-                "the " + what + " lies more than 1e9 mm from the origin; check its unit");
-  Pose checked = pose;
-  checked.rotation.normalize();
-  return checked;
-}
 
 class PathFinder {
  public:
@@ -184,13 +124,15 @@ class PathFinder {
       for (const auto& keys : end.exits) {
         const double turn = keys.front().pose.rotation.angularDistance(space_.upright);
         if (turn <= std::max(space_.largestTurn, 1e-6)) continue;
-        badOption("the start or a via placement is turned by " +
-                  numberText(turn * 180 / std::numbers::pi, 6) + " degrees from the goal, and " +
-                  (o_.translationOnly
-                       ? "no turning is"
-                       : "at most " + numberText(space_.largestTurn * 180 / std::numbers::pi, 6) +
-                             " are") +
-                  " allowed");
+        throw Error(
+            Status::InvalidInput, "BadOption",
+            "the start or a via placement is turned by " +
+                numberText(turn * 180 / std::numbers::pi, 6) + " degrees from the goal, and " +
+                (o_.translationOnly
+                     ? "no turning is"
+                     : "at most " + numberText(space_.largestTurn * 180 / std::numbers::pi, 6) +
+                           " are") +
+                " allowed");
       }
   }
 
@@ -222,7 +164,7 @@ class PathFinder {
     if (!found.keys.empty() || !mayAskLess) return found;
     task.provable = false;
     for (const double share : {0.5, 0.25, 0.0}) {
-      limits.seconds += 0.08 * o_.budgetSeconds;
+      limits.seconds += o_.budgetSeconds / 12;
       Rule less = demand_.apart;
       for (std::size_t i = 0; i < less.size(); ++i)
         less[i] += std::max(share * demand_.required[i], demand_.tolerance) -
@@ -251,7 +193,7 @@ class PathFinder {
     const State first = keys.front(), last = keys.back();
     shorten(scene_, demand_.apart, allowed, kTrials, random, keys, run_);
     const std::vector<State> in = exitTo(ends_[leg + 1], last), out = exitTo(ends_[leg], first);
-    released_.push_back({out.size() - 1, in.size() - 1, 0, keys.size()});
+    released_.push_back({out.size() - 1, in.size() - 1});
     std::vector<State> all(out.begin(), out.end() - 1);
     all.insert(all.end(), keys.begin(), keys.end());
     all.insert(all.end(), in.rbegin() + 1, in.rend());
@@ -362,8 +304,7 @@ class PathFinder {
 
   void takeFailure(const LegResult& found) {
     report_.budgetEnded = limits_.over();
-    report_.noTranslation = found.noTranslation;
-    if (found.noTranslation && !space_.turns()) report_.verdict = PathVerdict::NoTranslation;
+    if (found.noTranslation) report_.verdict = PathVerdict::NoTranslation;
     const Eigen::Vector3d goal = ends_.back().state.middle;
     report_.escape.distance = (found.farthest.middle - goal).norm();
     report_.escape.pose = scene_.outside(found.farthest);
@@ -379,6 +320,9 @@ class PathFinder {
     else
       report_.summary =
           "no path found" + std::string(report_.budgetEnded ? " within the budget" : "");
+    if (report_.possibleClearance >= 0)
+      report_.summary +=
+          "; a path with " + numberText(report_.possibleClearance, 4) + " mm was found";
     report_.summary +=
         "; the part came " + numberText(report_.escape.distance, 4) + " mm away from its goal";
     if (!order.empty())
@@ -386,7 +330,7 @@ class PathFinder {
   }
 
   struct Released {
-    std::size_t before, after, unused, keys;
+    std::size_t before, after;
   };
   const PathOptions& o_;
   const PathTask& task_;

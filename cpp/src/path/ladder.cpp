@@ -20,9 +20,9 @@ constexpr int kRounds = 20;                  // of one search before the others 
 constexpr std::size_t kNodesAtFirst = 3000;  // of both trees, before a search begins anew
 // Skins that are taken off, in radii of the part, from the first search of a chain to the last.
 constexpr std::array<double, 3> kSkins{0.08, 0.04, 0.015};
-constexpr std::size_t kMostStarts = 8;                 // that are looked for on grids, one by one
-constexpr int kPlaces = 8000, kPlacesOfProof = 10000;  // of one grid
-constexpr std::int64_t kMostTriangles = 200000;        // of scenes that are thinned
+constexpr std::size_t kMostStarts = 8;                // that are looked for on grids, one by one
+constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // of one grid
+constexpr std::int64_t kMostTriangles = 200000;       // of scenes that are thinned
 
 /// Scenes from the loosest to the true one, and what to keep from the neighbours in each.
 struct Stage {
@@ -187,9 +187,6 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, cons
     result.steps = memory.steps;
     return result;
   }
-  const bool upright =
-      !leg.space.turns() || leg.starts.empty() ||
-      leg.starts.front().pose.rotation.angularDistance(leg.goals.front().pose.rotation) < 1e-9;
   const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
   const int places = std::max(kPlaces / 10, kPlaces / std::max(1, pairs));
   // Turned starts are linked to places where the part stands as at the goal.
@@ -211,9 +208,9 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, cons
   }
   const State* start = leg.space.isOut || leg.starts.empty() ? nullptr : &leg.starts.front();
   const bool proven =
-      leg.provable && upright &&
+      leg.provable && !leg.space.turns() &&
       noShifts(scene, rule, leg.space, start, leg.goals.front(), kPlacesOfProof, run);
-  if (proven && !leg.space.turns()) {
+  if (proven) {
     result = {};
     result.farthest = leg.goals.front();
     result.blocked.assign(scene.count(), 0);

@@ -48,7 +48,6 @@ std::string toJson(const PathReport& report) {
                       {"pose", poseJson(report.escape.pose)},
                       {"blockers", report.escape.blockers}};
     if (report.possibleClearance >= 0) json["possible_clearance"] = report.possibleClearance;
-    json["no_translation"] = report.noTranslation;
     json["budget_ended"] = report.budgetEnded;
   }
   json["steps"] = report.steps;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/task_check.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/limits.h"
+#include "base/number_text.h"
+
+namespace swept::path {
+namespace {
+
+[[noreturn]] void badOption(const std::string& text) {
+  throw Error(Status::InvalidInput, "BadOption", text);
+}
+
+void requireLength(const char* name, double value, bool mayBeZero) {
+  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
+    return;
+  badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
+            " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
+}
+
+}  // namespace
+
+void checkPathOptions(const PathTask& task, const std::vector<PathNeighbour>& neighbours,
+                      const PathOptions& o) {
+  requireLength("clearance", o.clearance, true);
+  requireLength("tolerance", o.tolerance, false);
+  requireLength("chord error of the part", o.bodyChordError, true);
+  requireLength("release", o.release, true);
+  if (!(o.budgetSeconds > 0) || !std::isfinite(o.budgetSeconds))
+    badOption("budget is " + numberText(o.budgetSeconds, kTellingDigits) +
+              " s; allowed: more than 0");
+  if (o.interpolation == Interpolation::None)
+    badOption("interpolation is 'none'; a path needs linear or screw");
+  if (o.largestTurn && !(*o.largestTurn >= 0 && *o.largestTurn <= std::numbers::pi + 1e-9))
+    badOption("largest turn is " + numberText(*o.largestTurn * 180 / std::numbers::pi, 6) +
+              " degrees; allowed: 0 to 180");
+  if (neighbours.empty())
+    throw Error(Status::InvalidInput, "NoNeighbours",
+                "no neighbouring part given; choose at least one");
+  for (const PathNeighbour& n : neighbours) {
+    requireLength("chord error of a neighbour", n.part.chordError, true);
+    if (n.clearance) requireLength("clearance of a neighbour", *n.clearance, true);
+  }
+  if (!task.start && !task.extraction)
+    throw Error(Status::InvalidInput, "NoStart",
+                "give a start, or how far or in which direction the part is to get out");
+  if (task.start && task.extraction)
+    badOption("a start and an extraction exclude each other; give one of them");
+  if (task.extraction) {
+    if (task.extraction->direction &&
+        !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
+      badOption("the direction of the extraction has no length");
+    if (!task.extraction->direction)
+      requireLength("radius of the extraction", task.extraction->radius, false);
+  }
+}
+
+Pose checkedPose(const Pose& pose, const std::string& what) {
+  const double norm = pose.rotation.norm();
+  if (!pose.translation.allFinite() || !std::isfinite(norm) || std::abs(norm - 1) > 1e-4)
+    throw Error(Status::InvalidInput, "BadPose",
+                "the " + what + " is no rigid placement; its quaternion has the length " +
+                    numberText(norm, 6) + ", which has to be 1");
+  if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
+    throw Error(Status::InvalidInput, "OutOfRange",
+                "the " + what + " lies more than 1e9 mm from the origin; check its unit");
+  Pose checked = pose;
+  checked.rotation.normalize();
+  return checked;
+}
+
+}  // namespace swept::path
