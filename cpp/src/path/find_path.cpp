@@ -161,7 +161,7 @@ class PathFinder {
     Limits limits = limits_;
     limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
     LegResult found = solveLeg(scene_, demand_.apart, loose, task, limits, run_);
-    if (!found.keys.empty() || !mayAskLess) return found;
+    if (!found.keys.empty() || found.noTranslation || !mayAskLess) return found;
     task.provable = false;
     for (const double share : {0.5, 0.25, 0.0}) {
       limits.seconds += o_.budgetSeconds / 12;
