@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "path/contacts.h"
 
 namespace swept::path {
 namespace {
@@ -118,57 +117,6 @@ void shorten(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, i
     }
   }
   shortener.dropKeys();
-}
-
-bool widen(const Scene& scene, const Rule& larger, const MoveAllowed& allowed, int trials,
-           RandomNumbers& random, std::vector<State>& keys, RunContext& run) {
-  std::vector<State> next = keys;
-  Memory memory = scene.memory();
-  const auto isFree = [&](std::size_t i) {
-    return allowed(next[i], next[i + 1]) &&
-           scene.follow(next[i], next[i + 1], larger, memory).share >= 1;
-  };
-  std::vector<char> free(next.size(), 0);
-  for (std::size_t i = 0; i + 1 < next.size(); ++i) free[i] = isFree(i) ? 1 : 0;
-  for (int trial = 0; trial < trials; ++trial) {
-    run.checkpoint(Phase::Polish);
-    // An inner key at a move that is not free yet.
-    std::vector<std::size_t> wanted;
-    for (std::size_t i = 1; i + 1 < next.size(); ++i)
-      if (!free[i - 1] || !free[i]) wanted.push_back(i);
-    bool done = true;
-    for (std::size_t i = 0; i + 1 < next.size(); ++i) done = done && free[i];
-    if (done) {
-      keys = std::move(next);
-      return true;
-    }
-    if (wanted.empty()) return false;
-    const std::size_t i = wanted[random.index(wanted.size())];
-    const State before = next[i];
-    Rule near = larger;
-    for (double& d : near) d = d < 0 ? d : 1.05 * d;
-    Twist push;
-    for (const Contact& contact : contactsOf(scene, before, near)) {
-      const double lack = std::max(
-          0.0, 1.05 * larger[static_cast<std::size_t>(contact.neighbour)] - contact.distance);
-      push.shift += lack * contact.normal;
-    }
-    const double size = push.shift.norm();
-    const double reach = *std::max_element(larger.begin(), larger.end());
-    if (size > 0) push.shift *= random.share() * 2 * reach / size;
-    push.shift += 0.5 * reach * random.share() * random.direction();
-    push.turn = reach / scene.radius() * random.share() * random.direction();
-    if (!allowed(before, scene.moved(before, push))) push.turn.setZero();
-    next[i] = scene.moved(before, push);
-    const char left = free[i - 1], right = free[i];
-    free[i - 1] = isFree(i - 1) ? 1 : 0;
-    free[i] = isFree(i) ? 1 : 0;
-    if (free[i - 1] + free[i] >= left + right && scene.isFree(next[i], larger, memory)) continue;
-    next[i] = before;
-    free[i - 1] = left;
-    free[i] = right;
-  }
-  return false;
 }
 
 }  // namespace swept::path

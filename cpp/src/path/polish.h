@@ -1,4 +1,4 @@
-// A path made shorter, with fewer keys, and farther from the neighbours.
+// A path made shorter, with fewer keys.
 // In:    keys whose moves are free under a rule. Out: such keys. Units: mm.
 // Cost:  a question about a move for each trial; trials are counted, not timed.
 // Promise: what comes out is free under the rule that went in; depends on the seed alone.
@@ -23,10 +23,5 @@ double lengthOf(const Scene& scene, const std::vector<State>& keys);
 /// Shortcuts between random places of the path, then keys left out, until neither helps.
 void shorten(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, int trials,
              RandomNumbers& random, std::vector<State>& keys, RunContext& run);
-
-/// Moves inner keys so that the whole path keeps `larger` instead of `rule` where it can; true if
-/// it does in the end, else the keys are as before.
-bool widen(const Scene& scene, const Rule& larger, const MoveAllowed& allowed, int trials,
-           RandomNumbers& random, std::vector<State>& keys, RunContext& run);
 
 }  // namespace swept::path
