@@ -185,6 +185,8 @@ def add_to(layout, part, source=""):
         rows.addRow(translate("Panels", "Source"), _name(source))
     table = KeyTable(rows)
     table.part = button
+    # The panel opens with the keyboard on the keys.
+    QtWidgets.QWidget.setTabOrder(list(table.buttons.values())[-1], button)
     return table
 
 
