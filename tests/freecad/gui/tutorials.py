@@ -98,6 +98,7 @@ def robot_arm():
     table.setCurrentCell(17, 1)
     Gui.Selection.clearSelection()
     yield lambda: panel.preview.settled()
+    assert not panel.preview_text.text(), panel.preview_text.text()
     yield 0.5
     shot("50_robot_arm")
     yield 0.8

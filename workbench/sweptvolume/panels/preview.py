@@ -54,15 +54,15 @@ def request_for(body, poses, base, interpolation, resolution):
 class _PreviewTask(Task):
     """Envelopes of wishes, the newest each time, until none is left; what was made waits to be taken.
 
-    compute: core.compute, or that of sessions which know the body already. after(request, control): what
-    is done when no wish is left."""
+    compute: core.compute, or that of sessions which know the body already. rest(request, control): what
+    is done after each, in the same thread."""
 
     writes = False
 
-    def __init__(self, document, requests, compute, after=None):
+    def __init__(self, document, requests, compute, rest=None):
         self.title = "Preview"
         self.document = document
-        self.compute, self.after = compute, after
+        self.compute, self.rest = compute, rest
         self._lock, self._next, self._made, self._over = threading.Lock(), requests, None, False
 
     def offer(self, requests):
@@ -94,8 +94,8 @@ class _PreviewTask(Task):
             made = drawn(found.vertices, found.triangles, MOST_TRIANGLES)
             with self._lock:
                 self._made = made, found.report["seconds"]["total"]
-            for request in requests if self.after is not None else ():
-                self.after(request, control)
+            for request in requests if self.rest is not None else ():
+                self.rest(request, control)
 
     def finish(self, value):
         pass
@@ -169,8 +169,8 @@ class Preview:
         self.fine = fine
         compute = core.compute if fine else self.sessions.compute
         try:
-            after = self.sessions.lighten if fine else None
-            self.run = runner.start(_PreviewTask(self.document, requests, compute, after))
+            rest = self.sessions.lighten if fine else None
+            self.run = runner.start(_PreviewTask(self.document, requests, compute, rest))
         except core.CoreMissing as problem:
             self.report(str(problem))
             return
