@@ -10,11 +10,10 @@
 #include "errors.h"
 #include "job.h"
 #include "swept/clearance.h"
+#include "values.h"
 
 namespace swept::python {
 namespace {
-
-using RunPointer = std::shared_ptr<RunContext>;
 
 constexpr const char* kClearanceDoc =
     R"(clearance(vertices, triangles, motion, neighbours, interpolation='linear', required=0.0,
@@ -32,16 +31,12 @@ constexpr const char* kDistanceDoc =
 
 Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed.)";
 
-RunPointer contextFrom(const py::object& run) {
-  return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
-}
-
 py::object pyClearance(const py::object& vertices, const py::object& triangles,
                        const py::object& motion, const py::iterable& neighbours,
                        const std::string& interpolation, double required, double tolerance,
                        double bodyChord, double intervalTolerance, int curve, bool penetration,
                        const py::object& run) {
-  const RunPointer context = contextFrom(run);
+  const RunPointer context = runFromObject(run);
   const TriMesh body = meshFromArrays(vertices, triangles);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
   std::vector<ClearanceNeighbour> parts;
@@ -62,7 +57,7 @@ py::object pyClearance(const py::object& vertices, const py::object& triangles,
 
 py::array pyDistanceToMesh(const py::object& points, const py::object& vertices,
                            const py::object& triangles, const py::object& run) {
-  const RunPointer context = contextFrom(run);
+  const RunPointer context = runFromObject(run);
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(points);
   if (!array || array.ndim() != 2 || array.shape(1) != 3)
     throw py::value_error("points must be an array of shape (N, 3)");

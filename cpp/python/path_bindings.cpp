@@ -12,6 +12,7 @@
 #include "job.h"
 #include "swept/io.h"
 #include "swept/path.h"
+#include "values.h"
 
 namespace swept::python {
 namespace {
@@ -53,8 +54,7 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
                      const std::optional<double>& maxAngle, const std::string& interpolation,
                      double tolerance, double bodyChord, double budget, std::uint64_t seed,
                      const py::object& run) {
-  const auto context =
-      run.is_none() ? std::make_shared<RunContext>() : run.cast<std::shared_ptr<RunContext>>();
+  const RunPointer context = runFromObject(run);
   const TriMesh part = meshFromArrays(vertices, triangles);
   PathTask task;
   task.goal = poseFrom(goal, "goal");

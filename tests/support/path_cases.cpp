@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "support/path_cases.h"
 
+#include <array>
 #include <numbers>
 
 #include "support/random_numbers.h"
@@ -248,27 +249,12 @@ PathCase scatteredCase(unsigned seed) {
 }
 
 PathCase pathCase(unsigned number) {
-  const unsigned seed = number / 9 + 1;
-  switch (number % 9) {
-    case 0:
-      return channelCase(seed);
-    case 1:
-      return cornerCase(seed);
-    case 2:
-      return slotCase(seed);
-    case 3:
-      return hookCase(seed);
-    case 4:
-      return elbowCase(seed);
-    case 5:
-      return sealedCase(seed);
-    case 6:
-      return narrowCase(seed);
-    case 7:
-      return touchingCase(seed);
-    default:
-      return scatteredCase(seed);
-  }
+  using Make = PathCase (*)(unsigned seed);
+  constexpr unsigned kCount = 9;
+  constexpr std::array<Make, kCount> kKinds{channelCase, cornerCase,   slotCase,
+                                            hookCase,    elbowCase,    sealedCase,
+                                            narrowCase,  touchingCase, scatteredCase};
+  return kKinds[number % kCount](number / kCount + 1);
 }
 
 }  // namespace swept::test

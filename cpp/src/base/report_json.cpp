@@ -49,6 +49,15 @@ Json findingsJson(const std::vector<Finding>& findings) {
   return list;
 }
 
+Json vectorJson(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+Json poseJson(const Pose& pose) {
+  const Eigen::Quaterniond& q = pose.rotation;
+  return {{"t", pose.timeSeconds},
+          {"translation", vectorJson(pose.translation)},
+          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
 Json secondsJson(const std::vector<StageSeconds>& seconds) {
   Json json = Json::object();
   for (const StageSeconds& stage : seconds) json[stage.stage] = stage.seconds;

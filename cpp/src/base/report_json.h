@@ -7,6 +7,7 @@
 #include <string>
 
 #include "swept/report.h"
+#include "swept/types.h"
 
 namespace swept {
 
@@ -22,6 +23,8 @@ Json reportHead(const char* command, Status status, const std::string& code,
 Json checkJson(const MeshCheck& check);
 Json findingsJson(const std::vector<Finding>& findings);
 Json secondsJson(const std::vector<StageSeconds>& seconds);
+Json vectorJson(const Eigen::Vector3d& v);
+Json poseJson(const Pose& pose);
 /// The whole report of a run. Keys that do not apply are absent.
 Json reportJson(const Report& report, const char* command = "envelope");
 

@@ -6,15 +6,9 @@
 
 #include "base/parallel.h"
 #include "geometry/box_tree.h"
-#include "geometry/certainly_apart.h"
 #include "geometry/triangle_pairs.h"
 
 namespace swept {
-
-bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
-  return !certainlyApart(mesh, first, second) && trianglesIntersect(mesh, first, second) &&
-         !hasNoArea(mesh, first) && !hasNoArea(mesh, second);
-}
 
 SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                 const std::vector<std::int32_t>& others, RunContext& run) {

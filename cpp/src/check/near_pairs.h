@@ -16,9 +16,6 @@
 
 namespace swept {
 
-/// Whether two triangles with area meet where they should not.
-bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second);
-
 /// `others` may contain members; a pair of two members is found if both are in `others`.
 SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                 const std::vector<std::int32_t>& others, RunContext& run);

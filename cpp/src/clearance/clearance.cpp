@@ -3,15 +3,14 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <string>
 
 #include "base/limits.h"
 #include "base/number_text.h"
-#include "base/threads.h"
 #include "base/timer.h"
+#include "clearance/guarded_report.h"
 #include "clearance/pair_check.h"
 #include "input/trajectory_check.h"
 #include "motion/pivot.h"
@@ -124,12 +123,8 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   run.checkpoint(Phase::Done);
 }
 
-void fail(ClearanceReport& report, Status status, const std::string& code,
-          const std::string& text) {
-  report.status = status;
-  report.code = code;
-  report.message = text;
-  report.neighbours.clear();  // a run that did not finish must not look like a result
+void takeBack(ClearanceReport& report) {
+  report.neighbours.clear();
   report.smallest = -1;
   report.summary.clear();
 }
@@ -157,20 +152,8 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
   report.required = options.required;
   report.tolerance = options.tolerance;
   report.interpolation = interpolationName(trajectory.interpolation);
-  try {
-    report.threads = threadsOf(run);
-    tbb::task_arena arena(report.threads);
-    arena.execute([&] { runCheck(report, body, trajectory, neighbours, options, run); });
-  } catch (const Error& e) {
-    fail(report, e.status(), e.code(), e.what());
-  } catch (const std::bad_alloc&) {
-    fail(report, Status::OutOfMemory, "OutOfMemory",
-         "not enough memory for the clearance check; use coarser neighbours or fewer at a time");
-  } catch (const std::exception& e) {
-    fail(
-        report, Status::InternalError, "InternalError",
-        std::string(e.what()) + ": a fault of the program; please report it with parts and motion");
-  }
+  fillGuarded(report, run, "clearance check", "parts and motion", takeBack,
+              [&] { runCheck(report, body, trajectory, neighbours, options, run); });
   return report;
 }
 

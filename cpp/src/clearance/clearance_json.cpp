@@ -5,15 +5,6 @@
 namespace swept {
 namespace {
 
-Json vectorJson(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
-
-Json poseJson(const Pose& pose) {
-  const Eigen::Quaterniond& q = pose.rotation;
-  return {{"t", pose.timeSeconds},
-          {"translation", vectorJson(pose.translation)},
-          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
-}
-
 Json spansJson(const std::vector<TimeInterval>& spans) {
   Json list = Json::array();
   for (const TimeInterval& span : spans) list.push_back({span.from, span.to});

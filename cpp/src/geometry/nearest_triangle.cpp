@@ -5,6 +5,13 @@
 
 namespace swept {
 
+NearestTriangle::NearestTriangle(const std::vector<Eigen::Vector3d>& vertices,
+                                 const Triangles& triangles, Walks walks)
+    : vertices_(vertices), triangles_(triangles), tree_(boxTreeOf(vertices, triangles)) {
+  if (walks == Walks::Yes)
+    across_ = std::move(findAdjacency(EdgeTable(triangles, vertices.size())).across);
+}
+
 double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double enough,
                               std::int32_t& hint) const {
   double best = limit;
@@ -24,10 +31,6 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
     return !isEnough;
   });
   return best;
-}
-
-void NearestTriangle::prepareWalks() {
-  across_ = std::move(findAdjacency(EdgeTable(triangles_, vertices_.size())).across);
 }
 
 void NearestTriangle::lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit,

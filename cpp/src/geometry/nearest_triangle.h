@@ -19,9 +19,11 @@ namespace swept {
 class NearestTriangle {
  public:
   using Triangles = std::vector<std::array<std::int32_t, 3>>;
+  /// Whether isNear() walks: 12 bytes a triangle more.
+  enum class Walks { No, Yes };
   /// Keeps references to both; they must outlive the tree.
-  NearestTriangle(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles)
-      : vertices_(vertices), triangles_(triangles), tree_(boxTreeOf(vertices, triangles)) {}
+  NearestTriangle(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles,
+                  Walks walks = Walks::No);
 
   /// Squared distance from p to the mesh. Stops early as soon as a distance of `enough` or less is
   /// found; returns `limit` if nothing lies nearer than that. (All of them squared.)
@@ -33,8 +35,6 @@ class NearestTriangle {
   /// looked at first, and where it is near enough no other.
   double query(const Eigen::Vector3d& p, double limit, double enough, std::int32_t& hint) const;
 
-  /// Makes isNear() quick on meshes whose triangles have neighbours.
-  void prepareWalks();
   /// Whether a triangle lies within `limit` (squared) of p: the same as query(p, HUGE_VAL, 0) <=
   /// limit. From `hint` (-1: none) it walks over neighbours that are nearer before it searches the
   /// tree, for points that follow each other a fraction of the time. `hint` receives a triangle
@@ -53,7 +53,7 @@ class NearestTriangle {
   const std::vector<Eigen::Vector3d>& vertices_;
   const Triangles& triangles_;
   BoxTree tree_;
-  RawArray<std::uint32_t> across_;  ///< by half-edge; empty: not prepared
+  RawArray<std::uint32_t> across_;  ///< by half-edge; empty: no walks
 };
 
 }  // namespace swept

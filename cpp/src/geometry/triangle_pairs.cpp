@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/triangle_pairs.h"
 
+#include "geometry/certainly_apart.h"
 #include "geometry/exact_predicates.h"
 
 namespace swept {
@@ -161,6 +162,12 @@ bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
   if (common == 2) return meetBeyondEdge(at(a[0]), at(a[1]), at(a[2]), at(b[2]));
   if (common == 1) return meetBeyondVertex(at(a[0]), at(a[1]), at(a[2]), at(b[1]), at(b[2]));
   return trianglesMeet({&at(a[0]), &at(a[1]), &at(a[2])}, {&at(b[0]), &at(b[1]), &at(b[2])});
+}
+
+bool meetWrongly(const std::vector<Eigen::Vector3d>& vertices, const std::array<std::int32_t, 3>& p,
+                 const std::array<std::int32_t, 3>& q) {
+  return !certainlyApart(vertices, p, q) && !hasNoArea(vertices, p) && !hasNoArea(vertices, q) &&
+         trianglesIntersect(vertices, p, q);
 }
 
 }  // namespace swept

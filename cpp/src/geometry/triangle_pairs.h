@@ -33,4 +33,11 @@ inline bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int
   return trianglesIntersect(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
 }
 
+/// Whether two triangles with area meet where they should not: the same, after cheap tests.
+bool meetWrongly(const std::vector<Eigen::Vector3d>& vertices, const std::array<std::int32_t, 3>& p,
+                 const std::array<std::int32_t, 3>& q);
+inline bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
+  return meetWrongly(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
+}
+
 }  // namespace swept

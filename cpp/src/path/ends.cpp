@@ -10,23 +10,7 @@
 namespace swept::path {
 namespace {
 
-using clearance::checkPair;
-using clearance::MotionTree;
-
 constexpr std::size_t kMostExits = 6;
-
-NeighbourClearance checkOne(const Scene& scene, const Demand& demand, std::size_t i,
-                            const Trajectory& motion, double required, RunContext& run) {
-  const clearance::Box box = scene.part().box(scene.part().tree().root());
-  const MotionTree tree(motion, box.centre, box.half);
-  ClearanceOptions options;
-  options.required = required;
-  options.tolerance = demand.tolerance;
-  options.bodyChordError = demand.bodyChordError;
-  options.curveSamples = 0;
-  return checkPair({scene.part(), scene.partMended(), scene.neighbour(i), scene.neighbourMended(i)},
-                   demand.names[i], demand.chordError[i], tree, options, run);
-}
 
 [[noreturn]] void refuse(const std::string& what, const NeighbourClearance& row, double required,
                          double release, double mostDepth) {
@@ -83,7 +67,7 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
       if (!scene.isFree(keys.back(), demand.apart, memory)) continue;
       bool free = true;
       for (std::size_t k = 1; k < keys.size() && free; ++k)
-        free = scene.follow(keys[k - 1], keys[k], inside, memory).share >= 1;
+        free = scene.follow(keys[k - 1], keys[k], inside, memory).fraction >= 1;
       if (free && releasedClean(scene, demand, end, motionOf(keys, scene.interpolation()), run))
         end.exits.push_back(keys);
       break;
@@ -94,6 +78,20 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
 
 }  // namespace
 
+NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
+                                  const clearance::MotionTree& motion, double required,
+                                  RunContext& run) {
+  ClearanceOptions options;
+  options.required = required;
+  options.tolerance = demand.tolerance;
+  options.bodyChordError = demand.bodyChordError;
+  options.curveSamples = 0;
+  return clearance::checkPair({scene.part(), scene.partMended(), scene.neighbour(neighbour),
+                               scene.neighbourMended(neighbour)},
+                              demand.names[neighbour], demand.chordError[neighbour], motion,
+                              options, run);
+}
+
 Rule End::ruleInside(const Demand& demand) const {
   Rule rule = demand.apart;
   for (std::size_t i = 0; i < rule.size(); ++i)
@@ -103,6 +101,7 @@ Rule End::ruleInside(const Demand& demand) const {
 
 bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
                    const Trajectory& motion, RunContext& run) {
+  const clearance::MotionTree tree = scene.motionTree(motion);
   for (std::size_t i = 0; i < scene.count(); ++i) {
     if (end.allowedDepth[i] < 0) continue;
     const clearance::PairSearch pair(scene.part(), scene.neighbour(i));
@@ -110,7 +109,7 @@ bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
       if (clearance::overlapsBy(pair, pose.rotation.toRotationMatrix(), pose.translation,
                                 1.01 * end.allowedDepth[i]))
         return false;
-    const NeighbourClearance row = checkOne(scene, demand, i, motion, 0, run);
+    const NeighbourClearance row = checkNeighbour(scene, demand, i, tree, 0, run);
     if (row.verdict != ClearanceVerdict::Clash) continue;
     // An open mesh has no depth: where its surfaces cross, nothing can be promised.
     if (!row.penetration.known || row.penetration.depthBound > end.allowedDepth[i]) return false;
@@ -121,13 +120,13 @@ bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run) {
   End end{state, std::vector<double>(scene.count(), -1), {}};
-  const Trajectory still{{state.pose}, Interpolation::None};
+  const clearance::MotionTree still = scene.motionTree({{state.pose}, Interpolation::None});
   const double release = what == "via" ? 0 : demand.release;
   bool touches = false;
   for (std::size_t i = 0; i < scene.count(); ++i) {
     run.checkpoint(Phase::Motion, i, scene.count());
-    const NeighbourClearance row =
-        checkOne(scene, demand, i, still, std::max(demand.required[i], demand.tolerance), run);
+    const NeighbourClearance row = checkNeighbour(
+        scene, demand, i, still, std::max(demand.required[i], demand.tolerance), run);
     if (row.verdict == ClearanceVerdict::Clear && row.distance >= demand.apart[i]) continue;
     const double touch = demand.tolerance + row.chordError;
     const double mostDepth = std::max(touch, 0.1 * release);

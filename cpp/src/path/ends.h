@@ -38,6 +38,11 @@ struct End {
   Rule ruleInside(const Demand& demand) const;
 };
 
+/// What the clearance check finds about one neighbour; `required`: mm asked for.
+NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
+                                  const clearance::MotionTree& motion, double required,
+                                  RunContext& run);
+
 /// `what`: "goal", "start" or "via". Throws Error(InvalidInput) GoalBlocked, StartBlocked,
 /// ViaBlocked; Error(Cancelled).
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/number_text.h"
-#include "base/threads.h"
+#include "clearance/guarded_report.h"
 #include "clearance/pair_check.h"
 #include "path/ladder.h"
 #include "path/outside.h"
@@ -160,19 +158,19 @@ class PathFinder {
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
     Limits limits = limits_;
     limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
-    LegResult found = solveLeg(scene_, demand_.apart, loose, task, limits, run_);
+    LegResult found = solveLeg(scenes_, demand_.apart, loose, task, limits, run_);
     if (!found.keys.empty() || found.noTranslation || !mayAskLess) return found;
     task.provable = false;
-    for (const double share : {0.5, 0.25, 0.0}) {
+    for (const double fraction : {0.5, 0.25, 0.0}) {
       limits.seconds += o_.budgetSeconds / 12;
       Rule less = demand_.apart;
       for (std::size_t i = 0; i < less.size(); ++i)
-        less[i] += std::max(share * demand_.required[i], demand_.tolerance) -
+        less[i] += std::max(fraction * demand_.required[i], demand_.tolerance) -
                    std::max(demand_.required[i], demand_.tolerance);
-      const LegResult other = solveLeg(scene_, less, loose, task, limits, run_);
+      const LegResult other = solveLeg(scenes_, less, loose, task, limits, run_);
       found.steps += other.steps;
       if (other.keys.empty()) continue;
-      report_.possibleClearance = share * o_.clearance;
+      report_.possibleClearance = fraction * o_.clearance;
       break;
     }
     return found;
@@ -220,19 +218,11 @@ class PathFinder {
 
   // The clearance engine has the last word: rows of neighbours that count, on one part of the path.
   std::vector<NeighbourClearance> check(const Trajectory& motion, const Rule& rule) const {
-    const clearance::Box box = scene_.part().box(scene_.part().tree().root());
-    const clearance::MotionTree tree(motion, box.centre, box.half);
+    const clearance::MotionTree tree = scene_.motionTree(motion);
     std::vector<NeighbourClearance> rows(scene_.count());
     parallelFor(scene_.count(), [&](std::size_t i) {
       if (rule[i] < 0) return;
-      ClearanceOptions options;
-      options.required = demand_.required[i];
-      options.tolerance = demand_.tolerance;
-      options.bodyChordError = demand_.bodyChordError;
-      options.curveSamples = 0;
-      rows[i] = clearance::checkPair(
-          {scene_.part(), scene_.partMended(), scene_.neighbour(i), scene_.neighbourMended(i)},
-          demand_.names[i], demand_.chordError[i], tree, options, run_);
+      rows[i] = checkNeighbour(scene_, demand_, i, tree, demand_.required[i], run_);
       run_.checkpoint(Phase::Check);
     });
     for (std::size_t i = scene_.count(); i-- > 0;)
@@ -338,6 +328,7 @@ class PathFinder {
   PathReport& report_;
   Timer timer_;
   Scene scene_;
+  ThinnedScenes scenes_{scene_};
   Limits limits_;
   Demand demand_;
   SearchSpace space_;
@@ -371,34 +362,19 @@ PathReport findPath(const TriMesh& part, const PathTask& task,
   report.bodyTriangles = std::ssize(part.triangles);
   for (const PathNeighbour& n : neighbours)
     report.neighbourTriangles += std::ssize(n.part.mesh.triangles);
-  const auto fail = [&](Status status, const std::string& code, const std::string& text) {
-    PathReport failed;
-    failed.status = status;
-    failed.code = code;
-    failed.message = text;
-    failed.threads = report.threads;
-    report = std::move(failed);  // a run that did not finish must not look like a result
+  const auto takeBack = [](PathReport& taken) {
+    const int threads = taken.threads;
+    taken = {};
+    taken.threads = threads;
   };
-  try {
+  clearance::fillGuarded(report, run, "search", "the parts", takeBack, [&] {
     run.checkpoint(Phase::Input);
-    report.threads = threadsOf(run);
     checkPathOptions(task, neighbours, options);
-    tbb::task_arena arena(report.threads);
-    arena.execute([&] {
-      PathFinder finder(part, task, neighbours, options, run, watch, report);
-      finder.findIt();
-      report.seconds.push_back({"total", finder.seconds()});
-    });
+    PathFinder finder(part, task, neighbours, options, run, watch, report);
+    finder.findIt();
+    report.seconds.push_back({"total", finder.seconds()});
     run.checkpoint(Phase::Done);
-  } catch (const Error& e) {
-    fail(e.status(), e.code(), e.what());
-  } catch (const std::bad_alloc&) {
-    fail(Status::OutOfMemory, "OutOfMemory",
-         "not enough memory for the search; use coarser neighbours or fewer at a time");
-  } catch (const std::exception& e) {
-    fail(Status::InternalError, "InternalError",
-         std::string(e.what()) + ": a fault of the program; please report it with the parts");
-  }
+  });
   return report;
 }
 

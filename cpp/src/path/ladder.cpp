@@ -78,7 +78,7 @@ class Chain {
       const int pieces =
           1 + static_cast<int>(scene.distance(keys[i], keys[i + 1]) / (0.1 * scene.radius()));
       for (int k = 0; k < pieces; ++k)
-        guides.push_back(scene.onWay(keys[i], keys[i + 1], double(k) / pieces));
+        guides.push_back(scene.stateBetween(keys[i], keys[i + 1], double(k) / pieces));
     }
     guides.push_back(keys.back());
     return guides;
@@ -95,20 +95,12 @@ class Chain {
 
 class SixDimensions {
  public:
-  SixDimensions(const Scene& scene, const Rule& rule, const Rule& loose, const Leg& leg,
+  SixDimensions(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, const Leg& leg,
                 const Limits& limits, RunContext& run)
-      : scene_(scene), leg_(leg), limits_(limits), run_(run), plain_{{&scene, rule}} {
-    std::int64_t triangles = 0;
-    for (std::size_t i = 0; i < scene.count(); ++i)
-      triangles += static_cast<std::int64_t>(scene.neighbour(i).tree().size());
-    triangles += static_cast<std::int64_t>(scene.part().tree().size());
-    if (triangles <= kMostTriangles)
-      for (const double skin : kSkins) {
-        thin_.push_back(std::make_unique<Scene>(scene, skin * scene.radius(), run));
-        chain_.push_back({thin_.back().get(), loose});
-      }
-    chain_.push_back({&scene, loose});
-    chain_.push_back({&scene, rule});
+      : scene_(scenes.whole()), leg_(leg), limits_(limits), run_(run), plain_{{&scene_, rule}} {
+    for (const auto& thin : scenes.thinned(run)) chain_.push_back({thin.get(), loose});
+    chain_.push_back({&scene_, loose});
+    chain_.push_back({&scene_, rule});
     for (std::size_t i = 0; i < kSearches; ++i)
       searches_.emplace_back(i == 0 ? chain_ : plain_, leg, limits.seed * 1000003 + i * 65537);
   }
@@ -154,12 +146,23 @@ class SixDimensions {
   const Leg& leg_;
   const Limits& limits_;
   RunContext& run_;
-  std::vector<std::unique_ptr<Scene>> thin_;
   std::vector<Stage> plain_, chain_;
   std::deque<Chain> searches_;
 };
 
 }  // namespace
+
+const std::vector<std::unique_ptr<Scene>>& ThinnedScenes::thinned(RunContext& run) {
+  if (thinned_) return *thinned_;
+  thinned_.emplace();
+  auto triangles = static_cast<std::int64_t>(whole_.part().tree().size());
+  for (std::size_t i = 0; i < whole_.count(); ++i)
+    triangles += static_cast<std::int64_t>(whole_.neighbour(i).tree().size());
+  if (triangles > kMostTriangles) return *thinned_;
+  for (const double skin : kSkins)
+    thinned_->push_back(std::make_unique<Scene>(whole_, skin * whole_.radius(), run));
+  return *thinned_;
+}
 
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
   return [&scene, &space](const State& a, const State& b) {
@@ -169,15 +172,16 @@ MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
     // have to be looked at.
     const int pieces = space.largestTurn <= std::numbers::pi / 2 ? 1 : 32;
     for (int k = 0; k <= pieces; ++k) {
-      const State at = k == 0 ? a : k == pieces ? b : scene.onWay(a, b, double(k) / pieces);
+      const State at = k == 0 ? a : k == pieces ? b : scene.stateBetween(a, b, double(k) / pieces);
       if (at.pose.rotation.angularDistance(space.upright) > space.largestTurn) return false;
     }
     return true;
   };
 }
 
-LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, const Leg& leg,
+LegResult solveLeg(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, const Leg& leg,
                    const Limits& limits, RunContext& run) {
+  const Scene& scene = scenes.whole();
   LegResult result;
   Memory memory = scene.memory();
   const MoveAllowed allowed = turnLimit(scene, leg.space);
@@ -215,7 +219,7 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Rule& loose, cons
     result.farthest = leg.goals.front();
     result.blocked.assign(scene.count(), 0);
   } else {
-    result = SixDimensions(scene, rule, loose, leg, limits, run).search();
+    result = SixDimensions(scenes, rule, loose, leg, limits, run).search();
   }
   result.noTranslation = proven;
   result.steps += memory.steps;

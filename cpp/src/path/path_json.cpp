@@ -5,18 +5,6 @@
 #include "swept/path.h"
 
 namespace swept {
-namespace {
-
-Json poseJson(const Pose& pose) {
-  const Eigen::Quaterniond& q = pose.rotation;
-  const Eigen::Vector3d& t = pose.translation;
-  return {{"t", pose.timeSeconds},
-          {"translation", {t[0], t[1], t[2]}},
-          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
-}
-
-}  // namespace
-
 std::string toJson(const PathReport& report) {
   Json json = reportHead("path", report.status, report.code, report.message);
   if (report.status != Status::Ok) return jsonText(json);

@@ -20,7 +20,7 @@ class Shortener {
         memory_(scene.memory()) {}
 
   bool isFree(const State& a, const State& b) {
-    return allowed_(a, b) && scene_.follow(a, b, rule_, memory_).share >= 1;
+    return allowed_(a, b) && scene_.follow(a, b, rule_, memory_).fraction >= 1;
   }
 
   // Keys that the path can do without.
@@ -45,8 +45,8 @@ class Shortener {
   // One shortcut between two places of the path; true if it is shorter.
   bool cut() {
     const double whole = lengthOf(scene_, keys_);
-    double a = random_.share() * whole, b = random_.share() * whole;
-    if (random_.share() < 0.5) b = a + (2 * random_.share() - 1) * 0.2 * whole;
+    double a = random_.fraction() * whole, b = random_.fraction() * whole;
+    if (random_.fraction() < 0.5) b = a + (2 * random_.fraction() - 1) * 0.2 * whole;
     if (a > b) std::swap(a, b);
     a = std::max(a, 0.0);
     b = std::min(b, whole);
@@ -78,10 +78,10 @@ class Shortener {
       at -= length;
     }
     const double length = scene_.distance(keys_[key], keys_[key + 1]);
-    const double share = length > 0 ? std::min(1.0, at / length) : 0;
-    return share <= 0   ? keys_[key]
-           : share >= 1 ? keys_[key + 1]
-                        : scene_.onWay(keys_[key], keys_[key + 1], share);
+    const double fraction = length > 0 ? std::min(1.0, at / length) : 0;
+    return fraction <= 0   ? keys_[key]
+           : fraction >= 1 ? keys_[key + 1]
+                           : scene_.stateBetween(keys_[key], keys_[key + 1], fraction);
   }
 
   const Scene& scene_;

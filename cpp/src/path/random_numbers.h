@@ -17,13 +17,13 @@ class RandomNumbers {
   explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
 
   /// In [0, 1).
-  double share() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * share(); }
+  double fraction() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * fraction(); }
   std::size_t index(std::size_t count) {
-    return static_cast<std::size_t>(share() * static_cast<double>(count));
+    return static_cast<std::size_t>(fraction() * static_cast<double>(count));
   }
   Eigen::Vector3d inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-    const double x = share(), y = share(), z = share();
+    const double x = fraction(), y = fraction(), z = fraction();
     return low + (high - low).cwiseProduct(Eigen::Vector3d(x, y, z));
   }
   Eigen::Vector3d direction() {
@@ -32,7 +32,7 @@ class RandomNumbers {
     return {s * std::cos(a), s * std::sin(a), z};
   }
   Eigen::Quaterniond rotation() {
-    const double u = share(), a = between(0, 2 * std::numbers::pi);
+    const double u = fraction(), a = between(0, 2 * std::numbers::pi);
     const double b = between(0, 2 * std::numbers::pi);
     const double p = std::sqrt(1 - u), q = std::sqrt(u);
     return {q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)};

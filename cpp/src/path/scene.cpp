@@ -123,8 +123,8 @@ double Scene::distance(const State& a, const State& b) const {
   return (a.middle - b.middle).norm() + radius_ * 2 * std::acos(cosine);
 }
 
-State Scene::onWay(const State& a, const State& b, double share) const {
-  return at(StepPath(a.pose, b.pose, interpolation_).poseAt(share));
+State Scene::stateBetween(const State& a, const State& b, double fraction) const {
+  return at(StepPath(a.pose, b.pose, interpolation_).poseAt(fraction));
 }
 
 Memory Scene::memory() const {
@@ -157,9 +157,9 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
   if (turn > kLargestTurn) return {0, -1};
   Trajectory step{{from.pose, to.pose}, interpolation_};
   step.poses.back().timeSeconds = 1;
-  const clearance::MotionTree motion(step, partBox_.centre, partBox_.half);
+  const clearance::MotionTree motion = motionTree(step);
   const std::size_t first = memory.last;
-  for (std::size_t k = 0; k < count() && result.share > 0; ++k) {
+  for (std::size_t k = 0; k < count() && result.fraction > 0; ++k) {
     const std::size_t i = (first + k) % count();
     if (rule[i] >= 0) followOne(motion, i, rule[i], finest, result, memory);
   }
@@ -176,11 +176,11 @@ void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double
   const PairSearch pair(part_, neighbours_[i]);
   clearance::LeafPair& hint = memory.pairs[i];
   const double least = std::max(resolution_, finest * motion.bound({-1, 0, 0, 1}).reach);
-  std::vector<Span> spans{{0, result.share, 0}};
+  std::vector<Span> spans{{0, result.fraction, 0}};
   while (!spans.empty()) {
     const Span span = spans.back();
     spans.pop_back();
-    if (span.from >= result.share) continue;
+    if (span.from >= result.fraction) continue;
     const clearance::MotionBound bound = motion.bound({-1, 0, span.from, span.to});
     ++memory.steps;
     const clearance::Certificate proof =

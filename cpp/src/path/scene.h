@@ -55,8 +55,8 @@ struct Memory {
 
 /// How far a move is free.
 struct Follow {
-  double share = 1;    ///< of the move, from its start, that is proven free
-  int neighbour = -1;  ///< what is in the way behind that
+  double fraction = 1;  ///< of the move, from its start, that is proven free
+  int neighbour = -1;   ///< what is in the way behind that
 };
 
 class Scene {
@@ -94,11 +94,15 @@ class Scene {
   }
   double distance(const State& a, const State& b) const;
   /// On the way from a to b as the motion will take it.
-  State onWay(const State& a, const State& b, double share) const;
+  State stateBetween(const State& a, const State& b, double fraction) const;
 
+  /// Of the part.
+  clearance::MotionTree motionTree(const Trajectory& motion) const {
+    return {motion, partBox_.centre, partBox_.half};
+  }
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
-  /// `finest`: share of the move in which something may be called in the way without being sure.
+  /// `finest`: fraction of the move in which something may be called in the way without being sure.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
   /// The nearest pair, if nearer than `within`.

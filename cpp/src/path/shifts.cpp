@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <queue>
+#include <set>
 
 #include "clearance/penetration.h"
 
@@ -50,15 +51,16 @@ class GridSearch {
       const State from = placed(scene_, goal_, entry.before, width_);
       const State here = placed(scene_, goal_, entry.cell, width_);
       const bool root = entry.cell == Cell{0, 0, 0};
-      if (!root && scene_.follow(from, here, rule_, memory_, 0.05).share < 1) continue;
+      if (!root && scene_.follow(from, here, rule_, memory_, 0.05).fraction < 1) continue;
       closed_[entry.cell] = entry.before;
       // A place in sight of the start ends the search.
-      if (scene_.follow(here, start_, rule_, memory_, 0.05).share >= 1) return wayFrom(entry.cell);
+      if (scene_.follow(here, start_, rule_, memory_, 0.05).fraction >= 1)
+        return pathFrom(entry.cell);
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (const int sign : {1, -1}) {
           Cell next = entry.cell;
           next[axis] += sign;
-          if (closed_.count(next) == 0) push(next, entry.cell, entry.way + width_);
+          if (closed_.count(next) == 0) push(next, entry.cell, entry.length + width_);
         }
     }
     return {};
@@ -66,7 +68,7 @@ class GridSearch {
 
  private:
   struct Entry {
-    double bound, way;
+    double bound, length;
     Cell cell, before;
     bool operator<(const Entry& other) const {
       return bound != other.bound ? bound > other.bound
@@ -74,13 +76,13 @@ class GridSearch {
     }
   };
 
-  void push(const Cell& cell, const Cell& before, double way) {
+  void push(const Cell& cell, const Cell& before, double length) {
     const State state = placed(scene_, goal_, cell, width_);
     if (within(space_, state))
-      queue_.push({way + (state.middle - start_.middle).norm(), way, cell, before});
+      queue_.push({length + (state.middle - start_.middle).norm(), length, cell, before});
   }
 
-  std::vector<State> wayFrom(Cell cell) const {
+  std::vector<State> pathFrom(Cell cell) const {
     std::vector<State> keys{start_};
     while (cell != Cell{0, 0, 0}) {
       keys.push_back(placed(scene_, goal_, cell, width_));
@@ -133,13 +135,12 @@ std::vector<State> shiftsOnly(const Scene& scene, const Rule& rule, const Search
 
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
               const State& goal, int places, RunContext& run) {
-  for (const double share : kWidths) {
-    const double width = share * scene.radius();
-    std::map<Cell, bool> seen;
+  for (const double fraction : kWidths) {
+    const double width = fraction * scene.radius();
+    std::set<Cell> seen{{0, 0, 0}};
     // From the goal outward, the farthest first: what leads out ends the flood soon.
     std::priority_queue<std::pair<int, Cell>> queue;
     queue.push({0, {0, 0, 0}});
-    seen[{0, 0, 0}] = true;
     bool out = false;
     int left = places;
     while (!queue.empty() && !out && --left > 0) {
@@ -158,7 +159,7 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
         for (const int sign : {1, -1}) {
           Cell next = cell;
           next[axis] += sign;
-          if (seen.try_emplace(next, true).second)
+          if (seen.insert(next).second)
             queue.push({next[0] * next[0] + next[1] * next[1] + next[2] * next[2], next});
         }
     }

@@ -20,10 +20,10 @@ std::vector<Ray> raysFrom(const Scene& scene, const Rule& rule, const std::vecto
     for (const Twist& move : freeMoves(scene, state, contactsOf(scene, state, near), false)) {
       run.checkpoint(Phase::Straight);
       const State end = scene.moved(state, move * far);
-      const double share = scene.follow(state, end, rule, memory).share;
-      if (share * far < 0.02 * scene.radius()) continue;
+      const double fraction = scene.follow(state, end, rule, memory).fraction;
+      if (fraction * far < 0.02 * scene.radius()) continue;
       for (const double part : {1.0, 0.5})
-        rays.push_back({state, scene.moved(state, move * (part * share * far))});
+        rays.push_back({state, scene.moved(state, move * (part * fraction * far))});
     }
   }
   return rays;
@@ -36,7 +36,7 @@ std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const Mov
                                  double far, Memory& memory, RunContext& run) {
   const auto isFree = [&](const State& a, const State& b) {
     run.checkpoint(Phase::Straight);
-    return allowed(a, b) && scene.follow(a, b, rule, memory).share >= 1;
+    return allowed(a, b) && scene.follow(a, b, rule, memory).fraction >= 1;
   };
   for (const State& start : starts)
     for (const State& goal : goals)

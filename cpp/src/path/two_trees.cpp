@@ -76,10 +76,10 @@ int TwoTrees::sparse(int tree) {
   for (int k = 0; k < 6; ++k) {
     // Half of them among the younger nodes, which stand at the front.
     const Tree& nodes = trees_[tree];
-    const double u = random_.share();
-    const double share = k % 2 == 0 ? u : 1 - 0.3 * u * u;
+    const double u = random_.fraction();
+    const double fraction = k % 2 == 0 ? u : 1 - 0.3 * u * u;
     const std::size_t i =
-        std::min(nodes.size() - 1, static_cast<std::size_t>(share * double(nodes.size())));
+        std::min(nodes.size() - 1, static_cast<std::size_t>(fraction * double(nodes.size())));
     const double weight = cellNodes_[tree][static_cast<std::size_t>(nodes[i].cell)] +
                           2.0 * nodes[i].tries * nodes[i].tries;
     if (weight >= least) continue;
@@ -100,7 +100,7 @@ State TwoTrees::sampleNear(int tree, int node) {
   const State& state = trees_[tree][static_cast<std::size_t>(node)].state;
   const double scale = scene_.radius() * std::pow(10.0, random_.between(-2, 0.5));
   Twist twist;
-  if (random_.share() < 0.4) {
+  if (random_.fraction() < 0.4) {
     // On in the direction of the last moves.
     int before = node;
     for (int k = 0; k < 6; ++k) {
@@ -114,10 +114,11 @@ State TwoTrees::sampleNear(int tree, int node) {
   }
   const double noise = scene_.length(twist) > 0 ? 0.3 * scale : scale;
   // Shifts, turns and both, as often.
-  const double kind = random_.share();
-  if (kind < 0.67 || !space_.turns()) twist.shift += noise * random_.share() * random_.direction();
+  const double kind = random_.fraction();
+  if (kind < 0.67 || !space_.turns())
+    twist.shift += noise * random_.fraction() * random_.direction();
   if (kind > 0.33 && space_.turns())
-    twist.turn += noise / scene_.radius() * random_.share() * random_.direction();
+    twist.turn += noise / scene_.radius() * random_.fraction() * random_.direction();
   return limited(state, scene_.moved(state, twist));
 }
 
@@ -140,22 +141,22 @@ int TwoTrees::extend(int tree, int from, const State& to, double most, bool& rea
     reached = true;
     return from;
   }
-  const double share = std::min(1.0, most / whole);
-  twist = twist * share;
+  const double fraction = std::min(1.0, most / whole);
+  twist = twist * fraction;
   std::vector<Contact> contacts;
   int node = from;
   for (int slide = 0; slide <= kSlides; ++slide) {
-    const State next = slide == 0 && share >= 1 ? to : limited(at, scene_.moved(at, twist));
+    const State next = slide == 0 && fraction >= 1 ? to : limited(at, scene_.moved(at, twist));
     const Follow follow = scene_.follow(at, next, rule_, memory_, kFinest);
     const double length = scene_.distance(at, next);
-    if (follow.share * length > shortest_) {
-      at = follow.share >= 1 ? next : scene_.onWay(at, next, follow.share);
+    if (follow.fraction * length > shortest_) {
+      at = follow.fraction >= 1 ? next : scene_.stateBetween(at, next, follow.fraction);
       node = add(tree, node, at);
       contacts.clear();
       if (!path_.empty()) return node;
     }
-    if (follow.share >= 1) {
-      reached = slide == 0 && share >= 1;
+    if (follow.fraction >= 1) {
+      reached = slide == 0 && fraction >= 1;
       return node;
     }
     if (follow.neighbour < 0) return node;
@@ -164,7 +165,7 @@ int TwoTrees::extend(int tree, int from, const State& to, double most, bool& rea
     const Contact contact = scene_.contactAt(at, i, rule_[i] + 0.1 * scene_.radius(), memory_);
     if (contact.neighbour < 0) return node;
     contacts.push_back(contact);
-    const Twist rest = twist * (1 - follow.share);
+    const Twist rest = twist * (1 - follow.fraction);
     twist = alongContacts(scene_, at, contacts, rest);
     if (scene_.length(twist) < 0.05 * std::min(most, whole)) return node;
   }
@@ -205,22 +206,23 @@ void TwoTrees::finish(int startNode, int goalNode) {
 State TwoTrees::sampleGuide() {
   const State& guide = space_.guides[random_.index(space_.guides.size())];
   const double scale = scene_.radius() * std::pow(10.0, random_.between(-2.5, -0.3));
-  Twist twist{scale * random_.share() * random_.direction(), Vector3d::Zero()};
-  if (space_.turns()) twist.turn = scale / scene_.radius() * random_.share() * random_.direction();
+  Twist twist{scale * random_.fraction() * random_.direction(), Vector3d::Zero()};
+  if (space_.turns())
+    twist.turn = scale / scene_.radius() * random_.fraction() * random_.direction();
   return limited(guide, scene_.moved(guide, twist));
 }
 
 // The harder end gets more of the work: there most moves are blocked.
 int TwoTrees::chooseTree() {
   if (trees_[kStart].empty()) return kGoal;
-  const double share = hardness_[kGoal] / (hardness_[kGoal] + hardness_[kStart]);
-  return random_.share() < std::clamp(share, 0.1, 0.9) ? kGoal : kStart;
+  const double fraction = hardness_[kGoal] / (hardness_[kGoal] + hardness_[kStart]);
+  return random_.fraction() < std::clamp(fraction, 0.1, 0.9) ? kGoal : kStart;
 }
 
 bool TwoTrees::grow(int rounds) {
   for (int round = 0; round < rounds && path_.empty(); ++round) {
     const int tree = chooseTree();
-    const double kind = random_.share();
+    const double kind = random_.fraction();
     int from;
     State to;
     if (kind < 0.15 && !trees_[1 - tree].empty()) {

@@ -85,7 +85,7 @@ class TwoTrees {
   std::vector<std::int64_t> blocked_;
   std::vector<State> path_;
   int farthest_ = 0;
-  double hardness_[2] = {1, 1};  ///< share of the extensions of a tree that were blocked, lately
+  double hardness_[2] = {1, 1};  ///< fraction of the extensions of a tree that were blocked, lately
   double longest_ = 0;           ///< mm, of one extension
   double shortest_ = 0;          ///< mm, of a new edge
 };

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "geometry/certainly_apart.h"
 #include "geometry/spread_points.h"
 #include "geometry/triangle_pairs.h"
 
@@ -300,8 +299,7 @@ bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d
 bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
   const TriMesh& mesh = state_.mesh;
   if (state_.label[triangle] >= 0 && state_.label[triangle] == state_.label[other]) return false;
-  return !certainlyApart(mesh, triangle, other) && !hasNoArea(mesh, other) &&
-         !hasNoArea(mesh, triangle) && trianglesIntersect(mesh, triangle, other);
+  return meetWrongly(mesh, triangle, other);
 }
 
 // Whether triangles with their new corners meet any others; which, in hits_.

@@ -57,8 +57,7 @@ class Measurement {
   double enough(const Found& found) const { return std::min(found.largest, limit_); }
 
   void forward() {
-    NearestTriangle nearest(result_.vertices, result_.triangles);
-    nearest.prepareWalks();
+    const NearestTriangle nearest(result_.vertices, result_.triangles, NearestTriangle::Walks::Yes);
     const auto see = [&](const Vector3d& p, Found& found, std::int32_t& hint) {
       if (nearest.isNear(p, enough(found), hint)) return;
       const double d = nearest.query(p, 1e300, enough(found), hint);

@@ -20,7 +20,7 @@ struct Deviation {
   std::vector<std::int32_t> strays;     ///< triangles of the result with such points, rising
 };
 
-/// `spacing`: mm, of the net. `nearOriginal` is prepared for walks.
+/// `spacing`: mm, of the net. `nearOriginal` walks.
 Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
                            const TriMesh& result, double spacing, double tolerance);
 

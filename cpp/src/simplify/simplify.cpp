@@ -57,8 +57,8 @@ std::unique_ptr<Simplifier::Level> Simplifier::thinned(const Level* from, double
   if (from != nullptr) {
     for (std::int32_t& v : level->source) v = from->source[v];
   }
-  level->nearest = std::make_unique<NearestTriangle>(level->mesh.vertices, level->mesh.triangles);
-  level->nearest->prepareWalks();
+  level->nearest = std::make_unique<NearestTriangle>(level->mesh.vertices, level->mesh.triangles,
+                                                     NearestTriangle::Walks::Yes);
   return level;
 }
 
@@ -77,9 +77,9 @@ const Simplifier::Level* Simplifier::levelWithin(double limit, RunContext& run) 
 
 const NearestTriangle& Simplifier::nearest() const {
   const std::lock_guard lock(mutex_);
-  if (nearest_ != nullptr) return *nearest_;
-  nearest_ = std::make_unique<NearestTriangle>(mesh_.vertices, mesh_.triangles);
-  nearest_->prepareWalks();
+  if (nearest_ == nullptr)
+    nearest_ = std::make_unique<NearestTriangle>(mesh_.vertices, mesh_.triangles,
+                                                 NearestTriangle::Walks::Yes);
   return *nearest_;
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "geometry/certainly_apart.h"
 #include "geometry/half_edges.h"
 #include "geometry/nearest_triangle.h"
 #include "geometry/quadric.h"
@@ -46,11 +45,6 @@ using Corners = std::array<std::int32_t, 3>;
 struct Scratch {
   std::vector<Corners> fresh, nearby;
 };
-
-bool meet(const std::vector<Vector3d>& vertices, const Corners& p, const Corners& q) {
-  return !certainlyApart(vertices, p, q) && !hasNoArea(vertices, q) &&
-         trianglesIntersect(vertices, p, q);
-}
 
 // Worked on at the same time; fixed, so that the result does not depend on the number of threads.
 constexpr std::size_t kParts = 16;
@@ -170,13 +164,11 @@ class Thinner {
     }
   }
 
-  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
   // The next half-edge out of the same vertex.
   std::int32_t turn(std::int32_t h) const {
-    return static_cast<std::int32_t>(opposite_[previous(h)]);
+    return static_cast<std::int32_t>(opposite_[previousHalfEdge(h)]);
   }
-  std::int32_t target(std::int32_t h) const { return vertex_[next(h)]; }
+  std::int32_t target(std::int32_t h) const { return vertex_[nextHalfEdge(h)]; }
 
   // The cheapest neighbour within the limit takes the vertex in.
   void removeIfClose(std::int32_t u, double limit, Scratch& scratch) {
@@ -225,8 +217,8 @@ class Thinner {
       h = turn(h);
     } while (h != edge);
     if (common != 2) return false;
-    if (valence(vertex_[previous(edge)]) <= 3) return false;
-    if (valence(vertex_[previous(opposite_[edge])]) <= 3) return false;
+    if (valence(vertex_[previousHalfEdge(edge)]) <= 3) return false;
+    if (valence(vertex_[previousHalfEdge(opposite_[edge])]) <= 3) return false;
     double off = 0;
     if (!trianglesHold(edge, limit, off) || meetsNeighbours(edge, scratch)) return false;
     off_[v] = std::max(off_[v], off);
@@ -239,8 +231,8 @@ class Thinner {
     const Vector3d &from = points_[u], &to = points_[target(edge)];
     double nearest = 1e300;
     for (std::int32_t h = turn(edge); h != edge; h = turn(h)) {
-      const Vector3d &b = points_[target(h)], &c = points_[vertex_[previous(h)]];
-      if (vertex_[previous(h)] == target(edge)) continue;
+      const Vector3d &b = points_[target(h)], &c = points_[vertex_[previousHalfEdge(h)]];
+      if (vertex_[previousHalfEdge(h)] == target(edge)) continue;
       const Vector3d before = (b - from).cross(c - from), after = (b - to).cross(c - to);
       const double area = after.norm();
       const double longest =
@@ -260,7 +252,7 @@ class Thinner {
   bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
     do {
-      const Corners c{v, target(h), vertex_[previous(h)]};
+      const Corners c{v, target(h), vertex_[previousHalfEdge(h)]};
       if (c[1] != u && c[2] != u && !visit(c)) return false;
       h = turn(h);
     } while (h != fan_[v]);
@@ -279,7 +271,7 @@ class Thinner {
     scratch.fresh.clear();
     Vector3d mean = Vector3d::Zero();
     for (std::int32_t h = turn(edge); h != edge; h = turn(h)) {
-      const Corners c{v, target(h), vertex_[previous(h)]};
+      const Corners c{v, target(h), vertex_[previousHalfEdge(h)]};
       if (c[2] == v) continue;
       scratch.fresh.push_back(c);
       mean += areaOf(c);
@@ -299,7 +291,7 @@ class Thinner {
     for (std::int32_t h = turn(edge); h != edge; h = turn(h)) allAbout(target(h), u, take);
     for (std::size_t i = 0; i < scratch.fresh.size(); ++i) {
       const Corners& c = scratch.fresh[i];
-      const auto meets = [&](const Corners& other) { return meet(vertices_, c, other); };
+      const auto meets = [&](const Corners& other) { return meetWrongly(vertices_, c, other); };
       if (std::any_of(scratch.nearby.begin(), scratch.nearby.end(), meets) ||
           std::any_of(scratch.fresh.begin() + i + 1, scratch.fresh.end(), meets))
         return true;
@@ -318,7 +310,7 @@ class Thinner {
       std::int32_t old = h;
       do {
         least = std::min(least, squaredDistance(middle, from, points_[target(old)],
-                                                points_[vertex_[previous(old)]]));
+                                                points_[vertex_[previousHalfEdge(old)]]));
         old = turn(old);
       } while (old != h && least > rise);
       rise = std::max(rise, least);
@@ -338,7 +330,7 @@ class Thinner {
       h = following;
     } while (h != edge);
     for (const std::int32_t side : {edge, back}) {
-      const std::uint32_t a = opposite_[next(side)], b = opposite_[previous(side)];
+      const std::uint32_t a = opposite_[nextHalfEdge(side)], b = opposite_[previousHalfEdge(side)];
       opposite_[a] = b;
       opposite_[b] = a;
       // Half-edges that survive stand in for those of the two triangles that go.

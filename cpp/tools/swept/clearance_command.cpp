@@ -22,12 +22,9 @@ namespace {
 
 struct ClearanceJob {
   std::string generatorPath, generatorFormat, motionPath, csvPath;
-  std::vector<std::string> neighbourPaths;
+  NeighbourFiles neighbours;
   double generatorUnit = 1.0;
-  double neighbourUnit = 1.0;
   double motionUnit = 1.0;
-  double neighbourChord = 0;
-  double deflection = 0.05;
   Interpolation interpolation = Interpolation::Linear;
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   ClearanceOptions options;
@@ -40,17 +37,12 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
   addText(app, "GENERATOR", "FILE", job.generatorPath,
           "the moving body: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
       ->required();
-  app.add_option("NEIGHBOUR", job.neighbourPaths,
-                 "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one neighbour "
-                 "a solid")
-      ->type_name("FILE")
-      ->required();
+  addNeighbourOptions(app, job.neighbours);
   addText(app, "--motion", "FILE", job.motionPath, "poses, as for swept envelope")->required();
   addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
           "format of the generator, instead of its suffix");
   addUnit(app, "--generator-unit", job.generatorUnit,
           "unit of the generator's numbers (default mm)");
-  addUnit(app, "--neighbour-unit", job.neighbourUnit, "unit of neighbours that are meshes");
   addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
   addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
 }
@@ -70,10 +62,6 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
            "is linear (default 0,0,0: its origin)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
             "how far the generator's triangles leave its exact surface (default 0)");
-  addNumber(app, "--neighbour-chord", "MM", job.neighbourChord,
-            "the same for neighbours given as meshes (default 0)");
-  addNumber(app, "--deflection", "MM", job.deflection,
-            "chord error to which solids, the generator too, are tessellated (default 0.05)");
   addNumber(app, "--interval-tolerance", "MM", job.options.intervalTolerance,
             "travel to which ends of time intervals are found (default 10 tolerances)");
   addInteger(app, "--curve", job.curve, 0, 1000000,
@@ -145,7 +133,7 @@ void printTable(const ClearanceReport& report) {
 Body readGenerator(const ClearanceJob& job, RunContext& run) {
   BodyFileOptions options;
   options.millimetresPerUnit = job.generatorUnit;
-  options.tolerance = job.deflection;
+  options.tolerance = job.neighbours.deflection;
   return readInputBody(job.generatorPath, job.generatorFormat, options, run);
 }
 
@@ -157,8 +145,7 @@ void compute(const ClearanceJob& job, RunContext& run, std::optional<Body>& body
              std::optional<Trajectory>& motion, ClearanceReport& report) {
   if (!body) body = readGenerator(job, run);
   if (!motion) motion = readMotion(job);
-  const std::vector<ClearanceNeighbour> parts = readNeighbours(
-      job.neighbourPaths, {job.neighbourUnit, job.neighbourChord, job.deflection}, run);
+  const std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
   ClearanceOptions options = job.options;
   options.bodyChordError += body->chordError;
   report = checkClearance(body->mesh, *motion, parts, options, run);
@@ -171,7 +158,7 @@ int runClearance(const ClearanceJob& job) {
   const CommonOptions& common = job.common;
   std::vector<RoledFile> inputs{{"the generator", job.generatorPath},
                                 {"the motion", job.motionPath}};
-  for (const std::string& path : job.neighbourPaths) inputs.push_back({"a neighbour", path});
+  for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   const std::vector<RoledFile> outputs{{"--csv", job.csvPath}, {"--report", common.report}};
   checkIdentity(inputs, outputs, common.noClobber);
   checkAccess({}, outputs);
@@ -189,9 +176,7 @@ int runClearance(const ClearanceJob& job) {
     });
   } catch (const Error& error) {
     report = {};
-    report.status = error.status();
-    report.code = error.code();
-    report.message = error.what();
+    takeError(report, error.status(), error.code(), error.what());
   }
   if (!common.report.empty()) writeText(toJson(report), common.report);
   if (report.status != Status::Ok) {
@@ -217,7 +202,7 @@ Run addClearanceCommand(CLI::App& program) {
                                           "between two poses is missed.");
   addOptions(app, *job);
   return [job] {
-    if (!(job->deflection > 0)) badOption("--deflection must be greater than 0 mm");
+    checkNeighbourOptions(job->neighbours);
     job->options.curveSamples = static_cast<int>(job->curve);
     if (job->generatorPath == "-" && job->generatorFormat.empty()) job->generatorFormat = "ply";
     return runClearance(*job);

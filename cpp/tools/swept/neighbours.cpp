@@ -11,19 +11,36 @@
 
 namespace swept::cli {
 
-std::vector<ClearanceNeighbour> readNeighbours(const std::vector<std::string>& paths,
-                                               const NeighbourFileOptions& options,
+void addNeighbourOptions(CLI::App& app, NeighbourFiles& files) {
+  app.add_option("NEIGHBOUR", files.paths,
+                 "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one neighbour "
+                 "a solid")
+      ->type_name("FILE")
+      ->required();
+  addUnit(app, "--neighbour-unit", files.millimetresPerUnit, "unit of neighbours that are meshes");
+  addNumber(app, "--neighbour-chord", "MM", files.chordError,
+            "how far the triangles of neighbours given as meshes leave their exact surfaces "
+            "(default 0)");
+  addNumber(app, "--deflection", "MM", files.deflection,
+            "chord error to which solids, the moving one too, are tessellated (default 0.05)");
+}
+
+void checkNeighbourOptions(const NeighbourFiles& files) {
+  if (!(files.deflection > 0)) badOption("--deflection must be greater than 0 mm");
+}
+
+std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
                                                [[maybe_unused]] RunContext& run) {
   std::vector<ClearanceNeighbour> list;
-  for (const std::string& path : paths) {
+  for (const std::string& path : files.paths) {
     if (!isSolidFile(path)) {
-      list.push_back({pathFromUtf8(path).stem().string(),
-                      readMesh(path, options.millimetresPerUnit), options.chordError});
+      list.push_back({pathFromUtf8(path).stem().string(), readMesh(path, files.millimetresPerUnit),
+                      files.chordError});
       continue;
     }
 #ifdef HAVE_SWEPT_SOLID
-    for (ImportedSolid& solid : readSolids(path, options.deflection, 0.2, run))
-      list.push_back({solid.name, std::move(solid.mesh), options.deflection});
+    for (ImportedSolid& solid : readSolids(path, files.deflection, 0.2, run))
+      list.push_back({solid.name, std::move(solid.mesh), files.deflection});
 #else
     throw Error(Status::InvalidInput, "BadFormat",
                 "'" + path +

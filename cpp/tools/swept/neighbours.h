@@ -5,19 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "options.h"
 #include "swept/clearance.h"
 
 namespace swept::cli {
 
-struct NeighbourFileOptions {
+struct NeighbourFiles {
+  std::vector<std::string> paths;
   double millimetresPerUnit = 1;  ///< of meshes
   double chordError = 0;          ///< mm, of meshes
   double deflection = 0.05;       ///< mm, to which solids are tessellated
 };
 
+/// NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection.
+void addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
+/// Throws what a wrong usage is.
+void checkNeighbourOptions(const NeighbourFiles& files);
 /// A mesh is one neighbour, a solid file one a solid. Throws Error(InvalidInput), Error(Cancelled).
-std::vector<ClearanceNeighbour> readNeighbours(const std::vector<std::string>& paths,
-                                               const NeighbourFileOptions& options,
-                                               RunContext& run);
+std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
 }  // namespace swept::cli

@@ -21,9 +21,8 @@ namespace {
 
 struct PathJob {
   std::string partPath, partFormat, output;
-  std::vector<std::string> neighbourPaths;
   double partUnit = 1;
-  NeighbourFileOptions neighbours;
+  NeighbourFiles neighbours;
   PathTask task;
   PathOptions options;
   std::int64_t seed = 1;
@@ -65,11 +64,7 @@ void addPlaces(CLI::App& app, PathJob& job) {
   addText(app, "PART", "FILE", job.partPath,
           "the part: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
       ->required();
-  app.add_option("NEIGHBOUR", job.neighbourPaths,
-                 "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one neighbour "
-                 "a solid")
-      ->type_name("FILE")
-      ->required();
+  addNeighbourOptions(app, job.neighbours);
   addConverted(
       app, "--goal", "X,Y,Z[,QX,QY,QZ,QW]",
       [&job](const std::string& t) { job.task.goal = poseOf("--goal", t); },
@@ -119,14 +114,8 @@ void addOptions(CLI::App& app, PathJob& job) {
   addText(app, "--generator-format", "ply|stl|obj|off", job.partFormat,
           "format of the part, instead of its suffix");
   addUnit(app, "--generator-unit", job.partUnit, "unit of the part's numbers (default mm)");
-  addUnit(app, "--neighbour-unit", job.neighbours.millimetresPerUnit,
-          "unit of neighbours that are meshes");
   addNumber(app, "--generator-chord", "MM", o.bodyChordError,
             "how far the part's triangles leave its exact surface (default 0)");
-  addNumber(app, "--neighbour-chord", "MM", job.neighbours.chordError,
-            "the same for neighbours given as meshes (default 0)");
-  addNumber(app, "--deflection", "MM", job.neighbours.deflection,
-            "chord error to which solids are tessellated (default 0.05)");
   addText(app, "-o,--output", "FILE", job.output, "write the keys; - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
@@ -155,7 +144,7 @@ PathReport compute(const PathJob& job, RunContext& run) {
   file.tolerance = job.neighbours.deflection;
   const Body part = readInputBody(job.partPath, job.partFormat, file, run);
   std::vector<PathNeighbour> neighbours;
-  for (ClearanceNeighbour& n : readNeighbours(job.neighbourPaths, job.neighbours, run))
+  for (ClearanceNeighbour& n : readNeighbours(job.neighbours, run))
     neighbours.push_back({std::move(n), {}});
   PathOptions options = job.options;
   options.bodyChordError += part.chordError;
@@ -168,7 +157,7 @@ PathReport compute(const PathJob& job, RunContext& run) {
 int runPath(const PathJob& job) {
   const CommonOptions& common = job.common;
   std::vector<RoledFile> inputs{{"the part", job.partPath}};
-  for (const std::string& path : job.neighbourPaths) inputs.push_back({"a neighbour", path});
+  for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   const std::vector<RoledFile> outputs{{"--output", job.output}, {"--report", common.report}};
   checkIdentity(inputs, outputs, common.noClobber);
   checkAccess({}, outputs);
@@ -182,9 +171,7 @@ int runPath(const PathJob& job) {
     });
   } catch (const Error& error) {
     report = {};
-    report.status = error.status();
-    report.code = error.code();
-    report.message = error.what();
+    takeError(report, error.status(), error.code(), error.what());
   }
   if (!common.report.empty()) writeText(toJson(report), common.report);
   if (report.status != Status::Ok) {
@@ -210,7 +197,7 @@ Run addPathCommand(CLI::App& program) {
       "that is clear of them between the keys as well.");
   addOptions(app, *job);
   return [job] {
-    if (!(job->neighbours.deflection > 0)) badOption("--deflection must be greater than 0 mm");
+    checkNeighbourOptions(job->neighbours);
     if (job->partPath == "-" && job->partFormat.empty()) job->partFormat = "ply";
     return runPath(*job);
   };

@@ -110,12 +110,6 @@ const Finding* inaccuracyOf(const std::vector<Finding>& findings) {
   return nullptr;
 }
 
-void takeError(Report& report, Status status, const std::string& code, const std::string& text) {
-  report.status = status;
-  report.code = code;
-  report.message = text;
-}
-
 void takeStrict(Report& report, bool strict) {
   const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;
   if (finding == nullptr || report.status != Status::Ok) return;

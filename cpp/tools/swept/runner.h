@@ -37,8 +37,13 @@ void printFindings(const std::vector<Finding>& findings, bool quiet);
 /// A line a stage on standard error.
 void printSeconds(const std::vector<StageSeconds>& seconds);
 
-/// How a run ended, into its report.
-void takeError(Report& report, Status status, const std::string& code, const std::string& text);
+/// How a run ended, into its report, whichever command's it is.
+template <class AnyReport>
+void takeError(AnyReport& report, Status status, const std::string& code, const std::string& text) {
+  report.status = status;
+  report.code = code;
+  report.message = text;
+}
 /// With --strict, a finding that costs accuracy is how an otherwise good run ended.
 void takeStrict(Report& report, bool strict);
 

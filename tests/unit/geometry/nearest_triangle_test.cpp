@@ -83,9 +83,8 @@ TEST(NearestTriangle, KeepsToItsBounds) {
 TEST(NearestTriangle, WalksFindWhatSearchesFind) {
   Random random(29);
   for (const TriMesh& mesh : someMeshes(random)) {
-    NearestTriangle nearest(mesh.vertices, mesh.triangles);
-    for (const bool walks : {false, true}) {
-      if (walks) nearest.prepareWalks();
+    for (const auto walks : {NearestTriangle::Walks::No, NearestTriangle::Walks::Yes}) {
+      const NearestTriangle nearest(mesh.vertices, mesh.triangles, walks);
       std::int32_t hint = -1;
       Vector3d p = mesh.vertices[0];
       int near = 0;

@@ -223,8 +223,8 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
   TriMesh spiked = ball;
   spiked.vertices[7] *= 1.2;
   const auto measure = [](const TriMesh& original, const TriMesh& result) {
-    NearestTriangle nearest(original.vertices, original.triangles);
-    nearest.prepareWalks();
+    const NearestTriangle nearest(original.vertices, original.triangles,
+                                  NearestTriangle::Walks::Yes);
     return measureDeviation(original, nearest, result, 0.05, 0.3);
   };
   const Deviation same = measure(ball, ball);

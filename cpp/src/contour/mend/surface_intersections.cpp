@@ -11,6 +11,7 @@
 #include "contour/mend/crowded_cells.h"
 #include "contour/mend/polygons.h"
 #include "contour/mend/region.h"
+#include "geometry/triangle_pairs.h"
 
 namespace swept {
 namespace {

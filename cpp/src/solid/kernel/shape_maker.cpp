@@ -146,9 +146,7 @@ class ShapeMaker {
         fits_(fits),
         reader_(options, kernel, run),
         run_(run),
-        original_(dense.points, dense.triangles) {
-    original_.prepareWalks();
-  }
+        original_(dense.points, dense.triangles, NearestTriangle::Walks::Yes) {}
 
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
@@ -249,7 +247,7 @@ class ShapeMaker {
   const std::function<bool(std::int64_t)>& fits_;
   ReadCheck reader_;
   RunContext& run_;
-  NearestTriangle original_;
+  const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
 };
