@@ -711,6 +711,10 @@ Versucht:
    <translation>Bewegung</translation>
   </message>
   <message>
+   <source>Motion of {0}</source>
+   <translation>Bewegung von {0}</translation>
+  </message>
+  <message>
    <source>no motion is given: make one with New motion and choose it.</source>
    <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
   </message>
@@ -789,10 +793,6 @@ Versucht:
   <message>
    <source>choose a key in the table first.</source>
    <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
-  </message>
-  <message>
-   <source>Motion of {0}</source>
-   <translation>Bewegung von {0}</translation>
   </message>
   <message>
    <source>Edit motion</source>
@@ -1120,8 +1120,12 @@ Versucht:
    <translation>Zellen entlang der längsten Seite des überstrichenen Raums</translation>
   </message>
   <message>
-   <source>{0} x {1} x {2} cells of {3}; about {4}, {5}</source>
-   <translation>{0} x {1} x {2} Zellen zu {3}; etwa {4}, {5}</translation>
+   <source>; about {0}, {1}</source>
+   <translation>; etwa {0}, {1}</translation>
+  </message>
+  <message>
+   <source>{0} x {1} x {2} cells of {3}</source>
+   <translation>{0} x {1} x {2} Zellen zu {3}</translation>
   </message>
   <message>
    <source>Accuracy</source>
@@ -1194,6 +1198,10 @@ Versucht:
   <message>
    <source>Position filter</source>
    <translation>Lagenfilter</translation>
+  </message>
+  <message>
+   <source>A position filter of {0} would leave out most poses and be much quicker.</source>
+   <translation>Ein Positionsfilter von {0} würde die meisten Posen weglassen und wäre viel schneller.</translation>
   </message>
   <message>
    <source>The motion has one key: the parts do not move. Add another.</source>

@@ -472,6 +472,32 @@ class Estimate(Case):
             for a, b in zip(found["grid"], ran):
                 self.assertLessEqual(abs(a - b), 1)
 
+    def test_a_closer_estimate_samples_the_parts_themselves(self):
+        comb = self.doc.addObject("Part::Feature", "Comb")
+        comb.Shape = Part.makeCompound([Part.makeBox(1, 40, 40, V(3 * k, 0, 0)) for k in range(30)])
+        places = [turn(0.004 * k, V(0, 0, 1), V(0, 0, 2e-4 * k)) for k in range(3000)]
+        path = motion.motion_from_poses(self.doc, [0.01 * k for k in range(3000)], places)
+        obj = self.envelope([comb], path, Resolution=64)
+        plan, kept = envelope.Plan.of(obj), contents.KeptBodies()
+        find = plan.closer_estimate(kept.read)
+        found = find(core.Control())
+        envelope.compute(obj)
+        report = envelope.json.loads(obj.Report)
+        self.assertEqual(found["grid"], report["grid"])
+        self.assertAlmostEqual(found["cell"], obj.UsedCellSize.Value, delta=1e-6)
+        self.assertGreater(found["useful_filter"], 0)
+        stop = core.Control()
+        stop.cancel()
+        with self.assertRaisesRegex(core.CoreError, "ancel"):
+            find(stop)
+
+        pairs = [(comb, "")]
+        first = kept.read(pairs, 1.0)
+        self.assertIs(kept.read(pairs, 1.0), first)
+        comb.Placement.Base.x = 5
+        moved = kept.read(pairs, 1.0)
+        self.assertAlmostEqual(moved.vertices[:, 0].min(), first.vertices[:, 0].min() + 5)
+
 
 class Frames(Case):
     """Motions of mechanisms come as frames: what lies between them is said or right."""

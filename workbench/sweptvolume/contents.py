@@ -147,6 +147,24 @@ def text_of(obj):
     return mesh_text(obj) if obj.isDerivedFrom("Mesh::Feature") else shape_text(obj)
 
 
+class KeptBodies:
+    """Triangles of parts as they were read last, for whoever asks for the same ones again and again."""
+
+    MOST = 4
+
+    def __init__(self):
+        self._kept = []
+
+    def read(self, pairs, deflection):
+        """As convert.body_from."""
+        key = signature(pairs), deflection
+        found = [body for known, body in self._kept if known == key]
+        body = found[0] if found else convert.body_from(pairs, deflection)
+        others = [kept for kept in self._kept if kept[0] != key]
+        self._kept = [(key, body)] + others[: self.MOST - 1]
+        return body
+
+
 def outline(pairs):
     """World points (k,3) of parts that lie outermost in many directions, for the box of a sweep. Kept as the
     texts are. Raises InputProblem."""

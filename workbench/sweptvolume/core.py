@@ -304,10 +304,14 @@ def join(outcomes, options, control):
     return joined
 
 
-def estimate(request):
-    """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError."""
+def estimate(request, control=None):
+    """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError.
+
+    control: then a few steps of the motion are sampled; up to a second or so. Else from boxes only.
+    """
+    how = {} if control is None else {"trial": True, "run": control.context}
     with _errors():
-        return module().estimate(*_arguments(request), **request.options)
+        return module().estimate(*_arguments(request), **how, **request.options)
 
 
 def drawable(vertices, triangles, most, crease):

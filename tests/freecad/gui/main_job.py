@@ -44,7 +44,7 @@ CSV = "# t in s\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n2,4,4
 def scenario():
     from sweptvolume import runner
     from sweptvolume.features import envelope
-    from sweptvolume.panels import file_dialogs, file_panel
+    from sweptvolume.panels import envelope_panel, file_dialogs, file_panel
 
     folder = tempfile.mkdtemp()
     open_workbench()
@@ -85,6 +85,8 @@ def scenario():
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.6
     assert find(QtWidgets.QTableWidget, "SweptVolumeParts").rowCount() == 1
+    expected = envelope_panel.opened[-1].estimate_label
+    yield lambda: " MB, " in expected.text()  # what a few sampled steps tell
     shot("02_envelope_panel")
     yield 0.5
     gaps = Gaps()

@@ -19,6 +19,8 @@ from .moving import Moving
 MOST_CELLS = 8000
 #: Straight pieces of a smooth motion leave it by at most this part of a cell.
 STRAIGHT = 0.02
+#: Of a part's size: to so much its solids get triangles for a closer estimate.
+LOOK_DEFLECTION = 2e-3
 
 
 class Plan:
@@ -156,8 +158,9 @@ class Plan:
             low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
         return max(float((high - low).max()) / max(self.values["Resolution"], 1), 1e-9)
 
-    def requests(self):
-        """One run for each group of parts that move together, no document behind them."""
+    def requests(self, finest=0.0, read=convert.body_from):
+        """One run for each group of parts that move together, no document behind them. finest: mm, solids
+        get no finer triangles; read: as convert.body_from."""
         groups, options = self.groups(), self.options()
         cell = self.cell(groups)
         if any(np.ptp(g.corners(), axis=0).max() > MOST_CELLS * cell for g in groups):
@@ -172,8 +175,8 @@ class Plan:
                         "envelope for each motion.",
                     )
                 )
-        deflection = max(self.values["MeshDeflection"], 1e-3) * cell
-        return [g.body_request(deflection, STRAIGHT * cell, options) for g in groups]
+        deflection = max(max(self.values["MeshDeflection"], 1e-3) * cell, finest)
+        return [g.body_request(deflection, STRAIGHT * cell, options, read) for g in groups]
 
     def coarse_requests(self, cells):
         """As requests(), of a quick look: `cells` along the longest side, nothing simplified."""
@@ -214,6 +217,20 @@ class Plan:
         if len(groups) > 1:
             options["cell"] = self.cell(groups)
         tolerance = STRAIGHT * self.cell(groups)
-        found = [core.estimate(g.request(*g.outline(), tolerance, options)) for g in groups]
-        most = max(found, key=lambda e: e["memory_bytes"])
-        return dict(most, seconds=sum(e["seconds"] for e in found))
+        return _together(
+            [core.estimate(g.request(*g.outline(), tolerance, options)) for g in groups]
+        )
+
+    def closer_estimate(self, read=convert.body_from):
+        """A function of a core.Control that gives a better estimate, for another thread: a few steps of the
+        parts are sampled. Solids get triangles for it that are quickly made."""
+        corners = [group.corners() for group in self.groups()]
+        size = min(float(np.ptp(points, axis=0).max()) for points in corners)
+        requests = self.requests(LOOK_DEFLECTION * size, read)
+        return lambda control: _together([core.estimate(r, control) for r in requests])
+
+
+def _together(found):
+    """Estimates of runs one after the other -> that of all."""
+    most = max(found, key=lambda e: e["memory_bytes"])
+    return dict(most, seconds=sum(e["seconds"] for e in found))

@@ -180,9 +180,10 @@ class Moving:
             vertices, triangles, times, translations, rotations, interpolation, options
         )
 
-    def body_request(self, deflection, tolerance, options):
-        """A run of the core for the parts themselves. deflection: mm, for solids."""
+    def body_request(self, deflection, tolerance, options, read=convert.body_from):
+        """A run of the core for the parts themselves. deflection: mm, for solids; read: as
+        convert.body_from."""
         self.check()
-        body = convert.body_from(self.pairs, deflection)
+        body = read(self.pairs, deflection)
         points = convert.transform(self.into_base(), body.vertices)
         return self.request(points, body.triangles, tolerance, options)

@@ -4,13 +4,14 @@ is written to the document before a run has ended well."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import quantities, settings
+from .. import contents, quantities, settings
 from ..convert import InputProblem
 from ..features.envelope_plan import Plan
 from ..features.envelope_properties import BACKENDS, COMPONENTS
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
 from . import focus, guard, widgets
+from .look import Look
 from .parts_box import PartsBox
 from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
@@ -80,6 +81,8 @@ class EnvelopePanel(StartPanel):
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self.settled)
         self.coarse = None
+        self.bodies = contents.KeptBodies()
+        self.look = Look(document, self.show_estimate, self.report_estimate)
         self.preview = Preview(document, self.show_preview, self.report_preview, self.finest)
         self._connect()
         self.read_outs.show_result(obj)
@@ -251,24 +254,42 @@ class EnvelopePanel(StartPanel):
         widgets.show_message(self.preview_text, text)
 
     def estimate(self):
-        """Shows grid, memory and time before anything is started."""
+        """Shows the grid, and a moment later memory and time, before anything is started."""
+        if self.run is not None:
+            return
         try:
             guard.check_fields(self.form)
-            e = self.plan().estimate()
+            plan = self.plan()
+            e = plan.estimate()
+            self.look.want(plan.closer_estimate(self.bodies.read))
         except Exception as problem:
+            self.look.stop()
             guard.tell(self.estimate_label, problem)
             return
-        self.estimate_label.show()
-        text = translate("Panels", "{0} x {1} x {2} cells of {3}; about {4}, {5}")
-        self.estimate_label.setText(
-            text.format(
-                *map(quantities.count, e["grid"]),
-                quantities.quantity(e["cell"]),
-                quantities.megabytes(e["memory_bytes"]),
-                quantities.seconds(e["seconds"]),
+        self._show_estimate(self._grid_text(e))
+
+    def show_estimate(self, found):
+        more = translate("Panels", "; about {0}, {1}")
+        took = quantities.megabytes(found["memory_bytes"]), quantities.seconds(found["seconds"])
+        text = self._grid_text(found) + more.format(*took)
+        if found.get("useful_filter"):
+            hint = translate(
+                "Panels", "A position filter of {0} would leave out most poses and be much quicker."
             )
-            + self._one_pose()
-        )
+            text += "\n" + hint.format(quantities.quantity(found["useful_filter"]))
+        self._show_estimate(text)
+
+    def report_estimate(self, text):
+        widgets.show_message(self.estimate_label, text)
+
+    def _show_estimate(self, text):
+        widgets.show_message(self.estimate_label, text + self._one_pose())
+
+    @staticmethod
+    def _grid_text(found):
+        text = translate("Panels", "{0} x {1} x {2} cells of {3}")
+        cells = map(quantities.count, found["grid"])
+        return text.format(*cells, quantities.quantity(found["cell"]))
 
     def _one_pose(self):
         """A hint where nothing moves."""
@@ -287,6 +308,7 @@ class EnvelopePanel(StartPanel):
         if not self.begin(lambda: EnvelopeTask(self.document, self.plan(), self.obj), self.ended):
             return False
         self.preview_box.setChecked(False)
+        self.look.stop()
         self.preview.stop()
         self._remove_coarse()
         self._enable(False)
@@ -329,6 +351,7 @@ class EnvelopePanel(StartPanel):
             return True
         self.closed = True
         self.timer.stop()
+        self.look.stop()
         self.preview.stop()
         self._remove_coarse()
         self.close_dialog()

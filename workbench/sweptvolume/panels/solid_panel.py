@@ -5,10 +5,11 @@ import os
 
 from PySide import QtCore
 
-from .. import core, export, quantities, runner
+from .. import core, export, quantities
 from ..features import solid
 from ..texts import translate
 from . import focus, guard, tasks, widgets
+from .look import Look
 from .run_panel import StartPanel
 from .widgets import QtWidgets
 
@@ -19,29 +20,14 @@ ESTIMATE_DELAY = 250
 opened = []
 
 
-class _Estimate(runner.Task):
-    """What the solid would take, found beside the window."""
-
-    writes = False
-
-    def __init__(self, document, request, show):
-        self.title, self.document = "Estimate", document
-        self.request, self.show = request, show
-
-    def work(self, control):
-        return self.request.estimate(control)
-
-    def finish(self, found):
-        self.show(found)
-
-
 class SolidPanel(StartPanel):
     """Makes the solid of `source` (again: obj), or with a path writes it there."""
 
     def __init__(self, source, obj=None, path=""):
         self.mesh = solid.request_for(source, world=bool(path))
         self.document, self.source, self.obj, self.path = source.Document, source, obj, path
-        self.run, self.looking, self.buttons = None, None, []
+        self.run, self.buttons = None, []
+        self.look = Look(self.document, self.show_estimate, self.report_estimate)
         values = solid.settings(obj) if obj is not None else solid.DEFAULTS
         if path:
             head = translate("Panels", "Export envelope"), "SweptVolume_Export"
@@ -136,25 +122,17 @@ class SolidPanel(StartPanel):
         self.timer.start(ESTIMATE_DELAY)
 
     def estimate(self):
-        """Asks what the solid would take; the newest wish counts."""
+        """Asks what the solid would take."""
         if self.run is not None or not widgets.alive(self.document):
-            return
-        if self.looking is not None:
-            self.timer.start(ESTIMATE_DELAY)
             return
         try:
             guard.check_fields(self.form)
-            request = self.mesh.but(self.settings())
-            self.looking = runner.start(_Estimate(self.document, request, self.show_estimate))
+            self.look.want(self.mesh.but(self.settings()).estimate)
         except Exception as problem:
             guard.tell(self.expected, problem)
-            return
-        self.looking.ended.connect(self._estimated)
 
-    def _estimated(self, run):
-        self.looking = None
-        if run.state == "failed":
-            widgets.show_message(self.expected, run.message)
+    def report_estimate(self, text):
+        widgets.show_message(self.expected, text)
 
     def show_estimate(self, found):
         text = translate("Panels", "{0} triangles: at most {1} faces,\nabout {2}, {3}")
@@ -194,10 +172,7 @@ class SolidPanel(StartPanel):
 
     def _close(self):
         self.timer.stop()
-        if self.looking is not None:
-            self.looking.ended.disconnect(self._estimated)
-            self.looking.cancel()
-            self.looking = None
+        self.look.stop()
         self.close_dialog()
         return True
 

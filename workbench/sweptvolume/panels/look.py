@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a panel finds out beside the window before a run is started: what the run would take."""
+from .. import runner
+from .widgets import alive
+
+
+class _LookTask(runner.Task):
+    """Changes no document."""
+
+    writes = False
+
+    def __init__(self, document, find, show):
+        self.title, self.document = "Estimate", document
+        self.find, self.show = find, show
+
+    def work(self, control):
+        return self.find(control)
+
+    def finish(self, found):
+        self.show(found)
+
+
+class Look:
+    """Keeps at most one look under way; the newest wish counts.
+
+    show(found) and report(text) of a failure are called in the window's thread."""
+
+    def __init__(self, document, show, report):
+        self.document, self.show, self.report = document, show, report
+        self.run, self._next = None, None
+
+    def want(self, find):
+        """find(control): in a thread beside the window's, plain values only."""
+        self._next = find
+        if self.run is None:
+            self._start()
+        else:
+            self.run.cancel()
+
+    def _start(self):
+        find, self._next = self._next, None
+        self.run = runner.start(_LookTask(self.document, find, self.show))
+        self.run.ended.connect(self._ended)
+
+    def _ended(self, run):
+        self.run = None
+        if not alive(self.document):
+            return
+        if self._next is not None:
+            self._start()
+        elif run.state == "failed":
+            self.report(run.message)
+
+    def stop(self):
+        """Drops what is under way."""
+        self._next = None
+        if self.run is not None:
+            self.run.ended.disconnect(self._ended)
+            self.run.cancel()
+            self.run = None
