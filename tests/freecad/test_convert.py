@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Geometry in and out: meshes, solids, placements through groups and links."""
+import threading
+
 import FreeCAD as App
 import numpy as np
 import Part
@@ -95,14 +97,25 @@ class Convert(Case):
         ball = self.doc.addObject("Part::Sphere", "Ball")
         ball.Radius = 20
         self.doc.recompute()
-        fine = convert.arrays_from_shape(ball.Shape, 0.02)
-        coarse = convert.arrays_from_shape(ball.Shape, 1.0)
+        fine = convert.reader(ball, 0.02)()
+        coarse = convert.reader(ball, 1.0)()
         self.assertGreater(len(fine[1]), 5 * len(coarse[1]))
         for points, facets in (fine, coarse):
             middle = points[facets].mean(axis=1)
             gap = 20.0 - np.linalg.norm(middle, axis=1).min()
             # The mesher keeps the deflection on edges; in the middle of a face it may double.
             self.assertLess(gap, 2 * (0.02 if points is fine[0] else 1.0))
+
+    def test_triangles_are_those_of_when_the_part_was_read(self):
+        body = convert.body_from([(self.box("A"), "")], 0.1)
+        self.doc.A.Length = 99
+        self.doc.A.Placement.Base.x = 50
+        self.doc.recompute()
+        made = []
+        beside = threading.Thread(target=lambda: made.append(body.vertices.max(axis=0)))
+        beside.start()
+        beside.join()
+        self.assertEqual(made[0].tolist(), [10, 10, 10])
 
     def test_open_shape_is_refused_with_advice(self):
         plane = self.doc.addObject("Part::Plane", "Sheet")

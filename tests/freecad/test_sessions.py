@@ -30,7 +30,9 @@ def ball(rings):
 def request(body, way, **options):
     rotations = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
     times, places = np.array([0.0, 1.0]), np.array([[0.0, 0.0, 0.0], way])
-    return core.Request(*body, times, places, rotations, "linear", dict(options, resolution=48))
+    return core.Request(
+        core.Triangles(*body), times, places, rotations, "linear", dict(options, resolution=48)
+    )
 
 
 class Sessions(Case):

@@ -190,7 +190,7 @@ def _outline_of(obj):
     if known is None or known[0] != text:
         mesh = obj.isDerivedFrom("Mesh::Feature")
         size = 0.0 if mesh else obj.Shape.BoundBox.DiagonalLength
-        points = convert.leaf_arrays(obj, max(OUTLINE_CHORD * size, 1e-6))[0]
+        points = convert.reader(obj, max(OUTLINE_CHORD * size, 1e-6))()[0]
         known = _outlines[key] = text, points[_outermost(points)]
     return known[1]
 

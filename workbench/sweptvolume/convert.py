@@ -8,6 +8,7 @@ moved to the world in double precision.
 import io
 import os
 import tempfile
+import threading
 
 import FreeCAD as App
 import numpy as np
@@ -24,14 +25,45 @@ class InputProblem(ValueError):
 
 
 class Body:
-    """Triangles in world coordinates (mm) as they stand now, and the placement of the first part."""
+    """Parts as they stood when they were read, as triangles in world coordinates (mm), and the placement
+    of the first one.
 
-    def __init__(self, vertices, triangles, placement, labels):
-        self.vertices = vertices
-        self.triangles = triangles
+    The triangles are made when they are first asked for, in any thread: FreeCAD's mesher lets the window
+    go on. Raises InputProblem then if a part gives none."""
+
+    def __init__(self, parts, placement, labels):
+        self._parts = parts  # (label, 4x4 to the world, function that gives vertices and triangles)
         self.placement = placement
         self.labels = labels
-        self._seen = None
+        self._arrays, self._seen, self._lock = None, None, threading.Lock()
+
+    @property
+    def vertices(self):
+        return self.arrays()[0]
+
+    @property
+    def triangles(self):
+        return self.arrays()[1]
+
+    def arrays(self):
+        """Vertices (n,3) and triangles (m,3)."""
+        with self._lock:
+            if self._arrays is None:
+                self._arrays = self._made()
+                self._parts = None
+        return self._arrays
+
+    def _made(self):
+        vertices, triangles, count = [], [], 0
+        for label, matrix, read in self._parts:
+            try:
+                points, facets = read()
+            except InputProblem as problem:
+                raise InputProblem('"{}": {}'.format(label, problem)) from None
+            vertices.append(transform(matrix, points))
+            triangles.append(facets + count)
+            count += len(points)
+        return np.vstack(vertices), np.vstack(triangles).astype(np.int32)
 
     def seen(self, matrix):
         """The vertices moved by a 4x4 matrix; those of the last call are kept."""
@@ -170,8 +202,8 @@ def arrays_from_mesh(mesh):
     return vertices, triangles
 
 
-def arrays_from_shape(shape, deflection):
-    """Solid(s) -> vertices, triangles in the shape's own frame. `deflection`: mm, chord height."""
+def _shape_reader(shape, deflection):
+    """As reader()."""
     import MeshPart
 
     if not shape.Solids and not any(s.isClosed() for s in shape.Shells):
@@ -185,15 +217,19 @@ def arrays_from_shape(shape, deflection):
     # A copy: the triangulation is cached in the shape, a finer one would be reused for ever.
     local = shape.copy()
     local.Placement = App.Placement()
-    mesh = MeshPart.meshFromShape(
-        Shape=local,
-        LinearDeflection=float(deflection),
-        AngularDeflection=ANGULAR_DEFLECTION,
-        Relative=False,
-    )
-    if mesh.CountFacets == 0:
-        raise InputProblem(translate("Messages", "the shape gave no triangles."))
-    return arrays_from_mesh(mesh)
+
+    def read():
+        mesh = MeshPart.meshFromShape(
+            Shape=local,
+            LinearDeflection=float(deflection),
+            AngularDeflection=ANGULAR_DEFLECTION,
+            Relative=False,
+        )
+        if mesh.CountFacets == 0:
+            raise InputProblem(translate("Messages", "the shape gave no triangles."))
+        return arrays_from_mesh(mesh)
+
+    return read
 
 
 # --- objects of a document
@@ -287,11 +323,14 @@ def leaves(root, sub="", hidden=False):
     return found
 
 
-def leaf_arrays(linked, deflection):
-    """Vertices and triangles of a shape or mesh in its own frame. Raises InputProblem."""
+def reader(linked, deflection):
+    """A shape or a mesh as it is now: a function for any thread that gives vertices (n,3) and triangles
+    (m,3) in its own frame. deflection: mm, chord height of solids. Raises InputProblem, and so does the
+    function."""
     if linked.isDerivedFrom("Mesh::Feature"):
-        return arrays_from_mesh(linked.Mesh)
-    return arrays_from_shape(linked.Shape, deflection)
+        mesh = linked.Mesh.copy()
+        return lambda: arrays_from_mesh(mesh)
+    return _shape_reader(linked.Shape, deflection)
 
 
 def solid_like(linked):
@@ -307,7 +346,7 @@ def body_from(pairs, deflection):
     """All generators of a LinkSubList as one body. `deflection`: mm, for solids."""
     if not pairs:
         raise InputProblem(no_part_text())
-    vertices, triangles, labels, count = [], [], [], 0
+    read, labels = [], []
     for root, sub in pairs:
         label = label_of(root, sub)
         labels.append(label)
@@ -320,14 +359,10 @@ def body_from(pairs, deflection):
             )
         for linked, path in parts:
             try:
-                points, facets = leaf_arrays(linked, deflection)
+                read.append((label, global_matrix(root, path), reader(linked, deflection)))
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
-            vertices.append(transform(global_matrix(root, path), points))
-            triangles.append(facets + count)
-            count += len(points)
-    placement = global_placement(*pairs[0])
-    return Body(np.vstack(vertices), np.vstack(triangles).astype(np.int32), placement, labels)
+    return Body(read, global_placement(*pairs[0]), labels)
 
 
 def box_corners(pairs):

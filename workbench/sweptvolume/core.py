@@ -5,6 +5,7 @@ Searched in this order: the folder in the environment variable SWEPT_CORE, build
 repository, then the ordinary Python path. Nothing is imported before somebody needs it, so the
 workbench starts, opens documents and shows stored results without the module.
 """
+import collections
 import contextlib
 import importlib
 import os
@@ -125,16 +126,29 @@ class Request:
     """Input of one run: plain arrays, independent of any document.
 
     vertices (n,3) mm, triangles (m,3), times (k,) s, translations (k,3) mm, rotations (k,4) x,y,z,w.
+    body: what has `vertices` and `triangles`; those may be made when they are first asked for, in the
+    thread of the run.
     """
 
-    def __init__(self, vertices, triangles, times, translations, rotations, interpolation, options):
-        self.vertices = vertices
-        self.triangles = triangles
+    def __init__(self, body, times, translations, rotations, interpolation, options):
+        self.body = body
         self.times = times
         self.translations = translations
         self.rotations = rotations
         self.interpolation = interpolation
         self.options = options
+
+    @property
+    def vertices(self):
+        return self.body.vertices
+
+    @property
+    def triangles(self):
+        return self.body.triangles
+
+
+#: A body whose arrays are there.
+Triangles = collections.namedtuple("Triangles", "vertices triangles")
 
 
 class Outcome:
@@ -291,7 +305,7 @@ def join(outcomes, options, control):
     vertices = np.vstack([o.vertices for o in outcomes])
     triangles = np.vstack([o.triangles + n for o, n in zip(outcomes, counts)]).astype(np.int32)
     still = np.zeros(1), np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]])
-    request = Request(vertices, triangles, *still, "none", options)
+    request = Request(Triangles(vertices, triangles), *still, "none", options)
     joined = compute(request, control)
     report = joined.report
     report["joined"] = len(outcomes)

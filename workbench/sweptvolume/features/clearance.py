@@ -114,14 +114,14 @@ class Outcome:
 
 
 def work(request, control):
-    """Any thread: the check itself. Raises core.CoreError."""
-    neighbours = [(n.name, n.vertices, n.triangles, n.chord) for n in request.neighbours]
+    """Any thread: the check itself. Raises core.CoreError, InputProblem."""
+    neighbours = request.rows()
     report = core.clearance(request.body, neighbours, request.options, control)
     distances = None
     if request.points is not None:
         distances = np.full(len(request.points), np.inf)
-        for n in request.neighbours:
-            found = core.distance_to_mesh(request.points, n.vertices, n.triangles, control)
+        for _, vertices, triangles, _ in neighbours:
+            found = core.distance_to_mesh(request.points, vertices, triangles, control)
             distances = np.minimum(distances, found)
     return Outcome(report, distances, request.notes)
 

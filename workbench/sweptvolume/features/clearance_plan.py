@@ -14,28 +14,53 @@ from .moving import Moving
 
 
 class Neighbour:
-    """A part that stands still: name and world triangles (mm)."""
+    """A part that stands still: name, convert.Body, and how far its triangles may leave its surface (mm)."""
 
-    def __init__(self, name, vertices, triangles, chord):
+    def __init__(self, name, body, chord):
         self.name = name
-        self.vertices = vertices
-        self.triangles = triangles
+        self.body = body
         self.chord = chord
 
 
 class Request:
     """Input of one check as plain arrays, no document behind it."""
 
-    def __init__(self, body, neighbours, options, points, notes):
+    def __init__(self, body, neighbours, all_visible, options, points, notes):
         self.body = body  # core.Request
         self.neighbours = neighbours
+        self.all_visible = all_visible
         self.options = options
         self.points = points  # of the envelope, to be coloured; may be None
         self.notes = notes
 
+    def rows(self):
+        """Any thread: (name, vertices, triangles, chord) of the neighbours. One of which no triangles can
+        be had is left out with a note where all that are visible are taken. Raises InputProblem."""
+        rows = []
+        for n in self.neighbours:
+            try:
+                rows.append((n.name, n.body.vertices, n.body.triangles, n.chord))
+            except InputProblem as problem:
+                if not self.all_visible:
+                    raise
+                self.notes.append(_left_out(problem))
+        if not rows:
+            raise _no_neighbour()
+        return rows
+
 
 #: Kinds of results that stand in the document as parts do.
 _RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
+
+
+def _left_out(problem):
+    return translate("Messages", "Left out: {0}").format(problem)
+
+
+def _no_neighbour():
+    return InputProblem(
+        translate("Messages", "no neighbour is given: choose parts or show some others.")
+    )
 
 
 def _short(words):
@@ -151,9 +176,7 @@ class Plan:
         Raises InputProblem where something was chosen that cannot be checked."""
         found = self._all_visible() if self.all_visible else self._chosen()
         if not found:
-            raise InputProblem(
-                translate("Messages", "no neighbour is given: choose parts or show some others.")
-            )
+            raise _no_neighbour()
         return found
 
     def _chosen(self):
@@ -255,15 +278,14 @@ class Plan:
         if moving.motion.Message:
             notes.append(moving.motion.Message)
         if not neighbours:
-            raise InputProblem(
-                translate("Messages", "no neighbour is given: choose parts or show some others.")
-            )
+            raise _no_neighbour()
         points = None
         if self.envelope is not None and self.envelope.Mesh.CountFacets:
             points = envelope_arrays(self.envelope)[0]
         return Request(
             body,
             neighbours,
+            self.all_visible,
             {
                 "required": float(self.values["Required"]),
                 "tolerance": float(self.values["Tolerance"]),
@@ -282,10 +304,10 @@ class Plan:
             except InputProblem as problem:
                 if not self.all_visible:
                     raise
-                notes.append(translate("Messages", "Left out: {0}").format(problem))
+                notes.append(_left_out(problem))
                 continue
             chord = deflection if _has_shape([pair]) else 0.0
-            neighbours.append(Neighbour(name, part.vertices, part.triangles, chord))
+            neighbours.append(Neighbour(name, part, chord))
         return neighbours, notes
 
 

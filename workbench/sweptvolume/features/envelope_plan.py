@@ -218,7 +218,7 @@ class Plan:
             options["cell"] = self.cell(groups)
         tolerance = STRAIGHT * self.cell(groups)
         return _together(
-            [core.estimate(g.request(*g.outline(), tolerance, options)) for g in groups]
+            [core.estimate(g.request(g.outline(), tolerance, options)) for g in groups]
         )
 
     def closer_estimate(self, read=convert.body_from):

@@ -31,6 +31,21 @@ def _in_world(motion, standing):
 SINGLE_STEP = 0.25
 
 
+class _Seen:
+    """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to there."""
+
+    def __init__(self, body, matrix):
+        self.body, self.matrix = body, matrix
+
+    @property
+    def vertices(self):
+        return self.body.seen(self.matrix)
+
+    @property
+    def triangles(self):
+        return self.body.triangles
+
+
 class Moving:
     """Generators with one motion. reference: (root, sub) of a part that moves itself by
     reference_motion; the generators are then seen from it, where it stands now."""
@@ -131,10 +146,11 @@ class Moving:
         return most, text
 
     def outline(self):
-        """Outermost points of the parts in the base frame (k,3), and triangles that hold them together."""
+        """Outermost points of the parts in the base frame (k,3), and triangles that hold them together, as
+        a body."""
         points = convert.transform(self.into_base(), contents.outline(self.pairs))
         strip = np.arange(len(points))[:, None] + np.arange(3)
-        return points, (strip % len(points)).astype(np.int32)
+        return core.Triangles(points, (strip % len(points)).astype(np.int32))
 
     def curved(self):
         """Whether the core gets straight pieces in place of a curved way."""
@@ -171,19 +187,16 @@ class Moving:
         knots = sorted(set(knots).union(inside))
         return seen, knots, self.reference_motion.Interpolation == "None"
 
-    def request(self, vertices, triangles, tolerance, options):
-        """A run of the core for points in the base frame."""
+    def request(self, body, tolerance, options):
+        """A run of the core for a body (as core.Request has it) in the base frame."""
         poses, interpolation = self.trajectory(tolerance)
         translations, rotations = convert.pose_arrays(poses.placements)
         times = np.array(poses.times, dtype=float)
-        return core.Request(
-            vertices, triangles, times, translations, rotations, interpolation, options
-        )
+        return core.Request(body, times, translations, rotations, interpolation, options)
 
     def body_request(self, deflection, tolerance, options, read=convert.body_from):
         """A run of the core for the parts themselves. deflection: mm, for solids; read: as
         convert.body_from."""
         self.check()
-        body = read(self.pairs, deflection)
-        points = convert.transform(self.into_base(), body.vertices)
-        return self.request(points, body.triangles, tolerance, options)
+        body = _Seen(read(self.pairs, deflection), self.into_base())
+        return self.request(body, tolerance, options)

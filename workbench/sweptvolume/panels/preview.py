@@ -41,8 +41,7 @@ def request_for(body, poses, base, interpolation, resolution):
         poses = straightened(course(poses, "Spline"), poses.times, reach, STRAIGHT * size)
     translations, rotations = convert.pose_arrays(poses.placements)
     return core.Request(
-        vertices,
-        body.triangles,
+        core.Triangles(vertices, body.triangles),
         np.array(poses.times, dtype=float),
         translations,
         rotations,
