@@ -9,7 +9,7 @@ from mechanism import SPEED, Absent, arm_after, hinge
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, motion
-from sweptvolume.trajectory import assembly
+from sweptvolume.trajectory import assembly, sources
 
 
 class Simulated(Case):
@@ -32,6 +32,12 @@ class Simulated(Case):
             self.assert_placement(place, arm_after(time), 1e-6)
         self.assert_placement(self.arm.Placement, arm_after(0), 1e-9)
         self.assertEqual([o.Name for o in self.doc.Objects if "Invalid" in o.State], [])
+
+    def test_simulation_and_part_are_chosen_in_any_order(self):
+        for chosen in ([self.simulation, self.arm], [self.arm, self.simulation]):
+            found = sources.in_order(chosen)
+            self.assertEqual(sources.kind_for(found), "Simulation")
+            self.assertEqual([o.Name for o in found], [self.simulation.Name, self.arm.Name])
 
     def test_step_that_does_not_meet_the_end(self):
         self.simulation.cTimeStepOutput = 0.3
