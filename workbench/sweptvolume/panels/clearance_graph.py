@@ -52,8 +52,7 @@ class DistanceGraph(QtWidgets.QWidget):
     def paintEvent(self, event):  # noqa: N802
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        painter.fillRect(self.rect(), self.palette().color(QtGui.QPalette.Base))
-        painter.setPen(self.palette().color(QtGui.QPalette.Text))
+        painter.setPen(self._ink())
         order = self._drawn()
         if not order:
             text = translate("Panels", "No curve yet: check first.")
@@ -80,10 +79,15 @@ class DistanceGraph(QtWidgets.QWidget):
         self._names(painter, box, order)
         painter.end()
 
+    def _ink(self):
+        """The colour of the panel's own texts. What lies behind is left as it is: a style sheet may give a
+        panel other colours than its palette has."""
+        return self.palette().color(QtGui.QPalette.WindowText)
+
     def _axes(self, painter, box, start, end, most, at):
         painter.setPen(QtGui.QPen(QtGui.QColor("#888a85"), 1))
         painter.drawRect(box)
-        painter.setPen(self.palette().color(QtGui.QPalette.Text))
+        painter.setPen(self._ink())
         for k in range(5):
             d, t = most * k / 4.0, start + (end - start) * k / 4.0
             y, x = at(start, d).y(), at(t, 0).x()
@@ -107,8 +111,8 @@ class DistanceGraph(QtWidgets.QWidget):
             painter.drawLine(at(start, self.required), at(end, self.required))
 
     def _names(self, painter, box, order):
-        behind_names = self.palette().color(QtGui.QPalette.Base)
-        behind_names.setAlpha(200)
+        light = self._ink().lightness() > 127
+        behind_names = QtGui.QColor(40, 40, 40, 200) if light else QtGui.QColor(255, 255, 255, 200)
         for k, i in enumerate(order):
             painter.setPen(QtGui.QColor(COLOURS[k % len(COLOURS)]))
             text = painter.fontMetrics().elidedText(

@@ -43,17 +43,21 @@ class Player(QtWidgets.QGroupBox):
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(*widgets.MARGINS)
         column.setSpacing(4)
-        above, below = QtWidgets.QHBoxLayout(), QtWidgets.QHBoxLayout()
-        # The slider has a line of its own: beside buttons of some themes a finger's width is left.
+        above, middle, below = (QtWidgets.QHBoxLayout() for _ in range(3))
+        # The slider has a line of its own, and so have the buttons: those of some themes are wide.
         above.addWidget(self.slider, 1)
         above.addWidget(self.time)
         for button in (self.back, self.forth):
             button.setFixedWidth(30)
-        for widget in (self.back, self.play, self.forth, self.speed, self.loop):
-            below.addWidget(widget)
-        below.addStretch(1)
-        column.addLayout(above)
-        column.addLayout(below)
+        for row, held in (
+            (middle, (self.back, self.play, self.forth)),
+            (below, (self.speed, self.loop)),
+        ):
+            for widget in held:
+                row.addWidget(widget)
+            row.addStretch(1)
+        for row in (above, middle, below):
+            column.addLayout(row)
         self.timer = QtCore.QTimer(self)
         self.timer.timeout.connect(self._advance)
         self.slider.valueChanged.connect(self._slid)

@@ -30,7 +30,7 @@ def window(title, icon_name):
     """The form of a task panel."""
     form = QtWidgets.QWidget()
     form.setWindowTitle(title)
-    form.setWindowIcon(QtGui.QIcon(icon(icon_name)))
+    form.setWindowIcon(Gui.getIcon(icon(icon_name)))
     layout = QtWidgets.QVBoxLayout(form)
     layout.setContentsMargins(4, 4, 4, 4)
     return form, layout

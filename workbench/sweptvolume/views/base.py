@@ -12,11 +12,19 @@ from ..features.envelope import CANCELLED, FAILED, NOT_COMPUTED, STALE
 _MARKS = {STALE: "_stale", CANCELLED: "_cancelled", FAILED: "_failed", NOT_COMPUTED: "_empty"}
 
 
+def shown_icon(name):
+    """The path of an icon, which FreeCAD has drawn by itself before: Qt 6 alone draws no SVG where its
+    plug-in for them is missing, and the tree would show what any object has."""
+    path = icon(name)
+    Gui.getIcon(path)
+    return path
+
+
 def state_icon(name, obj):
     """Icon of an object with a result: running, stale, cancelled, failed, never computed are marked."""
     if runner.is_running(obj):
-        return icon(name + "_running")
-    return icon(name + _MARKS.get(getattr(obj, "Status", ""), ""))
+        return shown_icon(name + "_running")
+    return shown_icon(name + _MARKS.get(getattr(obj, "Status", ""), ""))
 
 
 def run_command(obj, command):
@@ -115,9 +123,7 @@ class View:
         return None
 
     def add_menu(self, menu, text, icon_name, action):
-        from PySide import QtGui
-
-        entry = menu.addAction(QtGui.QIcon(icon(icon_name)), text)
+        entry = menu.addAction(Gui.getIcon(icon(icon_name)), text)
         entry.triggered.connect(lambda *ignored: action())
 
     def dumps(self):

@@ -8,7 +8,7 @@ from .. import convert, icon
 from ..features import clearance
 from ..features.clearance_plan import envelope_arrays
 from ..texts import translate
-from .base import View, run_command, state_icon
+from .base import View, run_command, shown_icon, state_icon
 
 #: Colours of the bands: clash, contact, too near, clear.
 BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
@@ -55,9 +55,9 @@ class ClearanceView(View):
         if name != icon("SweptVolume_Clearance") or not self.Object.Checked:
             return name
         if self.Object.Smallest.Value <= 0:
-            return icon("SweptVolume_Clearance_clash")
+            return shown_icon("SweptVolume_Clearance_clash")
         near = self.Object.Smallest.Value < self.Object.Required.Value
-        return icon("SweptVolume_Clearance_near") if near else name
+        return shown_icon("SweptVolume_Clearance_near") if near else name
 
     def setupContextMenu(self, view, menu):
         text = translate("Commands", "Check clearance")

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a motion looks: the path of its poses as a line, with a small frame at each pose."""
-from .. import icon
 from ..convert import InputProblem
 from ..features.motion import STALE, poses_of
 from ..features.motion_source import has_settings
 from ..texts import mark, translate
 from . import path
-from .base import View, run_command
+from .base import View, run_command, shown_icon
 
 
 class MotionView(View):
@@ -71,9 +70,9 @@ class MotionView(View):
     def getIcon(self):
         status = getattr(self.Object, "Status", "")
         if status == STALE:
-            return icon("SweptVolume_Motion_stale")
+            return shown_icon("SweptVolume_Motion_stale")
         broken = status and len(self.Object.Placements)
-        return icon("SweptVolume_Motion_failed" if broken else "SweptVolume_Motion")
+        return shown_icon("SweptVolume_Motion_failed" if broken else "SweptVolume_Motion")
 
     def setupContextMenu(self, view, menu):
         obj = view.Object
