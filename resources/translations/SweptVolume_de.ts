@@ -489,12 +489,12 @@
    <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
-   <source>the shape gave no triangles.</source>
-   <translation>Die Form ergab keine Dreiecke.</translation>
-  </message>
-  <message>
    <source>the moving part is empty.</source>
    <translation>Das bewegte Teil ist leer.</translation>
+  </message>
+  <message>
+   <source>the shape gave no triangles.</source>
+   <translation>Die Form ergab keine Dreiecke.</translation>
   </message>
   <message>
    <source>the shape has no solid (faces: {0}). Sweep a solid or a closed mesh; Part &gt; Convert to solid or Part &gt; Shape builder close a shape.</source>
@@ -623,6 +623,10 @@ Versucht:
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
   <message>
+   <source>Left out: {0}</source>
+   <translation>Ausgelassen: {0}</translation>
+  </message>
+  <message>
    <source>Left out: {0} (envelopes and their solids are checked where they are chosen as neighbours).</source>
    <translation>Ausgelassen: {0} (Hüllen und ihre Volumenkörper werden geprüft, wenn sie als Nachbarn gewählt sind).</translation>
   </message>
@@ -639,12 +643,12 @@ Versucht:
    <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
   </message>
   <message>
-   <source>Left out: {0}</source>
-   <translation>Ausgelassen: {0}</translation>
-  </message>
-  <message>
    <source>smallest {0} at t = {1} s ({2})</source>
    <translation>kleinster Abstand {0} bei t = {1} s ({2})</translation>
+  </message>
+  <message>
+   <source>smallest {0}, at least {1}, at t = {2} s ({3})</source>
+   <translation>kleinster Abstand {0}, mindestens {1}, bei t = {2} s ({3})</translation>
   </message>
   <message>
    <source>{0} clash</source>

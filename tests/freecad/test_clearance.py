@@ -48,7 +48,10 @@ class Clearance(Case):
         # Both solids are meshed to 0.05 mm: that, and the tolerance, is not promised.
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
         self.assertTrue(
-            obj.Summary.startswith("2 checked, 1 too near, smallest 3.4 mm at t = 1 s (Wall)")
+            obj.Summary.startswith(
+                "2 checked, 1 too near, smallest 3.5 mm, at least 3.39 mm, at t = 1 s (Wall)"
+            ),
+            obj.Summary,
         )
 
     def test_parts_that_others_use_are_neighbours_too(self):
@@ -140,7 +143,7 @@ class Clearance(Case):
             inches = clearance_table.table(clearance.report_of(obj))
             self.assertEqual(clearance_table.columns()[2], "Distance (in)")
             text = clearance_table.summary(clearance.report_of(obj))
-            self.assertIn("smallest 0.1339 in at t = 1 s", text)
+            self.assertIn("smallest 0.1378 in, at least 0.1335 in, at t = 1 s", text)
         finally:
             App.Units.setSchema(0)
         self.assertAlmostEqual(inches[0][2] * 25.4, float(rows[1][2]))

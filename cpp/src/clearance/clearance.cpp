@@ -71,9 +71,11 @@ void summarise(ClearanceReport& report) {
   add(contacts, contacts == 1 ? "contact" : "contacts");
   add(below, "below required");
   const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-  const double length = deep ? row.penetration.depth : std::max(0.0, row.distance - row.chordError);
-  report.summary += std::string(deep ? ", deepest " : ", smallest ") + numberText(length, 4) +
-                    " mm at t = " + numberText(row.timeSeconds) + " s";
+  const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
+  report.summary += (deep ? ", deepest " : ", smallest ") + length + " mm";
+  const std::string certain = numberText(row.guaranteed, 4);
+  if (!deep && certain != length) report.summary += ", at least " + certain + " mm,";
+  report.summary += " at t = " + numberText(row.timeSeconds) + " s";
   if (!row.name.empty()) report.summary += " (" + row.name + ")";
 }
 

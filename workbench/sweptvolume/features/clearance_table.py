@@ -42,12 +42,18 @@ def summary(report):
             words.append(text.format(count))
     row = rows[nearest]
     deep = row.get("penetration", {}).get("depth") if row["verdict"] == "clash" else None
-    text = translate("Messages", "smallest {0} at t = {1} s ({2})")
-    length = max(0.0, row["distance"] - row.get("chord_error", 0.0))
+    where = number(row["time_seconds"], TABLE_DIGITS), row["name"]
     if isinstance(deep, (int, float)):
-        text, length = translate("Messages", "deepest {0} at t = {1} s ({2})"), deep
-    where = quantity(length, TABLE_DIGITS), number(row["time_seconds"], TABLE_DIGITS), row["name"]
-    return ", ".join(words + [text.format(*where)])
+        text, lengths = translate("Messages", "deepest {0} at t = {1} s ({2})"), [deep]
+    else:
+        text = translate("Messages", "smallest {0} at t = {1} s ({2})")
+        lengths = [row["distance"], row.get("guaranteed", row["distance"])]
+    lengths = [quantity(length, TABLE_DIGITS) for length in lengths]
+    if len(set(lengths)) > 1:  # what triangles and tolerance may hide
+        text = translate("Messages", "smallest {0}, at least {1}, at t = {2} s ({3})")
+    else:
+        del lengths[1:]
+    return ", ".join(words + [text.format(*lengths, *where)])
 
 
 def columns():
