@@ -36,7 +36,8 @@ def test_all_public_headers_are_there_and_nothing_of_the_inside(root, prefix):
 def test_the_example_builds_and_runs_outside_the_tree(root, prefix, tmp_path):
     source, build = tmp_path / "source", tmp_path / "build"
     shutil.copytree(root / "examples/cpp", source)
-    configure = ["cmake", "-S", str(source), "-B", str(build), f"-DCMAKE_PREFIX_PATH={prefix}"]
+    configure = ["cmake", "-G", "Ninja", "-S", str(source), "-B", str(build)]
+    configure.append(f"-DCMAKE_PREFIX_PATH={prefix}")
     for command in (configure, ["cmake", "--build", str(build)]):
         done = subprocess.run(command, capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr

@@ -76,11 +76,20 @@ std::string refusal(const CLI::ParseError& error, const CLI::App& program,
   return "one file too many: '" + word + "'";
 }
 
+/// CLI11 from 2.5 on wraps what stands below the options, where the lines are commands to be
+/// copied.
+template <class Formatter>
+void keepLines(Formatter& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); })
+    formatter.enable_footer_formatting(false);
+}
+
 int dispatch(std::vector<std::string> words) {
   CLI::App program("envelopes of moving bodies", "swept");
   program.set_version_flag("-V,--version", "swept " SWEPT_VERSION);
   program.footer(kExitStatuses);
   program.get_formatter()->column_width(32);
+  keepLines(*program.get_formatter());
   const Commands commands = addCommands(program);
   if (!words.empty() && words[0] == "help") {  // as in version 0.1
     words.erase(words.begin());
