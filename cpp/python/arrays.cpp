@@ -115,6 +115,30 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) 
   return mesh;
 }
 
+std::vector<std::int32_t> facesFromArray(const py::object& faces) {
+  refuseMasked(faces, "faces");
+  const py::array any = py::array::ensure(faces);
+  const char kind = any ? any.dtype().kind() : 'O';
+  if (kind != 'i' && kind != 'u') {
+    PyErr_Clear();
+    throw py::type_error("faces must be an array of integers");
+  }
+  checkShape(any, "faces", {-1}, "(M,), one for each triangle");
+  const Integers wide = Integers::ensure(any);
+  if (!wide) throw py::error_already_set();
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(wide.size()));
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    const std::int64_t number = wide.data()[n];
+    if (number < 0 || number > std::numeric_limits<std::int32_t>::max()) {
+      throw Error(Status::InvalidInput, "BadFaces",
+                  "triangle " + std::to_string(n) + " is said to belong to face " +
+                      std::to_string(number) + "; faces are numbered from 0 to 2147483647");
+    }
+    numbers[n] = static_cast<std::int32_t>(number);
+  }
+  return numbers;
+}
+
 Trajectory trajectoryFromObject(const py::object& motion, const std::string& interpolation) {
   Trajectory trajectory;
   trajectory.interpolation = parseInterpolation(interpolation);

@@ -20,6 +20,8 @@ namespace swept::python {
 namespace py = pybind11;
 
 TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles);
+/// TriMesh::faceOf from whole numbers (M,).
+std::vector<std::int32_t> facesFromArray(const py::object& faces);
 
 /// (times, quaternions, translations), (times, matrices) or matrices (K, 4, 4).
 Trajectory trajectoryFromObject(const py::object& motion, const std::string& interpolation);

@@ -20,8 +20,17 @@ constexpr const char* kMeshDoc =
     "Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), both read-only views.";
 
 constexpr const char* kResultDoc =
-    R"(Result of compute(): mesh (Mesh), report (dict), contact_time, feature_edges.
+    R"(Result of compute(): mesh (Mesh), report (dict), contact_time, feature_edges, sources (Sources or
+None).
 The arrays are read-only views that share the result's memory; copy them to change them.)";
+
+inline constexpr const char* kSourcesDoc =
+    R"(What made each triangle of an envelope. Arrays by triangle, copied at each call.
+
+A cap is a face of the body as it lies at one pose. An edge was swept by an edge of the body, where two
+faces meet at 8 degrees or more. A graze was swept by the inside of a face that the sweep touches along a
+curve, or by two faces that meet smoothly. Faces are those given as faces, else triangles of the body.
+Of a simplified envelope: what made the largest part of the triangle's area.)";
 
 constexpr const char* kRecutDoc =
     R"(recut(tolerance, run=None) -> Result
@@ -31,7 +40,7 @@ sampling again. Only for a result that was computed with a tolerance above 0: el
 This result stays as it is. Of the report, check and simplification_deviation change.)";
 
 constexpr const char* kComputeDoc =
-    R"(compute(vertices, triangles, motion, interpolation='linear', run=None, **options) -> Result
+    R"(compute(vertices, triangles, motion, interpolation='linear', run=None, faces=None, **options) -> Result
 
 Envelope of a body moved along a trajectory.
 
@@ -46,11 +55,13 @@ motion     one of
            x_world = R x + t
 interpolation  'none' (union of posed copies), 'linear' (lerp + slerp) or 'screw'
 run        RunContext to watch and cancel
+faces      int (M,): number (0 or more) of the face that each triangle is a piece of; for sources
 
 Options: resolution=128 (cells along the longest side) or cell=0.0 (mm); components='consistent'
 ('dc', 'dmc', 'equivalence', 'greedy'); backend='auto' ('cpu', 'gpu'); keep_cavities=False; cull=True;
 tolerance=0.0 (mm, simplification); offset=0.0 (mm); conservative=False; position_filter=0.0 (mm);
-chord=0.02 (cells); weld=1e-6 (of the box diagonal); threads=0; memory_limit_mb=0.
+chord=0.02 (cells); weld=1e-6 (of the box diagonal); sources=False (Result.sources: what made each
+triangle; neither with an offset nor conservative); threads=0; memory_limit_mb=0.
 
 Raises Error with .status, .code and .report: InvalidInput, ResourceLimit, OutOfMemory, Cancelled,
 DeviceUnavailable, DeviceLost, InternalError. Wrong shapes raise ValueError, wrong types TypeError.)";
@@ -62,7 +73,7 @@ WarmMemory(bytes) reserves it, touch() fetches the pages (any thread), release()
 the object until the copy is made. Does nothing for less than 8 MiB, or without the GNU C library.)";
 
 constexpr const char* kPreviewSessionDoc =
-    R"(PreviewSession(vertices, triangles, **options)
+    R"(PreviewSession(vertices, triangles, faces=None, **options)
 
 Quick, coarse envelopes of one body while its motion is edited: the checked body stays warm between
 calls. Options as those of compute(), for all calls; chord is at least 0.1, tolerance is left out.)";

@@ -159,6 +159,9 @@ void bindFiles(py::module_& module) {
   py::class_<Mesh>(module, "Mesh", kMeshDoc)
       .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
       .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only")
+      .def_property_readonly("faces", &facesOf,
+                             "int32 (M,), read-only: number of the face of a solid that each "
+                             "triangle belongs to, in the file's order; None: a mesh file")
       .def_readonly("chord_error", &Mesh::chordError,
                     "mm: how far triangles of a solid may leave its surface; 0: a mesh file")
       .def_readonly("findings", &Mesh::findings,

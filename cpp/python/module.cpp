@@ -12,6 +12,7 @@
 #include "job.h"
 #include "path_bindings.h"
 #include "priority.h"
+#include "source_bindings.h"
 #include "swept/check_text.h"
 #include "swept/compute.h"
 #include "swept/preview.h"
@@ -33,6 +34,11 @@ struct ComputeResult {
   py::array contactTime() const {
     return readOnlyView(data->contactTime.data(),
                         {static_cast<py::ssize_t>(data->contactTime.size())}, data);
+  }
+  py::object sources() const {
+    if (!data->sources.rows) return py::none();
+    // Neither holds the other: a result may go while its sources stay.
+    return py::cast(std::make_shared<Sources>(data->sources));
   }
   py::array featureEdges() const {
     return readOnlyView(reinterpret_cast<const std::int32_t*>(data->featureEdges.data()),
@@ -90,6 +96,8 @@ void takeOption(const std::string& name, const py::handle& value, Options& optio
     options.chordTolerance = castOption<double>(name, value);
   else if (name == "weld")
     options.weldTolerance = castOption<double>(name, value);
+  else if (name == "sources")
+    options.sources = castOption<bool>(name, value);
   else if (name == "threads")
     run.threads = castOption<int>(name, value);
   else if (name == "memory_limit_mb")
@@ -116,10 +124,12 @@ ComputeResult resultOrRaise(const std::shared_ptr<const Result>& result) {
 
 ComputeResult pyCompute(const py::object& vertices, const py::object& triangles,
                         const py::object& motion, const std::string& interpolation,
-                        const py::object& run, const py::kwargs& keywords) {
+                        const py::object& run, const py::object& faces,
+                        const py::kwargs& keywords) {
   const RunPointer context = runFromObject(run);
   const Options options = optionsFrom(keywords, *context);
-  const TriMesh body = meshFromArrays(vertices, triangles);
+  TriMesh body = meshFromArrays(vertices, triangles);
+  if (!faces.is_none()) body.faceOf = facesFromArray(faces);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
   auto result = std::make_shared<Result>(
       runWithoutLock(*context, [&] { return compute(body, trajectory, options, *context); }));
@@ -137,10 +147,12 @@ ComputeResult pyRecut(const ComputeResult& from, double tolerance, const py::obj
 
 std::unique_ptr<PreviewSession> pyPreviewSession(const py::object& vertices,
                                                  const py::object& triangles,
+                                                 const py::object& faces,
                                                  const py::kwargs& keywords) {
   RunContext run;
   const Options options = optionsFrom(keywords, run);
-  const TriMesh body = meshFromArrays(vertices, triangles);
+  TriMesh body = meshFromArrays(vertices, triangles);
+  if (!faces.is_none()) body.faceOf = facesFromArray(faces);
   const py::gil_scoped_release release;
   return std::make_unique<PreviewSession>(body, options, run);
 }
@@ -216,12 +228,15 @@ void bindClasses(py::module_& module) {
                              "float64 (N,): s at which the vertex is touched; may be empty")
       .def_property_readonly("feature_edges", &ComputeResult::featureEdges,
                              "int32 (E, 2): vertex pairs along creases; may be empty")
+      .def_property_readonly("sources", &ComputeResult::sources,
+                             "Sources, or None where the option sources was not set")
       .def("recut", &pyRecut, kRecutDoc, py::arg("tolerance"), py::arg("run") = py::none());
 }
 
 void bindPreview(py::module_& module) {
   py::class_<PreviewSession>(module, "PreviewSession", kPreviewSessionDoc)
-      .def(py::init(&pyPreviewSession), py::arg("vertices"), py::arg("triangles"))
+      .def(py::init(&pyPreviewSession), py::arg("vertices"), py::arg("triangles"),
+           py::arg("faces") = py::none())
       .def("compute", &pyPreview, kPreviewDoc, py::arg("motion"),
            py::arg("interpolation") = "linear", py::arg("run") = py::none(),
            py::arg("sketch") = false);
@@ -239,7 +254,8 @@ void bindFunctions(py::module_& module) {
       "From now on runs leave the processor to other threads of this process first. Ask before "
       "the first run.");
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
-             py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none());
+             py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none(),
+             py::arg("faces") = py::none());
   module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("trial") = false,
              py::arg("run") = py::none());
@@ -256,6 +272,7 @@ PYBIND11_MODULE(_swept, module) {
   module.attr("__version__") = SWEPT_VERSION;
   bindErrors(module);
   bindFiles(module);
+  bindSources(module);
   bindClasses(module);
   bindPreview(module);
   bindFunctions(module);

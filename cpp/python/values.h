@@ -32,6 +32,13 @@ struct Mesh {
   }
 };
 
+/// numpy (M,) or None.
+inline py::object facesOf(const Mesh& mesh) {
+  if (mesh.data->faceOf.empty()) return py::none();
+  return readOnlyView(mesh.data->faceOf.data(),
+                      {static_cast<py::ssize_t>(mesh.data->faceOf.size())}, mesh.data);
+}
+
 inline RunPointer runFromObject(const py::object& run) {
   return run.is_none() ? std::make_shared<RunContext>() : run.cast<RunPointer>();
 }

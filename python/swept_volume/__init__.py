@@ -41,6 +41,7 @@ from ._calls import (
     find_path,
     write_solid,
 )
+from ._sources import Sources
 from ._values import (
     Mesh,
     MeshLike,
@@ -70,6 +71,7 @@ __all__ = [
     "ResourceLimit",
     "Result",
     "RunContext",
+    "Sources",
     "__version__",
     "check_mesh",
     "clearance",

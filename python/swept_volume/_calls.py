@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 
+from ._sources import Sources
 from ._values import (
     Floats,
     Integers,
@@ -60,14 +61,15 @@ class RunContext(_core.RunContext):
 
 class Result:
     """Of compute(): mesh, report (dict), contact_time (float64 (N,): s at which the surface point is
-    touched; may be empty), feature_edges (int32 (E, 2): vertex pairs along creases; may be empty).
-    The arrays are read-only."""
+    touched; may be empty), feature_edges (int32 (E, 2): vertex pairs along creases; may be empty),
+    sources (Sources; None unless asked for). The arrays are read-only."""
 
-    __slots__ = ("mesh", "report", "contact_time", "feature_edges", "_core")
+    __slots__ = ("mesh", "report", "contact_time", "feature_edges", "sources", "_core")
     mesh: Mesh
     report: Report
     contact_time: Floats
     feature_edges: Integers
+    sources: Optional[Sources]
 
     def __init__(
         self,
@@ -75,11 +77,13 @@ class Result:
         report: Report,
         contact_time: npt.ArrayLike = (),
         feature_edges: Optional[npt.ArrayLike] = None,
+        sources: Optional[Sources] = None,
     ) -> None:
         edges = np.empty((0, 2), np.int32) if feature_edges is None else feature_edges
         self.mesh, self.report = mesh, report
         self.contact_time = frozen(contact_time, np.float64, (-1,), "contact_time")
         self.feature_edges = frozen(edges, np.int32, (-1, 2), "feature_edges")
+        self.sources = sources
         self._core: Optional[_core.Result] = None
 
     @classmethod
@@ -87,6 +91,7 @@ class Result:
         made = cls.__new__(cls)
         made.mesh, made.report = Mesh._of_core(core.mesh), core.report
         made.contact_time, made.feature_edges = core.contact_time, core.feature_edges
+        made.sources = Sources._of_core(core.sources)
         made._core = core
         return made
 
@@ -114,6 +119,7 @@ class Result:
             self.report,
             np.array(self.contact_time),
             np.array(self.feature_edges),
+            self.sources,
         )
 
     def __repr__(self) -> str:
@@ -154,6 +160,7 @@ def compute(
     position_filter: float = 0.0,
     chord: Optional[float] = None,
     weld: Optional[float] = None,
+    sources: bool = False,
     threads: Optional[int] = None,
     memory_limit_mb: Optional[float] = None,
     run: Optional[RunContext] = None,
@@ -173,6 +180,8 @@ def compute(
     position_filter mm; drop poses while the body stays within this
     chord           cells: how far a point may leave the refined motion's chord (0.02)
     weld            of the box diagonal: vertices along open edges that are nearer are joined (1e-6)
+    sources         tell what made each triangle (Result.sources); neither with an offset nor with
+                    conservative
     threads         None: all cores; memory_limit_mb None: three quarters of what is free
     run             watches and cancels
 
@@ -192,11 +201,18 @@ def compute(
         position_filter=position_filter,
         chord=chord,
         weld=weld,
+        sources=sources,
         threads=threads,
         memory_limit_mb=memory_limit_mb,
     )
     core = _core.compute(
-        body.vertices, body.triangles, way._arrays(), way.interpolation, run, **options
+        body.vertices,
+        body.triangles,
+        way._arrays(),
+        way.interpolation,
+        run,
+        body.faces if sources else None,
+        **options,
     )
     result = Result._of_core(core)
     result.report["warnings"][:0] = body.findings
@@ -240,7 +256,8 @@ class PreviewSession:
     ) -> None:
         body = mesh_of(mesh)
         given = _given(resolution=resolution, cell=cell, **options)
-        self._session = _core.PreviewSession(body.vertices, body.triangles, **given)
+        faces = body.faces if given.get("sources") else None
+        self._session = _core.PreviewSession(body.vertices, body.triangles, faces, **given)
 
     def compute(
         self,

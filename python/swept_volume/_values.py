@@ -52,13 +52,15 @@ def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.ND
 class Mesh:
     """Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), counter-clockwise seen from
     outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may leave
-    its surface, mm; findings: how it was read, as in a report's warnings."""
+    its surface, mm; findings: how it was read, as in a report's warnings. faces int32 (M,): number of
+    the face of a solid that each triangle is a piece of, in the file's order; None: not known."""
 
-    __slots__ = ("vertices", "triangles", "chord_error", "findings")
+    __slots__ = ("vertices", "triangles", "chord_error", "findings", "faces")
     vertices: Floats
     triangles: Integers
     chord_error: float
     findings: List[Dict[str, Any]]
+    faces: Optional[Integers]
 
     def __init__(
         self,
@@ -67,11 +69,14 @@ class Mesh:
         *,
         chord_error: float = 0.0,
         findings: Sequence[Dict[str, Any]] = (),
+        faces: Optional[npt.ArrayLike] = None,
     ) -> None:
         self.vertices = frozen(vertices, np.float64, (-1, 3), "vertices")
         self.triangles = frozen(triangles, np.int32, (-1, 3), "triangles")
         self.chord_error = float(chord_error)
         self.findings = list(findings)
+        count = len(self.triangles)
+        self.faces = None if faces is None else frozen(faces, np.int32, (count,), "faces")
 
     @classmethod
     def _of_core(cls, mesh: _core.Mesh) -> Mesh:
@@ -79,6 +84,7 @@ class Mesh:
         made = cls.__new__(cls)
         made.vertices, made.triangles = mesh.vertices, mesh.triangles
         made.chord_error, made.findings = mesh.chord_error, list(mesh.findings)
+        made.faces = mesh.faces
         return made
 
     @classmethod
@@ -98,6 +104,7 @@ class Mesh:
             np.array(self.triangles),
             self.chord_error,
             self.findings,
+            None if self.faces is None else np.array(self.faces),
         )
 
     def __eq__(self, other: object) -> bool:
@@ -118,9 +125,13 @@ class Mesh:
 
 
 def _mesh_again(
-    vertices: Floats, triangles: Integers, chord_error: float, findings: List[Dict[str, Any]]
+    vertices: Floats,
+    triangles: Integers,
+    chord_error: float,
+    findings: List[Dict[str, Any]],
+    faces: Optional[Integers] = None,
 ) -> Mesh:
-    return Mesh(vertices, triangles, chord_error=chord_error, findings=findings)
+    return Mesh(vertices, triangles, chord_error=chord_error, findings=findings, faces=faces)
 
 
 class Motion:

@@ -8,68 +8,16 @@ moved to the world in double precision.
 import io
 import os
 import tempfile
-import threading
 
 import FreeCAD as App
 import numpy as np
 
 from . import core
+from .body import Body, InputProblem, transform  # noqa: F401 (read from here as well)
 from .texts import translate
 
 #: Angular deflection of meshed solids (rad); the linear one follows the cell.
 ANGULAR_DEFLECTION = 0.35
-
-
-class InputProblem(ValueError):
-    """Something selected cannot be swept; the text says what, why and what to do."""
-
-
-class Body:
-    """Parts as they stood when they were read, as triangles in world coordinates (mm), and the placement
-    of the first one.
-
-    The triangles are made when they are first asked for, in any thread: FreeCAD's mesher lets the window
-    go on. Raises InputProblem then if a part gives none."""
-
-    def __init__(self, parts, placement, labels):
-        self._parts = parts  # (label, 4x4 to the world, function that gives vertices and triangles)
-        self.placement = placement
-        self.labels = labels
-        self._arrays, self._seen, self._lock = None, None, threading.Lock()
-
-    @property
-    def vertices(self):
-        return self.arrays()[0]
-
-    @property
-    def triangles(self):
-        return self.arrays()[1]
-
-    def arrays(self):
-        """Vertices (n,3) and triangles (m,3)."""
-        with self._lock:
-            if self._arrays is None:
-                self._arrays = self._made()
-                self._parts = None
-        return self._arrays
-
-    def _made(self):
-        vertices, triangles, count = [], [], 0
-        for label, matrix, read in self._parts:
-            try:
-                points, facets = read()
-            except InputProblem as problem:
-                raise InputProblem('"{}": {}'.format(label, problem)) from None
-            vertices.append(transform(matrix, points))
-            triangles.append(facets + count)
-            count += len(points)
-        return np.vstack(vertices), np.vstack(triangles).astype(np.int32)
-
-    def seen(self, matrix):
-        """The vertices moved by a 4x4 matrix; those of the last call are kept."""
-        if self._seen is None or not np.array_equal(self._seen[0], matrix):
-            self._seen = matrix, transform(matrix, self.vertices)
-        return self._seen[1]
 
 
 # --- placements
@@ -93,11 +41,6 @@ def placements_from(translations, rotations):
         App.Placement(App.Vector(*map(float, t)), App.Rotation(*map(float, q)))
         for t, q in zip(translations, rotations)
     ]
-
-
-def transform(matrix, points):
-    """Applies a 4x4 matrix to (n,3) points."""
-    return points @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 # --- meshes
@@ -202,6 +145,16 @@ def arrays_from_mesh(mesh):
     return vertices, triangles
 
 
+def _faces_of_facets(mesh, shape):
+    """(m,): number of the shape's face that each facet is a piece of; None where they cannot be told."""
+    if mesh.countSegments() != len(shape.Faces):
+        return None
+    faces = np.full(mesh.CountFacets, -1, dtype=np.int32)
+    for number in range(mesh.countSegments()):
+        faces[list(mesh.getSegment(number))] = number
+    return faces if faces.min() >= 0 else None
+
+
 def _shape_reader(shape, deflection):
     """As reader()."""
     import MeshPart
@@ -224,10 +177,11 @@ def _shape_reader(shape, deflection):
             LinearDeflection=float(deflection),
             AngularDeflection=ANGULAR_DEFLECTION,
             Relative=False,
+            Segments=True,
         )
         if mesh.CountFacets == 0:
             raise InputProblem(translate("Messages", "the shape gave no triangles."))
-        return arrays_from_mesh(mesh)
+        return arrays_from_mesh(mesh) + (_faces_of_facets(mesh, local),)
 
     return read
 
@@ -324,12 +278,12 @@ def leaves(root, sub="", hidden=False):
 
 
 def reader(linked, deflection):
-    """A shape or a mesh as it is now: a function for any thread that gives vertices (n,3) and triangles
-    (m,3) in its own frame. deflection: mm, chord height of solids. Raises InputProblem, and so does the
+    """A shape or a mesh as it is now: a function for any thread that gives vertices (n,3), triangles
+    (m,3) in its own frame, and the number of each triangle's face (m,), None: not known. deflection: mm, chord height of solids. Raises InputProblem, and so does the
     function."""
     if linked.isDerivedFrom("Mesh::Feature"):
         mesh = linked.Mesh.copy()
-        return lambda: arrays_from_mesh(mesh)
+        return lambda: arrays_from_mesh(mesh) + (None,)
     return _shape_reader(linked.Shape, deflection)
 
 
@@ -359,9 +313,11 @@ def body_from(pairs, deflection):
             )
         for linked, path in parts:
             try:
-                read.append((label, global_matrix(root, path), reader(linked, deflection)))
+                how = reader(linked, deflection)
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
+            own = {"label": label_of(root, path), "root": root.Name, "sub": path}
+            read.append((label, global_matrix(root, path), how, own))
     return Body(read, global_placement(*pairs[0]), labels)
 
 

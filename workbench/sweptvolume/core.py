@@ -126,8 +126,8 @@ class Request:
     """Input of one run: plain arrays, independent of any document.
 
     vertices (n,3) mm, triangles (m,3), times (k,) s, translations (k,3) mm, rotations (k,4) x,y,z,w.
-    body: what has `vertices` and `triangles`; those may be made when they are first asked for, in the
-    thread of the run.
+    body: what has `vertices`, `triangles`, `faces` and `parts` (as convert.Body); those may be made when they
+    are first asked for, in the thread of the run.
     """
 
     def __init__(self, body, times, translations, rotations, interpolation, options):
@@ -146,14 +146,26 @@ class Request:
     def triangles(self):
         return self.body.triangles
 
+    @property
+    def faces(self):
+        return self.body.faces
+
+    @property
+    def parts(self):
+        return self.body.parts
+
 
 #: A body whose arrays are there.
-Triangles = collections.namedtuple("Triangles", "vertices triangles")
+Triangles = collections.namedtuple(
+    "Triangles", "vertices triangles faces parts", defaults=(None, ())
+)
 
 
 class Outcome:
-    """Result of a run that ended Ok. What others add to it: result: the module's own, if it can be cut
-    again; key: what it was made of; mesh, drawn: the same as a Mesh.Mesh and for the 3D view."""
+    """Result of a run that ended Ok. What others add to it: result: what recut() takes, if it can be cut
+    again; key: what it was made of; mesh, drawn: the same as a Mesh.Mesh and for the 3D view; sources:
+    kind int8 (m,), faces int32 (m,2), time (m,) s of its triangles or None, parts: whose faces they are.
+    """
 
     def __init__(self, report, vertices, triangles, contact_time):
         self.report = report
@@ -161,6 +173,7 @@ class Outcome:
         self.triangles = triangles
         self.contact_time = contact_time
         self.result, self.key, self.mesh, self.drawn = None, "", None, None
+        self.sources, self.parts = None, []
 
 
 @contextlib.contextmanager
@@ -211,24 +224,41 @@ def _outcome(found, request=None):
     if again:  # an open surface is left as it is
         again = all(w["code"] != "NotSimplified" for w in found.report["warnings"])
     outcome = Outcome(found.report, found.vertices, found.triangles, found.contact_time)
-    outcome.result = found if again else None
+    parts = request.parts if request is not None else []
+    outcome.result = (found, parts) if again else None
+    return _with_sources(outcome, found, parts)
+
+
+def _with_sources(outcome, found, parts):
+    if found.sources is not None:
+        outcome.sources = found.sources.kind, found.sources.faces, found.sources.time
+        outcome.parts = parts
     return outcome
 
 
 def compute(request, control):
     """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
     with _errors():
-        found = module().compute(*_arguments(request), run=control.context, **request.options)
+        faces = request.faces if request.options.get("sources") else None
+        found = module().compute(
+            *_arguments(request), run=control.context, faces=faces, **request.options
+        )
     return _outcome(found, request)
 
 
 def recut(result, tolerance, control):
     """The `result` of an Outcome at another tolerance, not sampled again: Outcome."""
+    surface, parts = result
     with _errors():
-        found = result.recut(tolerance, run=control.context)
-    again = _outcome(found)
-    again.result = found
+        found = surface.recut(tolerance, run=control.context)
+    again = _with_sources(_outcome(found), found, parts)
+    again.result = found, parts
     return again
+
+
+def has_sources(result):
+    """Whether what recut() gives of it knows what made its triangles."""
+    return result[0].sources is not None
 
 
 def _lightened(vertices, triangles, control):
@@ -307,6 +337,8 @@ def join(outcomes, options, control):
     still = np.zeros(1), np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]])
     request = Request(Triangles(vertices, triangles), *still, "none", options)
     joined = compute(request, control)
+    if joined.sources is not None:
+        _hand_on_sources(joined, outcomes)
     report = joined.report
     report["joined"] = len(outcomes)
     for before in outcomes:
@@ -316,6 +348,23 @@ def join(outcomes, options, control):
         peak = max(report["peak_memory_bytes"], before.report["peak_memory_bytes"])
         report["peak_memory_bytes"] = peak
     return joined
+
+
+def _hand_on_sources(joined, outcomes):
+    """A triangle of several envelopes together was made by what made the triangle that it lies on."""
+    kinds, faces, times, first = [], [], [], 0
+    for outcome in outcomes:
+        kind, of, time = outcome.sources
+        kinds.append(kind)
+        faces.append(np.where(of >= 0, of + first, -1))
+        times.append(time)
+        joined.parts += [dict(part, first=part["first"] + first) for part in outcome.parts]
+        first += sum(part["count"] for part in outcome.parts)
+    on = joined.sources[1][:, 0]
+    known = on >= 0
+    kind, of, time = np.concatenate(kinds)[on], np.concatenate(faces)[on], np.concatenate(times)[on]
+    kind[~known], of[~known], time[~known] = -1, -1, np.nan
+    joined.sources = kind, of, time
 
 
 def estimate(request, control=None):

@@ -6,6 +6,7 @@
 
 #include "swept/report.h"
 #include "swept/run_context.h"
+#include "swept/sources.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -19,6 +20,7 @@ struct Result {
   std::vector<double> contactTime;  ///< per vertex: s, when the surface point is touched
   std::vector<std::array<std::int32_t, 2>>
       featureEdges;  ///< vertex pairs along creases and corners
+  Sources sources;   ///< empty unless Options::sources
   /// The surface before simplification, ready to be cut at another tolerance; only if
   /// Options::tolerance was above 0.
   std::shared_ptr<const Simplifier> kept;
@@ -29,7 +31,7 @@ Result compute(const TriMesh& body, const Trajectory& trajectory, const Options&
                RunContext& run);
 
 /// Simplifies the kept surface of a result to another tolerance (mm, up to 1e9; 0: not at all)
-/// without sampling again: mesh, contactTime, featureEdges, report.check and
+/// without sampling again: mesh, contactTime, featureEdges, sources.of, report.check and
 /// report.simplificationDeviation change. Throws Error; the result is then as before.
 void recut(Result& result, double tolerance, RunContext& run);
 

@@ -48,6 +48,9 @@ class Error : public std::runtime_error {
 struct TriMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<std::int32_t, 3>> triangles;
+  /// Of a body: per triangle the number (0 or more) of the face that it is a piece of. Empty: not
+  /// known. Read where Options::sources asks for it.
+  std::vector<std::int32_t> faceOf{};
 };
 
 /// One rigid placement of the moving body: x_world = rotation * x + translation.
@@ -88,6 +91,8 @@ struct Options {
   double chordTolerance =
       0.02;                     ///< of a cell: how far a point may leave the refined motion's chord
   double weldTolerance = 1e-6;  ///< of the body's box diagonal
+  /// Tell of each triangle what made it (sources.h); neither with an offset nor conservative.
+  bool sources = false;
 };
 
 /// Names as used on the command line, in Python and in FreeCAD properties; parse throws

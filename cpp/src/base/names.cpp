@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "swept/run_context.h"
+#include "swept/sources.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -45,6 +46,8 @@ constexpr NameTable<Phase, kPhaseCount> kPhases{{{"input", Phase::Input},
                                                  {"moves with turns", Phase::Turns},
                                                  {"polish", Phase::Polish},
                                                  {"done", Phase::Done}}};
+constexpr NameTable<SourceKind, 3> kSourceKinds{
+    {{"cap", SourceKind::Cap}, {"edge", SourceKind::Edge}, {"graze", SourceKind::Graze}}};
 constexpr NameTable<double, 4> kUnits{{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}}};
 
 template <class E, std::size_t N>
@@ -72,6 +75,7 @@ const char* statusName(Status status) { return nameOf(kStatuses, status); }
 const char* phaseName(Phase phase) { return nameOf(kPhases, phase); }
 const char* interpolationName(Interpolation value) { return nameOf(kInterpolations, value); }
 const char* componentMethodName(ComponentMethod value) { return nameOf(kComponentMethods, value); }
+const char* sourceKindName(SourceKind kind) { return nameOf(kSourceKinds, kind); }
 const char* backendName(Backend value) { return nameOf(kBackends, value); }
 Interpolation parseInterpolation(const std::string& text) {
   return parse(kInterpolations, "interpolation", text);

@@ -81,13 +81,15 @@ CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, i
 }
 
 Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k,
-                                 float fraction, std::uint32_t elementIndex, bool low) const {
+                                 float fraction, std::uint32_t elementIndex, bool low,
+                                 double* exactSeconds) const {
   const Eigen::Vector3d line(i, j, k);
   const SweptElement& element = marked_.elements[elementIndex];
   const Hit hit =
       element.isSidePatch() ? onSidePatch(element, axis, line) : onFace(element, axis, line);
   Crossing crossing;
   crossing.timeSeconds = static_cast<float>(hit.timeSeconds);
+  if (exactSeconds != nullptr) *exactSeconds = hit.timeSeconds;
   const double exact = hit.along - line[axis];
   // Cells. A grazing face or a degenerate side patch has no well-defined intersection: farther than
   // this from the sampler's crossing, the sampler's fraction is kept.

@@ -22,9 +22,10 @@ class CrossingRefiner {
  public:
   CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked);
   /// axis, (i, j, k): the lattice edge. fraction: where the sampler found the crossing. low:
-  /// whether it is the one seen from the low end.
+  /// whether it is the one seen from the low end. exactSeconds, if given, receives the time with
+  /// all digits.
   Crossing refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k, float fraction,
-                  std::uint32_t element, bool low) const;
+                  std::uint32_t element, bool low, double* exactSeconds = nullptr) const;
 
  private:
   struct Hit {

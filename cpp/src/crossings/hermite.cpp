@@ -26,19 +26,20 @@ void separate(Crossing& low, Crossing& high) {
 }  // namespace
 
 HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, const SignRuns& signs,
-                             RunContext& run) {
+                             ExactTimes times, RunContext& run) {
   const CrossingRefiner refiner(input, marked);
   return buildHermiteGrid(
-      input.grid, marked, signs,
-      [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge, bool fromLow) {
+      input.grid, marked, signs, times,
+      [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge, bool fromLow,
+          double* exactSeconds) {
         return refiner.refine(axis, i, j, edge.k, fromLow ? edge.lowFraction : edge.highFraction,
-                              fromLow ? edge.lowElement : edge.highElement, fromLow);
+                              fromLow ? edge.lowElement : edge.highElement, fromLow, exactSeconds);
       },
       run);
 }
 
 HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, const SignRuns& signs,
-                             const RefineCrossing& refine, RunContext& run) {
+                             ExactTimes times, const RefineCrossing& refine, RunContext& run) {
   const auto layers = static_cast<std::size_t>(grid.points[0]);
   HermiteGrid out;
   out.plan = grid;
@@ -72,6 +73,10 @@ HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, co
   }
   out.crossings.resize(total);
   out.winner.resize(total);
+  if (times == ExactTimes::Kept) out.exactSeconds.resize(total);
+  const auto exactSecondsOf = [&](const Crossing* crossing) {
+    return out.exactSeconds.empty() ? nullptr : &out.exactSeconds[crossing - out.crossings.data()];
+  };
   std::atomic<std::int64_t> sheets{0};
   parallelFor(layers, [&](std::size_t layer) {
     run.checkpoint(Phase::Signs, layer, layers);
@@ -88,12 +93,12 @@ HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, co
                         std::uint32_t* winner = &out.winner[next->first];
                         ++next;
                         if (sides & HermiteEdge::kLow) {
-                          *crossing = refine(axis, i, j, edge, true);
+                          *crossing = refine(axis, i, j, edge, true, exactSecondsOf(crossing));
                           *winner++ = edge.lowElement;
                           ++crossing;
                         }
                         if (sides & HermiteEdge::kHigh) {
-                          *crossing = refine(axis, i, j, edge, false);
+                          *crossing = refine(axis, i, j, edge, false, exactSecondsOf(crossing));
                           *winner = edge.highElement;
                         }
                         if (sides == 3) {

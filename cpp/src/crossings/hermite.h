@@ -13,13 +13,18 @@
 
 namespace swept {
 
+/// Whether the grid keeps the times of its crossings with all digits as well.
+enum class ExactTimes : std::uint8_t { Dropped, Kept };
+
 HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, const SignRuns& signs,
-                             RunContext& run);
+                             ExactTimes times, RunContext& run);
 
 /// Computes the exact crossing of a marked edge at (i, j, edge.k), seen from its low or high end.
-using RefineCrossing = std::function<Crossing(int axis, std::int32_t i, std::int32_t j,
-                                              const MarkedEdge& edge, bool fromLow)>;
+/// exactSeconds: receives the time with all digits; null: not asked for.
+using RefineCrossing =
+    std::function<Crossing(int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge,
+                           bool fromLow, double* exactSeconds)>;
 HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, const SignRuns& signs,
-                             const RefineCrossing& refine, RunContext& run);
+                             ExactTimes times, const RefineCrossing& refine, RunContext& run);
 
 }  // namespace swept

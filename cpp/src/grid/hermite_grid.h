@@ -39,6 +39,8 @@ struct HermiteGrid {
   std::vector<HermiteLayer> layers;
   std::vector<Crossing> crossings;
   std::vector<std::uint32_t> winner;  ///< per crossing: index of the swept element that it lies on
+  /// Per crossing: its time with all digits (s). Empty unless asked for.
+  std::vector<double> exactSeconds;
   std::int64_t markedEdges = 0;
   std::int64_t sheetEdges = 0;  ///< edges whose two crossings are the same point
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "base/limits.h"
@@ -18,6 +19,32 @@ std::string list(const std::vector<std::int64_t>& items) {
   std::string text;
   for (const std::int64_t item : items) text += (text.empty() ? "" : ", ") + std::to_string(item);
   return text;
+}
+
+void refuseBadFaces(const TriMesh& body) {
+  const auto negative = std::find_if(body.faceOf.begin(), body.faceOf.end(),
+                                     [](std::int32_t face) { return face < 0; });
+  if (body.faceOf.size() == body.triangles.size() && negative == body.faceOf.end()) return;
+  throw Error(Status::InvalidInput, "BadFaces",
+              negative == body.faceOf.end()
+                  ? std::to_string(body.faceOf.size()) + " faces are named for " +
+                        std::to_string(body.triangles.size()) +
+                        " triangles; give one for each triangle, or none"
+                  : "triangle " + std::to_string(negative - body.faceOf.begin()) +
+                        " is said to belong to face " + std::to_string(*negative) +
+                        "; faces are numbered from 0");
+}
+
+/// Faces of the triangles where they are asked for: every triangle has one then.
+void takeFaces(CheckedBody& result, bool wanted) {
+  std::vector<std::int32_t>& faceOf = result.mesh.faceOf;
+  result.namedFaces = wanted && !faceOf.empty();
+  if (result.namedFaces) {
+    refuseBadFaces(result.mesh);
+    return;
+  }
+  faceOf.resize(wanted ? result.mesh.triangles.size() : 0);
+  std::iota(faceOf.begin(), faceOf.end(), 0);
 }
 
 void refuseUnusable(const TriMesh& body) {
@@ -136,6 +163,7 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
 
   CheckedBody result;
   result.mesh = body;
+  takeFaces(result, options.sources);
   const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
   run.checkpoint(Phase::Input);
   CleanCounts cleaned;

@@ -19,10 +19,14 @@ struct CheckedBody {
   /// Closed, every edge balanced (as many triangles in one direction as in the other), outer shells
   /// outward, cavities inward: what the culling of enclosed faces needs.
   bool orientable = false;
+  /// The faces of its triangles were given; else, where sources are asked for, each triangle's own
+  /// number stands for its face.
+  bool namedFaces = false;
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with code EmptyMesh, BadIndex, NonFiniteVertex, NoVolume, OutOfRange.
+/// Throws Error(InvalidInput) with code EmptyMesh, BadFaces, BadIndex, NonFiniteVertex,
+/// NoVolume, OutOfRange.
 /// An open body is accepted here (row 6); whether the sweep closes it is seen after sampling.
 CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& run);
 

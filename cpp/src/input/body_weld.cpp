@@ -55,13 +55,18 @@ void note(std::vector<std::int64_t>& list, std::size_t index) {
   if (list.size() < 8) list.push_back(static_cast<std::int64_t>(index));
 }
 
-void keepOnly(std::vector<std::array<std::int32_t, 3>>& triangles,
-              const std::vector<std::uint8_t>& dead) {
+template <class T>
+void keepLiving(std::vector<T>& list, const std::vector<std::uint8_t>& dead) {
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (dead[t] == 0) triangles[kept++] = triangles[t];
+  for (std::size_t t = 0; t < list.size(); ++t) {
+    if (dead[t] == 0) list[kept++] = list[t];
   }
-  triangles.resize(kept);
+  list.resize(kept);
+}
+
+void dropTriangles(TriMesh& mesh, const std::vector<std::uint8_t>& dead) {
+  keepLiving(mesh.triangles, dead);
+  keepLiving(mesh.faceOf, dead);
 }
 
 /// Marks duplicates among the triangles of one group of equal corners (sorted by number).
@@ -179,7 +184,7 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
     ++counts.degenerate;
     note(counts.firstDegenerate, t);
   }
-  if (any) keepOnly(mesh.triangles, dead);
+  if (any) dropTriangles(mesh, dead);
 
   // Equal corners means equal edges: only edges at which two triangles have the same third corner
   // are looked at, and of those only the one made of the two smallest corners.
@@ -214,7 +219,7 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
         }
       });
   if (!any) return edges;
-  keepOnly(mesh.triangles, dead);
+  dropTriangles(mesh, dead);
   dropUnused(mesh);
   return EdgeTable(mesh);
 }

@@ -34,7 +34,7 @@ struct CleanCounts {
 
 /// Removes triangles that repeat a vertex or have no area, duplicates (same orientation: one is
 /// kept; opposite orientation: none, unless `keepSheets`) and then unused vertices (the order of
-/// the others stays). Returns the edges of what is left.
+/// the others stays). Faces of triangles go with them. Returns the edges of what is left.
 EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets = false);
 
 }  // namespace swept

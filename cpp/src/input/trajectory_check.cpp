@@ -133,6 +133,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
       if (continuous) checkTurn(poses.back(), pose, i);
     }
     poses.push_back(pose);
+    result.given.push_back(static_cast<std::int32_t>(i));
   }
   if (mended.count > 0) {
     mended.text = std::to_string(mended.count) +

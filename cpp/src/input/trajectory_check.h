@@ -14,6 +14,7 @@ namespace swept {
 
 struct CheckedTrajectory {
   Trajectory trajectory;
+  std::vector<std::int32_t> given;  ///< per pose: its number among those given
   std::vector<Finding> findings;
 };
 

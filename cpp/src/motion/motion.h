@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 namespace swept {
@@ -23,8 +24,9 @@ struct Motion {
   bool continuous = false;
   /// Placement in the middle of each step (continuous only): how the true path leaves the chord.
   std::vector<Placement> midpoints;
-  double chordError = 0;         ///< mm, bound on how far any body point leaves its chord
-  double largestStepTravel = 0;  ///< mm, between the poses as given
+  std::vector<std::uint32_t> poses;  ///< per pose of the trajectory: its placement
+  double chordError = 0;             ///< mm, bound on how far any body point leaves its chord
+  double largestStepTravel = 0;      ///< mm, between the poses as given
 
   std::size_t steps() const { return continuous ? placements.size() - 1 : 0; }
 };

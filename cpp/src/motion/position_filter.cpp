@@ -56,6 +56,7 @@ FilteredTrajectory filterPositions(const Trajectory& trajectory, const Eigen::Al
     Pose pose = poses[i];
     if (i > 0 && kept.back().rotation.dot(pose.rotation) < 0) pose.rotation.coeffs() *= -1;
     kept.push_back(pose);
+    out.kept.push_back(static_cast<std::int32_t>(i));
     last = here;
   }
   return out;

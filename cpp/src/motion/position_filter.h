@@ -18,6 +18,7 @@ namespace swept {
 
 struct FilteredTrajectory {
   Trajectory trajectory;
+  std::vector<std::int32_t> kept;  ///< per pose: its number in the trajectory before
   std::int64_t dropped = 0;
   double distance = 0;  ///< mm, at most the given one
 };

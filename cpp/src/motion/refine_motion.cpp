@@ -32,10 +32,14 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
   }
   if (!motion.continuous) {
     motion.placements.reserve(poses.size());
-    for (const Pose& pose : poses) motion.placements.push_back(asPlacement(pose));
+    for (const Pose& pose : poses) {
+      motion.poses.push_back(static_cast<std::uint32_t>(motion.placements.size()));
+      motion.placements.push_back(asPlacement(pose));
+    }
     return motion;
   }
   motion.placements.push_back(asPlacement(poses.front()));
+  motion.poses.push_back(0);
   const double longest = longestEdge(body);
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     run.checkpoint(Phase::Motion, i, poses.size());
@@ -59,6 +63,7 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
       motion.placements.push_back(piece + 1 == pieces ? asPlacement(poses[i + 1])
                                                       : path.at((piece + 1.0) / pieces));
     }
+    motion.poses.push_back(static_cast<std::uint32_t>(motion.placements.size() - 1));
   }
   return motion;
 }

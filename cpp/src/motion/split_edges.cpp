@@ -164,6 +164,7 @@ TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {
       const auto [a, b, c] = t;
       const auto add = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
         mesh.triangles.push_back({x, y, z});
+        if (!mesh.faceOf.empty()) mesh.faceOf.push_back(std::int32_t{mesh.faceOf[n]});
       };
       if (split == 1) {
         const std::int32_t ab = midpoints.of(a, b);

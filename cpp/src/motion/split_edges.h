@@ -24,7 +24,8 @@ struct Following {
 Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
                         double cell, double mostCopies, bool maySplit, RunContext& run);
 
-/// Halves the edges that are longer than `longest` until none is. Old vertices keep their numbers.
+/// Halves the edges that are longer than `longest` until none is. Old vertices keep their numbers,
+/// the pieces of a triangle its face.
 TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run);
 
 }  // namespace swept

@@ -2,6 +2,7 @@
 #include "pipeline/envelope_run.h"
 
 #include "base/number_text.h"
+#include "crossings/crossing_sources.h"
 #include "crossings/element_probe.h"
 #include "crossings/hermite.h"
 #include "input/body_check.h"
@@ -108,6 +109,12 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
 }
 
 void EnvelopeRun::refuseCombinations() const {
+  if (options_.sources && (options_.offset > 0 || options_.conservative)) {
+    throw Error(
+        Status::InvalidInput, "BadOption",
+        "sources are known of the swept volume itself: they cannot be had with an offset or "
+        "of a conservative envelope; leave one of them out");
+  }
   if (!(options_.positionFilter > 0) || !options_.conservative) return;
   throw Error(Status::InvalidInput, "BadOption",
               "a conservative envelope holds every pose: it cannot be had with a position filter; "
@@ -168,6 +175,11 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
   std::optional<ElementProbe> probe;
   if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
+  if (options_.sources) {
+    result_.sources.rows = std::make_shared<const std::vector<SurfaceSource>>(sourcesOfCrossings(
+        input, elements_, hermite, prepared_.body.namedFaces, prepared_.trajectory.given));
+    std::vector<double>().swap(hermite.exactSeconds);
+  }
   std::vector<SweptElement>().swap(elements_);
   std::vector<std::uint32_t>().swap(hermite.winner);
   stage("contour");
@@ -185,6 +197,8 @@ void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite) {
   }
   result_.mesh = std::move(surface.mesh);
   result_.contactTime = std::move(surface.contactTime);
+  static_assert(Surface::kNoCrossing == Sources::kNone);
+  if (options_.sources) result_.sources.of = std::move(surface.crossingOf);
 }
 
 void EnvelopeRun::grow(const BodyTopology& topology) {
@@ -268,7 +282,8 @@ HermiteGrid EnvelopeRun::sample(const BodyTopology& topology, bool cull) {
   for (const SweptElement& element : marked.elements) {
     ++(element.isSidePatch() ? report_.sweptPatches : report_.sweptFaces);
   }
-  HermiteGrid hermite = buildHermiteGrid(input, marked, signs, run_);
+  HermiteGrid hermite = buildHermiteGrid(
+      input, marked, signs, options_.sources ? ExactTimes::Kept : ExactTimes::Dropped, run_);
   elements_ = std::move(marked.elements);
   stage("crossings");
   report_.crossings = static_cast<std::int64_t>(hermite.crossings.size());
@@ -288,8 +303,9 @@ void EnvelopeRun::simplify() {
     result_.featureEdges = findFeatureEdges(result_.mesh);
     return;
   }
-  result_.kept = std::make_shared<const Simplifier>(
-      std::move(result_.mesh), std::move(result_.contactTime), prepared_.grid.cell);
+  result_.kept =
+      std::make_shared<const Simplifier>(std::move(result_.mesh), std::move(result_.contactTime),
+                                         std::move(result_.sources), prepared_.grid.cell);
   cutKept(result_, options_.tolerance, run_);
   stage("simplify");
 }

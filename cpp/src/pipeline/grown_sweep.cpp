@@ -15,8 +15,8 @@ HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
     return field.gap(i, j, k) <= 0;
   });
   return buildHermiteGrid(
-      grid_, marked, signs,
-      [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge, bool fromLow) {
+      grid_, marked, signs, ExactTimes::Dropped,
+      [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge, bool fromLow, double*) {
         return offset::offsetCrossing(tree_, distance, axis, i, j, edge, fromLow);
       },
       run);

@@ -13,6 +13,7 @@ void fail(Result& result, Status status, const char* code, const char* message,
   result.mesh = TriMesh{};
   result.contactTime = {};
   result.featureEdges = {};
+  result.sources = {};
   result.kept.reset();
   result.report.status = status;
   try {

@@ -20,11 +20,13 @@ void cutOnce(Result& result, double tolerance, RunContext& run) {
     result.mesh = std::move(cut.mesh);
     result.contactTime = std::move(cut.contactTime);
     result.featureEdges = std::move(cut.featureEdges);
+    result.sources = std::move(cut.sources);
     report.simplificationDeviation = cut.deviation;
   } else {
     result.mesh = kept.mesh();
     result.contactTime = kept.contactTime();
     result.featureEdges = kept.featureEdges();
+    result.sources = kept.sources();
     report.simplificationDeviation = 0;
   }
   report.check = checkMesh(result.mesh, run);

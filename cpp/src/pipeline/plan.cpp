@@ -105,6 +105,8 @@ void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options&
               " poses were left out; no point of the body was farther than ", filtered.distance,
               " mm from where it is at the kept pose before")});
   p.trajectory.trajectory = std::move(filtered.trajectory);
+  for (std::int32_t& pose : filtered.kept) pose = p.trajectory.given[pose];
+  p.trajectory.given = std::move(filtered.kept);
   p.positionFilterDistance = filtered.distance;
 }
 
@@ -146,8 +148,10 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   const double placements = static_cast<double>(p.motion.placements.size());
   e.triangles = static_cast<std::int64_t>(2 * crossings);
   // Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
-  e.memoryBytes = static_cast<std::uint64_t>(crossings * 180 + faces * 200 + placements * 300 +
-                                             (x + 1) * (y + 1) * 24);
+  constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
+  e.memoryBytes =
+      static_cast<std::uint64_t>(crossings * (options.sources ? 180 + kSource : 180) + faces * 200 +
+                                 placements * 300 + (x + 1) * (y + 1) * 24);
   double elements = faces * placements * (p.motion.continuous ? 5e-9 : 8e-8);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {

@@ -7,6 +7,7 @@
 #include "simplify/collapse.h"
 #include "simplify/deviation.h"
 #include "simplify/feature_edges.h"
+#include "simplify/simplified_sources.h"
 #include "simplify/thin.h"
 
 namespace swept {
@@ -43,8 +44,11 @@ void markCareful(const TriMesh& small, const std::vector<std::int32_t>& strays, 
 
 }  // namespace
 
-Simplifier::Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell)
-    : mesh_(std::move(mesh)), contactTime_(std::move(contactTime)), cell_(cell) {}
+Simplifier::Simplifier(TriMesh mesh, std::vector<double> contactTime, Sources sources, double cell)
+    : mesh_(std::move(mesh)),
+      contactTime_(std::move(contactTime)),
+      sources_(std::move(sources)),
+      cell_(cell) {}
 
 std::unique_ptr<Simplifier::Level> Simplifier::thinned(const Level* from, double limit,
                                                        RunContext& run) const {
@@ -95,7 +99,7 @@ Simplified Simplifier::cut(double tolerance, RunContext& run) const {
     }
     if (std::optional<Simplified> cut = cutFrom(*level, within, run)) return std::move(*cut);
   }
-  return {mesh_, contactTime_, featureEdges(), 0};
+  return {mesh_, contactTime_, featureEdges(), sources_, 0};
 }
 
 // By the nearest vertex of the level.
@@ -140,6 +144,8 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
       out.mesh = std::move(small);
       addContactTime(level, out);
       out.featureEdges = findFeatureEdges(out.mesh);
+      if (sources_.rows)
+        out.sources = sourcesOfSimplified(mesh_, nearest(), sources_, out.mesh, cell_);
       return out;
     }
     for (const Vector3d& p : deviation.missed) {

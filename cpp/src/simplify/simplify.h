@@ -22,6 +22,7 @@
 
 #include "geometry/nearest_triangle.h"
 #include "swept/run_context.h"
+#include "swept/sources.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -30,12 +31,14 @@ struct Simplified {
   TriMesh mesh;
   std::vector<double> contactTime;
   std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases
+  Sources sources;       ///< empty unless those of the surface are known
   double deviation = 0;  ///< mm, the larger of both directions, measured
 };
 
 class Simplifier {
  public:
-  Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell);
+  /// sources: of the surface's triangles, or empty.
+  Simplifier(TriMesh mesh, std::vector<double> contactTime, Sources sources, double cell);
 
   /// tolerance: mm, above 0. Safe to call from several threads; the bytes depend on the tolerance
   /// alone, never on earlier cuts.
@@ -43,6 +46,7 @@ class Simplifier {
 
   const TriMesh& mesh() const { return mesh_; }
   const std::vector<double>& contactTime() const { return contactTime_; }
+  const Sources& sources() const { return sources_; }
   /// Of the surface as it is without simplification.
   std::vector<std::array<std::int32_t, 2>> featureEdges() const;
 
@@ -63,6 +67,7 @@ class Simplifier {
 
   TriMesh mesh_;
   std::vector<double> contactTime_;
+  Sources sources_;
   double cell_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Level>> levels_;

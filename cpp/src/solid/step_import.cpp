@@ -3,8 +3,10 @@
 #include <BRep_Tool.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <filesystem>
@@ -20,7 +22,7 @@
 namespace swept {
 namespace {
 
-void appendFace(const TopoDS_Face& face, TriMesh& mesh) {
+void appendFace(const TopoDS_Face& face, std::int32_t number, TriMesh& mesh) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
   if (part.IsNull()) return;
@@ -38,6 +40,7 @@ void appendFace(const TopoDS_Face& face, TriMesh& mesh) {
     part->Triangle(i).Get(a, b, c);
     if (turned) std::swap(b, c);
     mesh.triangles.push_back({first + a - 1, first + b - 1, first + c - 1});
+    mesh.faceOf.push_back(number);
   }
 }
 
@@ -62,10 +65,11 @@ bool isBrep(const std::filesystem::path& file) {
   return head.find("ISO-10303-21") == std::string::npos;
 }
 
-TriMesh meshOf(const TopoDS_Shape& shape) {
+// `faces`: of the whole file.
+TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
-    appendFace(TopoDS::Face(f.Current()), mesh);
+    appendFace(TopoDS::Face(f.Current()), faces.FindIndex(f.Current()) - 1, mesh);
   return mesh;
 }
 
@@ -124,13 +128,15 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
     run.checkpoint(Phase::Input);
     BRepMesh_IncrementalMesh mesher(shape, linearDeflection, false, angularDeflection, true);
     run.checkpoint(Phase::Input);
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
     std::vector<ImportedSolid> solids;
     for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
-      TriMesh mesh = meshOf(s.Current());
+      TriMesh mesh = meshOf(s.Current(), faces);
       if (!mesh.triangles.empty())
         solids.push_back({names[s.Current().TShape().get()], std::move(mesh)});
     }
-    if (solids.empty()) solids.push_back({"", meshOf(shape)});
+    if (solids.empty()) solids.push_back({"", meshOf(shape, faces)});
     if (solids[0].mesh.triangles.empty())
       throw Error(Status::InvalidInput, "NoSurface",
                   "'" + path + "' holds no face that can be triangulated; export a solid");

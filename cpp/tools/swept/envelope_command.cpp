@@ -13,6 +13,7 @@
 #include "files.h"
 #include "options.h"
 #include "runner.h"
+#include "sources_file.h"
 #include "swept/body.h"
 #include "swept/compute.h"
 #include "swept/io.h"
@@ -25,7 +26,8 @@ namespace swept::cli {
 namespace {
 
 struct EnvelopeJob {
-  std::string generatorPath, generatorFormat, motionPath, outputPath, outputFormat = "ply";
+  std::string generatorPath, generatorFormat, motionPath, outputPath, outputFormat = "ply",
+                                                                      sourcesPath;
   double generatorUnit = 1.0;
   std::optional<double> generatorTolerance;
   double motionUnit = 1.0;
@@ -83,6 +85,11 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
   addText(app, "-o,--output", "FILE", job.outputPath,
           "ply, stl, obj, off, 3mf, step, stp, brep or brp; - for standard output")
       ->required();
+  addText(
+      app, "--sources", "FILE", job.sourcesPath,
+      "table of what made each triangle of the output, with faces counted as in the solid's file, "
+      "else triangles of the generator: triangle,kind,face,other_face,step,time_s,x,y,z; - for "
+      "standard output");
   addText(app, "--format", "ply|stl|obj|off|3mf|step|brep", job.outputFormat,
           "format of standard output (default ply)");
   addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
@@ -116,6 +123,10 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
       "  xzcat path.csv.xz | swept envelope gripper.stl --motion - -o - --format stl > out.stl");
 }
 
+std::string suffixOfOutput(const EnvelopeJob& job) {
+  return job.outputPath == "-" ? job.outputFormat : suffixOf(job.outputPath);
+}
+
 void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   // Zero means "not given" inside; on the command line it is a mistake.
   if (app.count("--cell") > 0 && !(job.options.cellSize > 0))
@@ -130,11 +141,10 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
                     (job.common.strict && job.solid.tolerance <= 0);
 #endif
   job.options.resolution = static_cast<int>(job.resolution);
+  job.options.sources = !job.sourcesPath.empty();
+  if (job.options.sources && isSolidSuffix(suffixOfOutput(job)))
+    badOption("--sources tells of the triangles of a mesh: write ply, stl, obj, off or 3mf");
   if (job.generatorPath == "-" && job.generatorFormat.empty()) job.generatorFormat = "ply";
-}
-
-std::string suffixOfOutput(const EnvelopeJob& job) {
-  return job.outputPath == "-" ? job.outputFormat : suffixOf(job.outputPath);
 }
 
 void checkFormat(const EnvelopeJob& job) {
@@ -243,6 +253,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Inputs& inputs, Repo
   if (report.status != Status::Ok) return {};
   const auto writing = Clock::now();
   SolidResult solid = writeOutput(result.mesh, job, run);
+  if (job.options.sources) writeSources(result.sources, job.sourcesPath);
   addStage(report, "write", since(writing));
   return solid;
 }
@@ -251,8 +262,8 @@ int runEnvelope(const EnvelopeJob& job) {
   const CommonOptions& common = job.common;
   const std::vector<RoledFile> files{{"the generator", job.generatorPath},
                                      {"the motion", job.motionPath}};
-  const std::vector<RoledFile> output{{"--output", job.outputPath}};
-  checkIdentity(files, {output[0], {"--report", common.report}}, common.noClobber);
+  const std::vector<RoledFile> output{{"--output", job.outputPath}, {"--sources", job.sourcesPath}};
+  checkIdentity(files, {output[0], output[1], {"--report", common.report}}, common.noClobber);
   checkAccess({}, {{"--report", common.report}});
   Report report;
   SolidResult solid;

@@ -39,7 +39,7 @@ HermiteGrid sample(const TriMesh& raw, const Trajectory& trajectory, int resolut
   const SamplerInput input{body.mesh, topology, motion, grid, true, body.orientable};
   MarkedEdges marked = sampleCpu(input, run);
   const SignRuns signs = findOutside(marked, grid, run);
-  return buildHermiteGrid(input, marked, signs, run);
+  return buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
 }
 
 TEST(SurfaceIntersections, SamePairsAsTheSearchOverAllBeforeAndAfterMending) {

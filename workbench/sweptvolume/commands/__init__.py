@@ -19,6 +19,7 @@ _MODULES = [
     "edit_envelope",
     "recompute_envelope",
     "",
+    "made_by",
     "check_clearance",
     "make_solid",
     "export_envelope",
@@ -85,6 +86,7 @@ def fill_context_menu(workbench, recipient):
         names += [
             "SweptVolume_EditEnvelope",
             "SweptVolume_Recompute",
+            "SweptVolume_MadeBy",
             "SweptVolume_Clearance",
             "SweptVolume_Solid",
             "SweptVolume_Export",

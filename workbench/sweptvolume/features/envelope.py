@@ -11,7 +11,7 @@ from .. import convert, core
 from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
-from . import containers, kept, missing, status
+from . import containers, kept, made_by, missing, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
     FAILED,
@@ -69,6 +69,7 @@ class Envelope(Feature):
                 ("InputHash", mark("Properties", "Inputs of the stored result")),
                 ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
                 (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
+                (made_by.PROPERTY, mark("Properties", "What made each triangle (packed)")),
             )
         ]
         hidden.append(PLACED)
@@ -86,6 +87,7 @@ class Envelope(Feature):
 
     def onChanged(self, obj, name):
         missing.changed(obj, name)
+        made_by.changed(obj, name)
 
     def onDocumentRestored(self, obj):
         of_before = "Placed" not in obj.PropertiesList
@@ -126,6 +128,8 @@ def prepare(plan, document):
     findings = plan.findings()
     key = plan.hash(without=("tolerance",))
     before = kept.find(document, key)
+    if before is not None and plan.records() and not core.has_sources(before):
+        before = None
     if before is None:
         requests = plan.requests()
         union_options = plan.union_options(requests)
@@ -196,6 +200,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Seconds = report["seconds"]["total"]
     obj.Report = json.dumps(report)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
+    made_by.keep(obj, outcome)
     kept.keep(obj.Document, outcome.key, outcome)
     update_status(obj)
     status.tell_users(obj)

@@ -121,7 +121,13 @@ class Plan:
             "keep_cavities": bool(v["KeepCavities"]),
             "components": COMPONENTS[v["Components"]],
             "backend": BACKENDS[v["Backend"]],
+            "sources": self.records(),
         }
+
+    def records(self):
+        """Whether the run tells what made each triangle: grown envelopes cannot."""
+        v = self.values
+        return v["MadeBy"] != "Off" and not v["Offset"] > 0 and not v["Conservative"]
 
     def hash(self, without=()):
         """Short text that stands for all the result depends on; "" while inputs are unusable. without:
@@ -140,7 +146,8 @@ class Plan:
 
     def _hash(self, inputs, without=()):
         options = self.options()
-        for name in ("backend",) + tuple(without):  # the surface is the same whoever computes it
+        # The surface is the same whoever computes it, and whatever is told of it.
+        for name in ("backend", "sources") + tuple(without):
             del options[name]
         if not options["position_filter"]:
             del options["position_filter"]  # so are those made before there was one
@@ -187,6 +194,7 @@ class Plan:
             Tolerance=0.0,
             KeepCavities=False,
             MeshDeflection=0.25,
+            MadeBy="Off",
         )
         reference = self.reference, self.reference_motion
         return Plan(self.pairs, self.motion, values, self.motions, *reference).requests()

@@ -12,6 +12,7 @@ COMPONENTS = {
     "Equivalence": "equivalence",
     "Greedy": "greedy",
 }
+MADE_BY = ["Off", "Session", "Document"]
 BACKENDS = {"Auto": "auto", "CPU": "cpu", "GPU": "gpu"}
 INPUT = [
     (
@@ -141,6 +142,18 @@ ACCURACY = [
         "Method",
         mark("Properties", "Where the sampling runs"),
         list(BACKENDS),
+        0,
+    ),
+    (
+        "App::PropertyEnumeration",
+        "MadeBy",
+        "Result",
+        mark(
+            "Properties",
+            "Whether it is remembered which face or edge made each triangle: Off; Session: until the "
+            "document is closed; Document: stored with it, which makes it larger",
+        ),
+        MADE_BY,
         0,
     ),
 ]

@@ -34,8 +34,8 @@ SINGLE_STEP = 0.25
 class _Seen:
     """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to there."""
 
-    def __init__(self, body, matrix):
-        self.body, self.matrix = body, matrix
+    def __init__(self, body, matrix, motion):
+        self.body, self.matrix, self.motion = body, matrix, motion.Name
 
     @property
     def vertices(self):
@@ -44,6 +44,14 @@ class _Seen:
     @property
     def triangles(self):
         return self.body.triangles
+
+    @property
+    def faces(self):
+        return self.body.faces
+
+    @property
+    def parts(self):
+        return [dict(part, motion=self.motion) for part in self.body.parts]
 
 
 class Moving:
@@ -198,5 +206,5 @@ class Moving:
         """A run of the core for the parts themselves. deflection: mm, for solids; read: as
         convert.body_from."""
         self.check()
-        body = _Seen(read(self.pairs, deflection), self.into_base())
+        body = _Seen(read(self.pairs, deflection), self.into_base(), self.motion)
         return self.request(body, tolerance, options)

@@ -7,7 +7,7 @@ from PySide import QtCore
 from .. import contents, quantities, settings
 from ..convert import InputProblem
 from ..features.envelope_plan import Plan
-from ..features.envelope_properties import BACKENDS, COMPONENTS
+from ..features.envelope_properties import BACKENDS, COMPONENTS, MADE_BY
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
 from . import focus, guard, widgets
@@ -40,6 +40,7 @@ DEFAULTS = {
     "PositionFilter": 0.0,
     "Components": "Consistent",
     "Backend": "Auto",
+    "MadeBy": "Off",
 }
 
 #: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
@@ -158,6 +159,17 @@ class EnvelopePanel(StartPanel):
         rows.addRow(translate("Panels", "Components"), self.components)
         rows.addRow(translate("Panels", "Backend"), self.backend)
         rows.addRow(translate("Panels", "Position filter"), self.filter)
+        self.made_by = widgets.choice(MADE_BY, values["MadeBy"])
+        self.made_by.setObjectName("SweptVolumeMadeBy")
+        widgets.hint(
+            self.made_by,
+            translate(
+                "Panels",
+                "Remembers which face or edge of which part made each place, and when, for "
+                '"What made this?"; in the document it takes room',
+            ),
+        )
+        rows.addRow(translate("Panels", "What made it"), self.made_by)
 
     def _connect(self):
         self.by.currentIndexChanged.connect(self._accuracy_changed)
@@ -198,6 +210,7 @@ class EnvelopePanel(StartPanel):
             "PositionFilter": float(self.filter.property("rawValue")),
             "Components": self.components.currentData(),
             "Backend": self.backend.currentData(),
+            "MadeBy": self.made_by.currentData(),
         }
 
     def plan(self):

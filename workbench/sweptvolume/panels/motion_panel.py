@@ -16,6 +16,7 @@ from . import focus, guard, key_table, selection, sourced, widgets
 from .key_history import History, UndoKeys, content, copy_of
 from .keys_in_view import KeysInView
 from .pivot_box import PivotBox
+from .place_picker import PlacePicker
 from .player import Player
 from .preview import MOST_CELLS, Preview
 from .tangent_box import TangentBox
@@ -66,6 +67,7 @@ class MotionPanel(KeysInView):
         self.watch = widgets.DocumentWatch(document, self._close)
         self._make_ghosts()
         self._connect()
+        self.picker = PlacePicker(document, self.place_clicked)
         self.undo_keys = UndoKeys(self.step_back)
         self.lock = EditLock(document, self.refuse_edit)
         self.fill(0)
@@ -293,6 +295,11 @@ class MotionPanel(KeysInView):
         self.show_dragger()
         self.show_tangent()
 
+    def place_clicked(self, envelope, answer):
+        """A place of an envelope along this motion was clicked: to the moment that made it."""
+        if answer is not None and self.obj is not None and answer.motion == self.obj.Name:
+            self.player.go_to(answer.time)
+
     def show_tangent(self):
         row, smooth = self.keyboard.row(), self.interpolation.currentData() == "Spline"
         self.tangent.setVisible(smooth)
@@ -326,6 +333,7 @@ class MotionPanel(KeysInView):
         self.watch.stop()
         self.undo_keys.stop()
         self.lock.stop()
+        self.picker.stop()
         self.player.stop()
         self.preview.stop()
         if widgets.alive(self.document):

@@ -6,7 +6,7 @@ from PySide import QtCore
 from .. import runner
 from ..features import envelope
 from ..texts import mark, translate
-from . import surface
+from . import made_colours, surface
 from .base import View, run_command, set_if_there, state_icon
 
 COLOUR = (0.35, 0.60, 0.90)
@@ -82,6 +82,12 @@ class EnvelopeView(View):
                 "App::PropertyInteger", "DrawnTriangles", "Display", translate("Properties", text)
             )
             view.DrawnTriangles = surface.MOST
+        if "ColourBy" not in view.PropertiesList:
+            text = mark("Properties", "What the colours tell, where it is remembered what made it")
+            view.addProperty(
+                "App::PropertyEnumeration", "ColourBy", "Display", translate("Properties", text)
+            )
+            view.ColourBy = made_colours.CHOICES
         view.RootNode.insertChild(surface.unsorted_blending(), 0)
         self.display = surface.LightDisplay(view.Object, lambda: view.DrawnTriangles)
 
@@ -89,6 +95,8 @@ class EnvelopeView(View):
         super().updateData(obj, name)
         if name == "Mesh" and hasattr(self, "display"):
             self.display.later()
+        if name in ("Mesh", "InputHash", "MadeByData"):
+            self.colour_later(obj)
         if name == "Tolerance" and not getattr(obj.Document, "Transacting", False):
             # From the loop, when all that changes with it has been written.
             QtCore.QTimer.singleShot(0, lambda: recut(obj))
@@ -96,6 +104,35 @@ class EnvelopeView(View):
     def onChanged(self, view, name):
         if name == "DrawnTriangles" and hasattr(self, "display"):
             self.display.later()
+        if name in ("DrawnTriangles", "ColourBy", "Transparency"):
+            self.colour_later(view.Object)
+
+    def colour_later(self, obj):
+        """From the loop: when all that belongs to a result has been written."""
+        if not getattr(self, "_asked", False):
+            self._asked = True
+            QtCore.QTimer.singleShot(0, lambda: self._colour(obj))
+
+    def _colour(self, obj):
+        """Colours as ColourBy says; its own colour where nothing is remembered."""
+        self._asked = False
+        try:
+            record, by = made_colours.record_to_show(obj.ViewObject)
+            if record is None:
+                if self.__dict__.pop("_coloured", False):
+                    self.display.later()
+                return
+            self._coloured = now = object()
+
+            def show(coloured):
+                if self.__dict__.get("_coloured") is now:
+                    transparency = obj.ViewObject.Transparency / 100.0
+                    self.display.show_nodes(made_colours.nodes_of(coloured, transparency))
+
+            most = obj.ViewObject.DrawnTriangles
+            runner.start(made_colours.Colouring(obj, record, by, most, show))
+        except (ReferenceError, RuntimeError):
+            pass  # the object went meanwhile, or there is no core
 
     def getIcon(self):
         return state_icon("SweptVolume_Envelope", self.Object)
@@ -107,6 +144,7 @@ class EnvelopeView(View):
             (translate("Commands", "Recompute envelope"), "SweptVolume_Recompute"),
             (translate("Commands", "Check clearance"), "SweptVolume_Clearance"),
             (translate("Commands", "Make solid"), "SweptVolume_Solid"),
+            (translate("Commands", "What made this?"), "SweptVolume_MadeBy"),
             (translate("Commands", "Export envelope"), "SweptVolume_Export"),
         ):
             icon_name = name.replace("EditEnvelope", "Envelope")

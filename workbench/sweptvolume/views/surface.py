@@ -190,11 +190,15 @@ class LightDisplay:
 
     def show(self, surface):
         """Draws one of drawn()."""
+        self.show_nodes(nodes_of(*surface))
+
+    def show_nodes(self, nodes):
+        """Draws these instead of FreeCAD's own."""
         self.full()
         self._parent = _parent_of_faces(self.obj.ViewObject)
         if self._parent is not None:
             self._own = [self._parent.getChild(i) for i in range(self._parent.getNumChildren())]
-            self._fill(nodes_of(*surface))
+            self._fill(nodes)
 
     def _fill(self, nodes):
         self._parent.removeAllChildren()

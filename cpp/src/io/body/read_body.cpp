@@ -81,6 +81,8 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
     for (const auto& t : solid.mesh.triangles) {
       body.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
+    body.mesh.faceOf.insert(body.mesh.faceOf.end(), solid.mesh.faceOf.begin(),
+                            solid.mesh.faceOf.end());
   }
   const auto count = static_cast<std::int64_t>(solids.size());
   body.findings.push_back({"Tessellated",

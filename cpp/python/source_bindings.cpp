@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "source_bindings.h"
+
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "docstrings.h"
+#include "swept/sources.h"
+
+namespace swept::python {
+namespace {
+
+namespace py = pybind11;
+
+/// An array of `width` numbers for each triangle; take(row, to) writes those of a triangle whose
+/// source is known, the others get `none`.
+template <class T, class Take>
+py::array_t<T> byTriangle(const Sources& sources, py::ssize_t width, T none, const Take& take) {
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(sources.of.size())};
+  if (width > 1) shape.push_back(width);
+  py::array_t<T> array(shape);
+  T* to = array.mutable_data();
+  const py::gil_scoped_release release;
+  for (const std::uint32_t row : sources.of) {
+    if (row == Sources::kNone)
+      std::fill_n(to, width, none);
+    else
+      take((*sources.rows)[row], to);
+    to += width;
+  }
+  return array;
+}
+
+}  // namespace
+
+void bindSources(py::module_& module) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  py::class_<Sources, std::shared_ptr<Sources>>(module, "Sources", kSourcesDoc)
+      .def_property_readonly_static(
+          "KINDS",
+          [](const py::object&) {
+            return py::make_tuple(sourceKindName(SourceKind::Cap), sourceKindName(SourceKind::Edge),
+                                  sourceKindName(SourceKind::Graze));
+          },
+          "Names of the kinds by their numbers.")
+      .def("__len__", [](const Sources& sources) { return sources.of.size(); })
+      .def_property_readonly(
+          "kind",
+          [](const Sources& sources) {
+            return byTriangle<std::int8_t>(sources, 1, -1,
+                                           [](const SurfaceSource& row, std::int8_t* to) {
+                                             *to = static_cast<std::int8_t>(row.kind);
+                                           });
+          },
+          "int8 (M,): 0 cap, 1 edge, 2 graze; -1 not known")
+      .def_property_readonly(
+          "faces",
+          [](const Sources& sources) {
+            return byTriangle<std::int32_t>(sources, 2, -1,
+                                            [](const SurfaceSource& row, std::int32_t* to) {
+                                              std::copy_n(row.faces.data(), 2, to);
+                                            });
+          },
+          "int32 (M, 2): the face of a cap or graze and -1; the faces beside an edge, the smaller "
+          "first")
+      .def_property_readonly(
+          "step",
+          [](const Sources& sources) {
+            return byTriangle<std::int32_t>(
+                sources, 1, -1, [](const SurfaceSource& row, std::int32_t* to) { *to = row.step; });
+          },
+          "int32 (M,): pose of a cap; pose at which the step of an edge or graze begins; -1 not "
+          "known")
+      .def_property_readonly(
+          "time",
+          [](const Sources& sources) {
+            return byTriangle<double>(sources, 1, kNan, [](const SurfaceSource& row, double* to) {
+              *to = row.timeSeconds;
+            });
+          },
+          "float64 (M,): s; nan where not known")
+      .def_property_readonly(
+          "point",
+          [](const Sources& sources) {
+            return byTriangle<double>(sources, 3, kNan, [](const SurfaceSource& row, double* to) {
+              std::copy_n(row.point.data(), 3, to);
+            });
+          },
+          "float64 (M, 3): mm, a point of the exact surface beside the triangle that face or edge "
+          "pass through at that time; nan where not known");
+}
+
+}  // namespace swept::python

@@ -1,0 +1,11 @@
+// What made each triangle of an envelope, as numpy arrays by triangle.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace swept::python {
+
+void bindSources(pybind11::module_& module);
+
+}  // namespace swept::python

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "crossings/crossing_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "base/parallel.h"
+#include "base/union_find.h"
+
+namespace swept {
+namespace {
+
+/// What an edge of the body's triangles is to the faces.
+struct EdgeSource {
+  std::array<std::int32_t, 2> faces{-1, -1};
+  SourceKind kind = SourceKind::Edge;
+};
+
+class EdgeSources {
+ public:
+  EdgeSources(const TriMesh& body, const BodyTopology& topology, bool namedFaces)
+      : faceOf_(body.faceOf), topology_(topology), sources_(topology.edges.size()) {
+    for (std::size_t e = 0; e < sources_.size(); ++e) sources_[e] = alone(topology.edges[e]);
+    if (namedFaces) decideByChains();
+  }
+  const EdgeSource& operator[](std::size_t edge) const { return sources_[edge]; }
+
+ private:
+  double angleAt(const BodyEdge& edge) const {
+    return std::acos(std::clamp(
+        static_cast<double>(topology_.normals[edge.left].dot(topology_.normals[edge.right])), -1.0,
+        1.0));
+  }
+
+  EdgeSource alone(const BodyEdge& edge) const {
+    const std::int32_t left = faceOf_[edge.left];
+    if (edge.right < 0) return {{left, -1}, SourceKind::Edge};
+    const std::int32_t right = faceOf_[edge.right];
+    if (left == right) return {{left, -1}, SourceKind::Graze};
+    const bool smooth = !edge.opposed && angleAt(edge) < kSmoothAngle;
+    return {{std::min(left, right), std::max(left, right)},
+            smooth ? SourceKind::Graze : SourceKind::Edge};
+  }
+
+  /// Edges between the same two faces that hang together get one kind.
+  void decideByChains() {
+    std::vector<std::uint32_t> border;
+    for (std::uint32_t e = 0; e < sources_.size(); ++e) {
+      if (sources_[e].faces[1] >= 0) border.push_back(e);
+    }
+    using End = std::tuple<std::array<std::int32_t, 2>, std::int32_t, std::uint32_t>;
+    std::vector<End> ends;  // faces, vertex, place in `border`
+    for (std::uint32_t n = 0; n < border.size(); ++n) {
+      const BodyEdge& edge = topology_.edges[border[n]];
+      for (const std::int32_t v : {edge.a, edge.b})
+        ends.emplace_back(sources_[border[n]].faces, v, n);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<std::uint32_t> chain(border.size());
+    std::iota(chain.begin(), chain.end(), 0u);
+    for (std::size_t n = 1; n < ends.size(); ++n) {
+      const auto& [faces, vertex, at] = ends[n];
+      const auto& [facesBefore, vertexBefore, before] = ends[n - 1];
+      if (faces == facesBefore && vertex == vertexBefore) unite(chain, at, before);
+    }
+    std::vector<std::pair<std::uint32_t, double>> angles;  // by chain
+    for (std::uint32_t n = 0; n < border.size(); ++n) {
+      const BodyEdge& edge = topology_.edges[border[n]];
+      angles.emplace_back(findRoot(chain, n), edge.opposed ? M_PI : angleAt(edge));
+    }
+    std::sort(angles.begin(), angles.end());
+    std::vector<SourceKind> kindOf(border.size(), SourceKind::Edge);
+    for (std::size_t begin = 0, end = 0; begin < angles.size(); begin = end) {
+      while (end < angles.size() && angles[end].first == angles[begin].first) ++end;
+      const double median = angles[begin + (end - begin) / 2].second;
+      if (median < kSmoothAngle) kindOf[angles[begin].first] = SourceKind::Graze;
+    }
+    for (std::uint32_t n = 0; n < border.size(); ++n)
+      sources_[border[n]].kind = kindOf[findRoot(chain, n)];
+  }
+
+  const std::vector<std::int32_t>& faceOf_;
+  const BodyTopology& topology_;
+  std::vector<EdgeSource> sources_;
+};
+
+/// Per placement: the last pose of the motion at or before it.
+std::vector<std::uint32_t> lastPoses(const Motion& motion) {
+  std::vector<std::uint32_t> last(motion.placements.size(), 0);
+  for (std::uint32_t pose = 0; pose < motion.poses.size(); ++pose) {
+    const std::size_t end =
+        pose + 1 < motion.poses.size() ? motion.poses[pose + 1] : motion.placements.size();
+    std::fill(last.begin() + motion.poses[pose], last.begin() + static_cast<std::ptrdiff_t>(end),
+              pose);
+  }
+  return last;
+}
+
+}  // namespace
+
+std::vector<SurfaceSource> sourcesOfCrossings(const SamplerInput& input,
+                                              const std::vector<SweptElement>& elements,
+                                              const HermiteGrid& grid, bool namedFaces,
+                                              const std::vector<std::int32_t>& pose) {
+  const EdgeSources edges(input.body, input.topology, namedFaces);
+  const std::vector<std::uint32_t> lastPose = lastPoses(input.motion);
+  std::vector<SurfaceSource> rows(grid.crossings.size());
+  const auto describe = [&](std::uint32_t crossing, const Eigen::Vector3d& at) {
+    const SweptElement& element = elements[grid.winner[crossing]];
+    const std::uint32_t last = lastPose[element.placement];
+    SurfaceSource& row = rows[crossing];
+    row.point = grid.plan.origin + grid.plan.cell * at;
+    row.timeSeconds = grid.exactSeconds[crossing];
+    row.step = pose[last];
+    if (element.isSidePatch()) {
+      row.faces = edges[element.index()].faces;
+      row.kind = edges[element.index()].kind;
+    } else {
+      row.faces = {input.body.faceOf[element.index()], -1};
+      row.kind =
+          input.motion.poses[last] == element.placement ? SourceKind::Cap : SourceKind::Graze;
+    }
+  };
+  parallelFor(grid.layers.size(), [&](std::size_t i) {
+    const HermiteLayer& layer = grid.layers[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& start = layer.columnStart[axis];
+      for (std::size_t j = 0; j + 1 < start.size(); ++j) {
+        for (std::uint32_t e = start[j]; e < start[j + 1]; ++e) {
+          const HermiteEdge& edge = layer.edges[axis][e];
+          const std::uint32_t end = edge.first + (edge.sides == 3 ? 2 : 1);
+          for (std::uint32_t crossing = edge.first; crossing < end; ++crossing) {
+            Eigen::Vector3d at(static_cast<double>(i), static_cast<double>(j), edge.k);
+            at[axis] += grid.crossings[crossing].fraction;
+            describe(crossing, at);
+          }
+        }
+      }
+    }
+  });
+  return rows;
+}
+
+}  // namespace swept

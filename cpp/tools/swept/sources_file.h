@@ -1,0 +1,16 @@
+// What made each triangle of an envelope, as a table.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "swept/sources.h"
+
+namespace swept::cli {
+
+/// A row for each triangle, in the order of the mesh: triangle, kind, face, other_face, step,
+/// time_s, x, y, z (mm); what is not known is empty. To a file, or to standard output for "-".
+/// Throws Error(ExportFailed).
+void writeSources(const Sources& sources, const std::string& path);
+
+}  // namespace swept::cli

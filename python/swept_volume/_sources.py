@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What made each triangle of an envelope: values that can be pickled."""
+from __future__ import annotations
+
+from typing import Any, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+
+from ._values import Floats, Integers, frozen
+
+
+class Sources:
+    """What made each of the M triangles of an envelope. All arrays are read-only.
+
+    kind    int8 (M,): index into KINDS; -1 where nothing is known
+    faces   int32 (M, 2): the face of a cap or graze and -1; the two faces beside an edge, or those of a
+            graze that meet smoothly, the smaller first
+    step    int32 (M,): pose of a cap; pose at which the step of an edge or graze begins; counted from 0
+    time    float64 (M,), s; nan where nothing is known
+    point   float64 (M, 3), mm: a point of the exact surface beside the triangle, through which the face
+            or edge passes at that time; nan where nothing is known
+
+    A cap is a face of the body as it lies at one pose. An edge was swept by an edge of the body, where
+    two faces meet at 8 degrees or more. A graze was swept by the inside of a face that the sweep touches
+    along a curve, or by two faces that meet smoothly. Faces are numbered as in Mesh.faces; of a mesh
+    without, triangles of the body are its faces. Of a simplified envelope each triangle has what made
+    the largest part of its area."""
+
+    KINDS = ("cap", "edge", "graze")
+    __slots__ = ("kind", "faces", "step", "time", "point")
+    kind: npt.NDArray[np.int8]
+    faces: Integers
+    step: Integers
+    time: Floats
+    point: Floats
+
+    def __init__(
+        self,
+        kind: npt.ArrayLike,
+        faces: npt.ArrayLike,
+        step: npt.ArrayLike,
+        time: npt.ArrayLike,
+        point: npt.ArrayLike,
+    ) -> None:
+        self.kind = frozen(kind, np.int8, (-1,), "kind")
+        count = len(self.kind)
+        self.faces = frozen(faces, np.int32, (count, 2), "faces")
+        self.step = frozen(step, np.int32, (count,), "step")
+        self.time = frozen(time, np.float64, (count,), "time")
+        self.point = frozen(point, np.float64, (count, 3), "point")
+
+    @classmethod
+    def _of_core(cls, core: Optional[_core.Sources]) -> Optional[Sources]:
+        if core is None:
+            return None
+        return cls(core.kind, core.faces, core.step, core.time, core.point)
+
+    def __len__(self) -> int:
+        return len(self.kind)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Sources, tuple(np.array(getattr(self, name)) for name in self.__slots__)
+
+    def __repr__(self) -> str:
+        counts = np.bincount(self.kind[self.kind >= 0], minlength=len(self.KINDS))
+        kinds = ", ".join(f"{n} {kind}" for n, kind in zip(counts, self.KINDS))
+        return f"<Sources: {kinds}, {int((self.kind < 0).sum())} not known>"

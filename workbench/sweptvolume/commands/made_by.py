@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What made this?: which face of which part made a place of an envelope, and when."""
+from ..convert import InputProblem
+from ..features.envelope import Envelope
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_MadeBy"
+    TEXT = mark("Commands", "What made this?")
+    TIP = mark(
+        "Commands",
+        "Colours the selected envelope by the faces that made it; a click on it tells which face or edge "
+        "of which part passed there, and when",
+    )
+
+    def missing(self, document):
+        from ..panels import selection
+
+        return selection.wanting_envelope(document)
+
+    def run(self, document):
+        from ..panels import made_panel, selection
+
+        obj = selection.of_kind(document, Envelope.KIND)[0]
+        if obj is None:
+            raise InputProblem(translate("Messages", "Select an envelope first."))
+        made_panel.show(document, obj)

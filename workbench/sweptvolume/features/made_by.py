@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What made each triangle of an envelope: which face or edge of which part, and when. No GUI.
+
+A record belongs to one result, known by the hash of its inputs and its number of triangles, so that Undo
+finds the record of the result that it brings back. It is kept until the document is closed, and stored in
+the document only where the property MadeBy asks for that: a triangle then takes some bytes.
+"""
+import base64
+import bisect
+import collections
+import io
+import json
+import zipfile
+
+import FreeCAD as App
+import numpy as np
+
+from ..texts import mark, translate
+from .base import fits
+
+PROPERTY = "MadeByData"
+CAP, EDGE, GRAZE = range(3)
+#: Results of one envelope whose records are kept, for Undo.
+MOST_KEPT = 3
+KINDS = (
+    mark("Panels", "a face at one pose"),
+    mark("Panels", "swept by an edge"),
+    mark("Panels", "swept by a face along a line of contact"),
+)
+_PART = {
+    "first": int,
+    "count": int,
+    "label": str,
+    "root": str,
+    "sub": str,
+    "facets": bool,
+    "motion": str,
+}
+
+#: What made one triangle. kind: CAP, EDGE or GRAZE; faces: (part, number from 1), one or two; time: s;
+#: motion: name of the motion's object.
+Answer = collections.namedtuple("Answer", "kind faces time motion")
+
+_kept = {}  # (document, object) -> records, the newest first
+_observer = None
+
+
+class Record:
+    """kind int8 (m,), -1: not known; faces int32 (m,2); time float64 (m,), s; parts: dicts with first and
+    count of their faces, label, root and sub, facets (faces are triangles of a mesh), motion."""
+
+    def __init__(self, key, kind, faces, time, parts):
+        self.key, self.kind, self.faces, self.time = key, kind, faces, time
+        self.parts = sorted(parts, key=lambda part: part["first"])
+        self._first = [part["first"] for part in self.parts]
+
+    def owner(self, face):
+        """(part, number of its face from 1)."""
+        part = self.parts[bisect.bisect_right(self._first, face) - 1]
+        return part, int(face) - part["first"] + 1
+
+    def answer(self, triangle):
+        """What made a triangle; None: not known."""
+        if self.kind[triangle] < 0:
+            return None
+        faces = [self.owner(face) for face in self.faces[triangle] if face >= 0]
+        return Answer(
+            int(self.kind[triangle]), faces, float(self.time[triangle]), faces[0][0]["motion"]
+        )
+
+    def packed(self):
+        """As text, for a document."""
+        out = io.BytesIO()
+        head = json.dumps({"key": self.key, "parts": self.parts})
+        np.savez_compressed(
+            out,
+            head=np.frombuffer(head.encode(), np.uint8),
+            kind=self.kind,
+            faces=self.faces,
+            time=self.time,
+        )
+        return base64.b64encode(out.getvalue()).decode()
+
+
+def unpacked(text):
+    """The record in a document; None where there is none, or a damaged one."""
+    try:
+        with np.load(io.BytesIO(base64.b64decode(text)), allow_pickle=False) as data:
+            head = json.loads(data["head"].tobytes().decode())
+            kind, faces, time = data["kind"], data["faces"], data["time"]
+    except (ValueError, KeyError, OSError, EOFError, zipfile.BadZipFile):
+        return None
+    if not fits(head, {"key": (str, int), "parts": [_PART]}):
+        return None
+    most = max([part["first"] + part["count"] for part in head["parts"]], default=0)
+    shapes = kind.shape == time.shape == (len(kind),) and faces.shape == (len(kind), 2)
+    sound = shapes and kind.dtype == np.int8 and faces.dtype == np.int32 and time.dtype == float
+    if not sound or len(kind) and (kind.max() > GRAZE or faces.max() >= most):
+        return None
+    if (faces[kind >= 0, 0] < 0).any():
+        return None
+    return Record(head["key"], kind, faces, time, head["parts"])
+
+
+def _key(obj):
+    return [obj.InputHash, obj.Mesh.CountFacets]
+
+
+def keep(obj, outcome):
+    """Of the result that was just written."""
+    if outcome.sources is not None:
+        _remember(obj, Record(_key(obj), *outcome.sources, outcome.parts))
+    _store(obj)
+
+
+def _remember(obj, record):
+    global _observer
+    place = obj.Document.Name, obj.Name
+    others = [known for known in _kept.get(place, []) if known.key != record.key]
+    _kept[place] = [record] + others[: MOST_KEPT - 1]
+    if _observer is None:
+        _observer = _Observer()
+        App.addDocumentObserver(_observer)
+
+
+def _store(obj):
+    """The document gets the record, or none, as MadeBy says."""
+    record = find(obj) if obj.MadeBy == "Document" else None
+    text = record.packed() if record is not None else ""
+    if getattr(obj, PROPERTY) != text:
+        setattr(obj, PROPERTY, text)
+
+
+def find(obj):
+    """The record of the stored result of an envelope, or None."""
+    key = _key(obj)
+    for record in _kept.get((obj.Document.Name, obj.Name), []):
+        if record.key == key:
+            return record
+    record = unpacked(getattr(obj, PROPERTY)) if getattr(obj, PROPERTY) else None
+    if record is None or record.key != key or len(record.kind) != key[1]:
+        return None
+    _remember(obj, record)
+    return record
+
+
+def changed(obj, name):
+    """MadeBy was set by hand: what is known is stored, or no longer."""
+    if name != "MadeBy" or PROPERTY not in obj.PropertiesList:
+        return
+    if not (obj.Document.Restoring or getattr(obj.Document, "Transacting", False)):
+        _store(obj)
+
+
+def name_of(part, number):
+    """A face as people call it: "Face3 of Bracket"."""
+    if part["facets"]:
+        return translate("Panels", "triangle {0} of {1}").format(number, part["label"])
+    return translate("Panels", "Face{0} of {1}").format(number, part["label"])
+
+
+def text_of(answer):
+    """An answer in words."""
+    names = [name_of(*face) for face in answer.faces]
+    what = names[0]
+    if len(names) == 2:
+        what = translate("Panels", "the edge between {0} and {1}").format(*names)
+    when = translate("Panels", "{0}, at {1:.3f} s")
+    return when.format(what, answer.time) + "\n" + translate("Panels", KINDS[answer.kind])
+
+
+class _Observer:
+    def slotDeletedDocument(self, document):  # noqa: N802
+        for place in [place for place in _kept if place[0] == document.Name]:
+            del _kept[place]

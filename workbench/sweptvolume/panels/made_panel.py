@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel "What made this?": colours of an envelope, and for a click on it the face of the part that
+made the place, with the part at that moment. Nothing but the view is changed."""
+import FreeCADGui as Gui
+from PySide import QtCore
+
+from .. import convert, runner
+from ..convert import InputProblem
+from ..features import made_by
+from ..features.envelope_plan import STRAIGHT, Plan
+from ..texts import translate
+from ..trajectory.poses import INTERPOLATIONS, at_time
+from ..views.ghost import Ghosts
+from ..views.made_colours import CHOICES
+from . import focus, guard, widgets
+from .place_picker import PlacePicker
+from .player import Player
+from .tasks import EnvelopeTask
+from .widgets import QtWidgets
+
+#: Deflection of the parts for the ghost, of their box diagonal.
+GHOST_DEFLECTION = 0.003
+
+#: The panel opened last, for tests and macros.
+opened = []
+
+
+class _MovingParts:
+    """The parts of one motion as a ghost."""
+
+    def __init__(self, document, group, cell):
+        self.poses, kind = group.trajectory(STRAIGHT * cell)
+        self.kind = next(name for name, known in INTERPOLATIONS.items() if known == kind)
+        points = group.corners()
+        size = float(((points.max(axis=0) - points.min(axis=0)) ** 2).sum()) ** 0.5
+        body = convert.body_from(group.pairs, max(size * GHOST_DEFLECTION, 1e-6))
+        vertices = convert.transform(group.into_base(), body.vertices)
+        self.ghosts = Ghosts(document, vertices, body.triangles)
+        self.ghosts.show_keys([])
+
+    def show(self, time):
+        self.ghosts.show_moving(at_time(self.poses, self.kind, time))
+
+    def remove(self):
+        self.ghosts.remove()
+
+
+class MadePanel:
+    """Shows one envelope."""
+
+    def __init__(self, document, obj):
+        self.document, self.obj, self.run = document, obj, None
+        self.answer, self.moving, self.motion = None, None, ""
+        title = translate("Panels", "What made this?")
+        self.form, layout = widgets.window(title, "SweptVolume_MadeBy")
+        self.box, self.message = widgets.RunBox(), widgets.message_label()
+        layout.addWidget(self.box)
+        layout.addWidget(self.message)
+        self._build_colours(layout)
+        self._build_answer(layout)
+        self.player = Player()
+        self.player.moved.connect(self.show_moving)
+        layout.addWidget(self.player)
+        layout.addStretch(1)
+        self.picker = PlacePicker(document, self.found)
+        self.watch = widgets.DocumentWatch(document, self._close)
+        self.renew()
+
+    # --- building
+
+    def _build_colours(self, layout):
+        rows = widgets.group(self.obj.Label, layout)
+        self.by = widgets.choice(CHOICES, self.obj.ViewObject.ColourBy)
+        self.by.setObjectName("SweptVolumeColourBy")
+        self.by.currentIndexChanged.connect(lambda *ignored: self._colour())
+        self.again = QtWidgets.QPushButton(translate("Panels", "Compute and remember"))
+        self.again.setObjectName("SweptVolumeRemember")
+        self.again.clicked.connect(lambda *ignored: self.remember())
+        rows.addRow(translate("Panels", "Colour by"), self.by)
+        rows.addRow(self.again)
+
+    def _build_answer(self, layout):
+        box = QtWidgets.QGroupBox(translate("Panels", "The place that was clicked"))
+        column = QtWidgets.QVBoxLayout(box)
+        column.setContentsMargins(*widgets.MARGINS)
+        self.text = QtWidgets.QLabel()
+        self.text.setObjectName("SweptVolumeMadeText")
+        self.text.setWordWrap(True)
+        self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.choose = QtWidgets.QPushButton(translate("Panels", "Select on the part"))
+        self.choose.setObjectName("SweptVolumeSelectFace")
+        self.choose.clicked.connect(lambda *ignored: self.select())
+        column.addWidget(self.text)
+        column.addWidget(self.choose)
+        layout.addWidget(box)
+
+    # --- what is known
+
+    def renew(self):
+        """Shows whether anything is remembered."""
+        known = made_by.find(self.obj) is not None
+        self.by.setEnabled(known)
+        self.again.setVisible(not known)
+        self.answer = None
+        self.choose.setEnabled(False)
+        self.text.setText(
+            translate("Panels", "Click a place of the envelope in the 3D view.")
+            if known
+            else translate(
+                "Panels",
+                "It is not remembered what made this envelope: it was computed without, or the document "
+                "was closed since.",
+            )
+        )
+        self.player.setEnabled(False)
+
+    def _colour(self):
+        self.obj.ViewObject.ColourBy = self.by.currentData()
+
+    @guard.told
+    def remember(self):
+        """Computes the envelope once more, as it is, and remembers what made it."""
+        if self.obj.Offset.Value > 0 or self.obj.Conservative:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "what made an envelope is known of the swept volume itself: this one has an offset or "
+                    "is conservative.",
+                )
+            )
+        widgets.show_message(self.message, "")
+        plan = Plan.of(self.obj)
+        if plan.values["MadeBy"] == "Off":
+            plan.values["MadeBy"] = "Session"
+        self.run = runner.start(EnvelopeTask(self.document, plan, self.obj))
+        self.again.setEnabled(False)
+        self.box.follow(self.run)
+        self.run.ended.connect(self.ended)
+
+    def ended(self, run):
+        self.run = None
+        if not (widgets.alive(self.document) and widgets.alive(self.obj)):
+            self._close()
+            return
+        self.box.leave(self.form)
+        self.again.setEnabled(True)
+        if run.state != "ok":
+            widgets.show_failure(self.message, run)
+        self.renew()
+
+    # --- a click
+
+    @guard.told
+    def found(self, obj, answer):
+        """A place of an envelope was clicked."""
+        if obj.Name != self.obj.Name or made_by.find(self.obj) is None:
+            return
+        self.answer = answer
+        self.choose.setEnabled(answer is not None)
+        if answer is None:
+            self.text.setText(translate("Panels", "It is not known what made this place."))
+            return
+        self.text.setText(made_by.text_of(answer))
+        Gui.getMainWindow().statusBar().showMessage(made_by.text_of(answer).replace("\n", ", "))
+        self._show_parts(answer.motion)
+        self.player.go_to(answer.time)
+
+    def _show_parts(self, motion):
+        if self.motion == motion:
+            return
+        self._remove_parts()
+        plan = Plan.of(self.obj)
+        group = next(g for g in plan.groups() if g.motion.Name == motion)
+        self.moving, self.motion = _MovingParts(self.document, group, self.cell()), motion
+        self.player.setEnabled(True)
+        self.player.set_times(self.moving.poses.times)
+
+    def cell(self):
+        return self.obj.UsedCellSize.Value
+
+    def show_moving(self):
+        if self.moving is not None:
+            self.moving.show(self.player.now())
+
+    @guard.told
+    def select(self):
+        """Selects the face, or the two beside the edge, on the part where it stands."""
+        Gui.Selection.clearSelection()
+        for part, number in self.answer.faces:
+            element = "" if part["facets"] else "Face{}".format(number)
+            Gui.Selection.addSelection(self.document.Name, part["root"], part["sub"] + element)
+
+    # --- task panel
+
+    def getStandardButtons(self):  # noqa: N802
+        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
+
+    def reject(self):
+        if self.run is not None:
+            self.run.ended.disconnect(self.ended)
+            self.run.cancel()
+        return self._close()
+
+    def _remove_parts(self):
+        if self.moving is not None and widgets.alive(self.document):
+            self.moving.remove()
+        self.moving, self.motion = None, ""
+
+    def _close(self):
+        self.watch.stop()
+        self.picker.stop()
+        self.player.stop()
+        self._remove_parts()
+        Gui.Control.closeDialog()
+        return True
+
+
+def show(document, obj):
+    panel = MadePanel(document, obj)
+    opened[:] = [panel]
+    focus.show(panel)
+    return panel

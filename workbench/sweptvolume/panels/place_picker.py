@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A click on an envelope in the 3D view: which of its triangles, and what made it."""
+import FreeCADGui as Gui
+import numpy as np
+
+from .. import convert
+from ..features import made_by
+from ..features.envelope import is_envelope
+
+#: Pixels that the mouse may move between press and release of a click.
+STEADY = 4
+
+
+def nearest_triangle(point, vertices, triangles, towards=None):
+    """Number of the triangle nearest to a point (3,). towards: direction of looking; triangles that are
+    seen from behind are passed over, unless all are."""
+    corners = vertices[triangles]
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    which = np.arange(len(triangles))
+    if towards is not None:
+        seen = np.einsum("nk,k->n", np.cross(b - a, c - a), towards) < 0
+        which = which[seen] if seen.any() else which
+    middle = (a + b + c)[which] / 3
+    reach = np.linalg.norm(corners[which] - middle[:, None], axis=2).max(axis=1)
+    to_middle = np.linalg.norm(middle - point, axis=1)
+    which = which[to_middle - reach <= to_middle.min()]
+    return int(which[np.argmin(_distances(point, a[which], b[which], c[which]))])
+
+
+def _distances(p, a, b, c):
+    """Of a point to triangles (n,3) each."""
+    normal = np.cross(b - a, c - a)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    off = np.einsum("nk,nk->n", p - a, normal)
+    foot = p - off[:, None] * normal
+    inside, border = np.ones(len(a), bool), np.full(len(a), np.inf)
+    for start, end in ((a, b), (b, c), (c, a)):
+        way = end - start
+        inside &= np.einsum("nk,nk->n", foot - start, np.cross(normal, way)) >= 0
+        length = np.maximum(np.einsum("nk,nk->n", way, way), 1e-300)
+        part = np.clip(np.einsum("nk,nk->n", p - start, way) / length, 0, 1)
+        to_edge = np.linalg.norm(p - start - part[:, None] * way, axis=1)
+        border = np.minimum(border, to_edge)
+    return np.where(inside, np.abs(off), border)
+
+
+class Places:
+    """The places of one envelope as it is now; its mesh is read at the first question."""
+
+    def __init__(self, obj):
+        self.obj, self.record = obj, made_by.find(obj)
+        self._arrays = None
+
+    def is_current(self):
+        return made_by.find(self.obj) is self.record
+
+    def answer(self, point, towards=None):
+        """What made the place at a point of the document (3,); None: not known."""
+        if self.record is None:
+            return None
+        if self._arrays is None:
+            self._arrays = convert.arrays_from_mesh(self.obj.Mesh)
+        back = np.linalg.inv(convert.global_matrix(*convert.root_path(self.obj)))
+        here = convert.transform(back, np.array([point], float))[0]
+        if towards is not None:
+            towards = back[:3, :3] @ np.array(towards, float)
+        return self.record.answer(nearest_triangle(here, *self._arrays, towards))
+
+
+class PlacePicker:
+    """Calls found(envelope, answer) for each click on an envelope, until stop(). answer None: it is not
+    remembered what made this place."""
+
+    def __init__(self, document, found):
+        self.found, self._pressed, self._places = found, None, {}
+        self.view = Gui.getDocument(document.Name).activeView()
+        self._callback = None
+        if hasattr(self.view, "addEventCallback"):
+            self._callback = self.view.addEventCallback("SoMouseButtonEvent", self._clicked)
+
+    def stop(self):
+        if self._callback is None:
+            return
+        try:
+            self.view.removeEventCallback("SoMouseButtonEvent", self._callback)
+        except (RuntimeError, ReferenceError):
+            pass  # the view was closed
+        self._callback = None
+
+    def _clicked(self, event):
+        if event.get("Button") != "BUTTON1":
+            return
+        where = event["Position"]
+        if event["State"] == "DOWN":
+            self._pressed = where
+        elif self._pressed is not None:
+            moved = max(abs(a - b) for a, b in zip(where, self._pressed))
+            self._pressed = None
+            if moved <= STEADY:
+                self.ask(where)
+
+    def ask(self, where):
+        """What is seen at a pixel of the view (from below)."""
+        info = self.view.getObjectInfo((int(where[0]), int(where[1])))
+        if not info or "x" not in info:
+            return
+        document = Gui.ActiveDocument.Document if Gui.ActiveDocument else None
+        obj = document.getObject(info.get("Object", "")) if document is not None else None
+        if obj is None or not is_envelope(obj):
+            return
+        towards = self.view.getViewDirection()
+        self.found(obj, self.places(obj).answer((info["x"], info["y"], info["z"]), towards))
+
+    def places(self, obj):
+        known = self._places.get(obj.Name)
+        if known is None or not known.is_current():
+            known = self._places[obj.Name] = Places(obj)
+        return known
