@@ -64,12 +64,12 @@ class Result:
     touched; may be empty), feature_edges (int32 (E, 2): vertex pairs along creases; may be empty),
     sources (Sources; None unless asked for). The arrays are read-only."""
 
-    __slots__ = ("mesh", "report", "contact_time", "feature_edges", "sources", "_core")
+    __slots__ = ("mesh", "report", "contact_time", "feature_edges", "_sources", "_core")
     mesh: Mesh
     report: Report
     contact_time: Floats
     feature_edges: Integers
-    sources: Optional[Sources]
+    _sources: Optional[Sources]
 
     def __init__(
         self,
@@ -83,7 +83,7 @@ class Result:
         self.mesh, self.report = mesh, report
         self.contact_time = frozen(contact_time, np.float64, (-1,), "contact_time")
         self.feature_edges = frozen(edges, np.int32, (-1, 2), "feature_edges")
-        self.sources = sources
+        self._sources = sources
         self._core: Optional[_core.Result] = None
 
     @classmethod
@@ -91,9 +91,15 @@ class Result:
         made = cls.__new__(cls)
         made.mesh, made.report = Mesh._of_core(core.mesh), core.report
         made.contact_time, made.feature_edges = core.contact_time, core.feature_edges
-        made.sources = Sources._of_core(core.sources)
-        made._core = core
+        made._sources, made._core = None, core
         return made
+
+    @property
+    def sources(self) -> Optional[Sources]:
+        """What made each triangle, where it was asked for: as arrays when they are first wanted."""
+        if self._sources is None and self._core is not None and self._core.sources is not None:
+            self._sources = Sources._of_core(self._core.sources)
+        return self._sources
 
     @property
     def vertices(self) -> Floats:

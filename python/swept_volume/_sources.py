@@ -2,7 +2,7 @@
 """What made each triangle of an envelope: values that can be pickled."""
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -53,9 +53,7 @@ class Sources:
         self.point = frozen(point, np.float64, (count, 3), "point")
 
     @classmethod
-    def _of_core(cls, core: Optional[_core.Sources]) -> Optional[Sources]:
-        if core is None:
-            return None
+    def _of_core(cls, core: _core.Sources) -> Sources:
         return cls(core.kind, core.faces, core.step, core.time, core.point)
 
     def __len__(self) -> int:

@@ -71,13 +71,47 @@ CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, i
   alongTime = a1 + (1 - 2 * s) * a2 + r * (b1 + (1 - 2 * s) * b2);
   const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
   const Eigen::Vector3d n = alongEdge.cross(alongTime);
+  const double offLine = std::max(std::abs(x[u] - line[u]), std::abs(x[v] - line[v]));
   // Newton's method leaves a small distance from the lattice line; move along the line until the
   // tangent plane is reached.
   double along = x[axis];
   if (std::abs(n[axis]) > 0.1 * n.norm()) {
     along += (n[u] * (x[u] - line[u]) + n[v] * (x[v] - line[v])) / n[axis];
   }
-  return {along, n, p.timeSeconds + s * (q.timeSeconds - p.timeSeconds)};
+  return {along, n, p.timeSeconds + s * (q.timeSeconds - p.timeSeconds), offLine};
+}
+
+double CrossingRefiner::nearestTime(const SweptElement& element,
+                                    const Eigen::Vector3d& point) const {
+  const Placement &p = placements_[element.placement], &q = placements_[element.placement + 1];
+  const Placement& m = bulges_[element.placement];
+  const BodyEdge& edge = input_.topology.edges[element.index()];
+  const auto at = [&](double s, const Eigen::Vector3d& v) {
+    return Eigen::Vector3d((1 - s) * p.apply(v) + s * q.apply(v) + 4 * s * (1 - s) * m.apply(v));
+  };
+  const auto distance = [&](double s) {
+    const Eigen::Vector3d a = at(s, input_.body.vertices[edge.a]),
+                          way = at(s, input_.body.vertices[edge.b]) - a;
+    const double along = std::clamp((point - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    return (point - a - along * way).squaredNorm();
+  };
+  // The step is short: some looks find the valley, halving its width the bottom.
+  constexpr int kLooks = 16, kHalvings = 30;
+  int nearest = 0;
+  for (int look = 1; look <= kLooks; ++look) {
+    if (distance(static_cast<double>(look) / kLooks) <
+        distance(static_cast<double>(nearest) / kLooks)) {
+      nearest = look;
+    }
+  }
+  double best = static_cast<double>(nearest) / kLooks, width = 1.0 / kLooks;
+  for (int halving = 0; halving < kHalvings; ++halving, width /= 2) {
+    const double now = best;
+    for (const double s : {std::max(now - width, 0.0), std::min(now + width, 1.0)}) {
+      if (distance(s) < distance(best)) best = s;
+    }
+  }
+  return p.timeSeconds + best * (q.timeSeconds - p.timeSeconds);
 }
 
 Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k,
@@ -89,7 +123,6 @@ Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::
       element.isSidePatch() ? onSidePatch(element, axis, line) : onFace(element, axis, line);
   Crossing crossing;
   crossing.timeSeconds = static_cast<float>(hit.timeSeconds);
-  if (exactSeconds != nullptr) *exactSeconds = hit.timeSeconds;
   const double exact = hit.along - line[axis];
   // Cells. A grazing face or a degenerate side patch has no well-defined intersection: farther than
   // this from the sampler's crossing, the sampler's fraction is kept.
@@ -98,6 +131,15 @@ Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::
       std::isfinite(exact) && std::abs(exact - fraction) < kMaxCorrection ? exact : fraction;
   crossing.fraction =
       static_cast<float>(std::clamp(position, kMinPointDistance, 1 - kMinPointDistance));
+  if (exactSeconds != nullptr) {
+    constexpr double kOnLine = 1e-5;  // cells
+    *exactSeconds = hit.timeSeconds;
+    if (element.isSidePatch() && !(hit.offLine < kOnLine && position == exact)) {
+      Eigen::Vector3d point = line;
+      point[axis] += crossing.fraction;
+      *exactSeconds = nearestTime(element, point);
+    }
+  }
   const double length = hit.normal.norm();
   if (length > 0) {
     const bool towardsHigh = hit.normal[axis] > 0;

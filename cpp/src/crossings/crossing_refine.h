@@ -32,9 +32,13 @@ class CrossingRefiner {
     double along;
     Eigen::Vector3d normal;
     double timeSeconds;
+    double offLine = 0;  ///< cells, of a side patch: where Newton's method ended, from the line
   };
   Hit onFace(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
   Hit onSidePatch(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
+  /// When the edge of a side patch passes nearest to a point; for the few crossings where Newton's
+  /// method finds none.
+  double nearestTime(const SweptElement& element, const Eigen::Vector3d& point) const;
 
   const SamplerInput& input_;
   const MarkedEdges& marked_;

@@ -44,11 +44,11 @@ void markCareful(const TriMesh& small, const std::vector<std::int32_t>& strays, 
 
 }  // namespace
 
-Simplifier::Simplifier(TriMesh mesh, std::vector<double> contactTime, Sources sources, double cell)
+Simplifier::Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell, Sources sources)
     : mesh_(std::move(mesh)),
       contactTime_(std::move(contactTime)),
-      sources_(std::move(sources)),
-      cell_(cell) {}
+      cell_(cell),
+      sources_(std::move(sources)) {}
 
 std::unique_ptr<Simplifier::Level> Simplifier::thinned(const Level* from, double limit,
                                                        RunContext& run) const {

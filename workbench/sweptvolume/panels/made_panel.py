@@ -62,6 +62,7 @@ class MadePanel:
         self.player.moved.connect(self.show_moving)
         layout.addWidget(self.player)
         layout.addStretch(1)
+        Gui.Selection.clearSelection()  # its colour would lie over the others
         self.picker = PlacePicker(document, self.found)
         self.watch = widgets.DocumentWatch(document, self._close)
         self.renew()

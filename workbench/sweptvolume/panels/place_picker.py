@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A click on an envelope in the 3D view: which of its triangles, and what made it."""
+import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+from PySide import QtCore
 
 from .. import convert
 from ..features import made_by
 from ..features.envelope import is_envelope
-
-#: Pixels that the mouse may move between press and release of a click.
-STEADY = 4
 
 
 def nearest_triangle(point, vertices, triangles, towards=None):
@@ -68,48 +67,37 @@ class Places:
 
 
 class PlacePicker:
-    """Calls found(envelope, answer) for each click on an envelope, until stop(). answer None: it is not
-    remembered what made this place."""
+    """Calls found(envelope, answer) for each click on an envelope of a document in its 3D view, until stop().
+    answer None: it is not remembered what made this place. The envelope does not stay selected, so that
+    the next click is heard as well and its colours are seen."""
 
     def __init__(self, document, found):
-        self.found, self._pressed, self._places = found, None, {}
-        self.view = Gui.getDocument(document.Name).activeView()
-        self._callback = None
-        if hasattr(self.view, "addEventCallback"):
-            self._callback = self.view.addEventCallback("SoMouseButtonEvent", self._clicked)
+        self.document, self.found, self._places = document.Name, found, {}
+        Gui.Selection.addObserver(self)
 
     def stop(self):
-        if self._callback is None:
+        Gui.Selection.removeObserver(self)
+
+    def addSelection(self, document, name, sub, point):  # noqa: N802
+        """FreeCAD tells what was selected, and where; from the tree it tells no place."""
+        if document != self.document or not any(point):
             return
+        obj = App.getDocument(document).getObject(name)
+        target = obj.getSubObject(sub, retType=1) if obj is not None and sub else obj
+        if target is None or not is_envelope(target):
+            return
+        # From the loop: FreeCAD is not done with the selection yet.
+        QtCore.QTimer.singleShot(0, lambda: self._tell(target, (document, name, sub), point))
+
+    def _tell(self, obj, selected, point):
         try:
-            self.view.removeEventCallback("SoMouseButtonEvent", self._callback)
-        except (RuntimeError, ReferenceError):
-            pass  # the view was closed
-        self._callback = None
-
-    def _clicked(self, event):
-        if event.get("Button") != "BUTTON1":
+            Gui.Selection.removeSelection(*selected)
+            view = Gui.getDocument(self.document).activeView()
+            towards = view.getViewDirection() if hasattr(view, "getViewDirection") else None
+            answer = self.places(obj).answer(point, towards)
+        except (ReferenceError, NameError):  # the object or its document went meanwhile
             return
-        where = event["Position"]
-        if event["State"] == "DOWN":
-            self._pressed = where
-        elif self._pressed is not None:
-            moved = max(abs(a - b) for a, b in zip(where, self._pressed))
-            self._pressed = None
-            if moved <= STEADY:
-                self.ask(where)
-
-    def ask(self, where):
-        """What is seen at a pixel of the view (from below)."""
-        info = self.view.getObjectInfo((int(where[0]), int(where[1])))
-        if not info or "x" not in info:
-            return
-        document = Gui.ActiveDocument.Document if Gui.ActiveDocument else None
-        obj = document.getObject(info.get("Object", "")) if document is not None else None
-        if obj is None or not is_envelope(obj):
-            return
-        towards = self.view.getViewDirection()
-        self.found(obj, self.places(obj).answer((info["x"], info["y"], info["z"]), towards))
+        self.found(obj, answer)
 
     def places(self, obj):
         known = self._places.get(obj.Name)

@@ -126,7 +126,8 @@ class EnvelopeView(View):
 
             def show(coloured):
                 if self.__dict__.get("_coloured") is now:
-                    transparency = obj.ViewObject.Transparency / 100.0
+                    # Colours that shine through one another cannot be told apart.
+                    transparency = made_colours.CLEARER * obj.ViewObject.Transparency / 100.0
                     self.display.show_nodes(made_colours.nodes_of(coloured, transparency))
 
             most = obj.ViewObject.DrawnTriangles

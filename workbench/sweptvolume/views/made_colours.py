@@ -25,6 +25,8 @@ OF_KIND = ((0.25, 0.55, 0.95), (0.95, 0.55, 0.15), (0.30, 0.75, 0.40))
 UNKNOWN = (0.5, 0.5, 0.5)
 #: Brightness of faces where they lie at one pose, of edges, of faces that graze.
 VALUE = {CAP: 0.95, EDGE: 0.55, GRAZE: 0.75}
+#: Of the envelope's transparency.
+CLEARER = 0.25
 #: Triangles up to which a coloured surface is drawn as it is.
 MOST_WHOLE = 300000
 

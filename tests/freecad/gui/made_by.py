@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What made this?: an envelope gets colours by what made it, a click on it names the face and takes the
+part there; the path editor's player follows as well; a recompute keeps the colours."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Close,
+    Cancel,
+    Gui,
+    QtWidgets,
+    choose,
+    click,
+    drag,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    select,
+    shot,
+)
+
+V = App.Vector
+
+
+def scenario():
+    from sweptvolume.features import envelope, made_by, motion
+    from sweptvolume.panels import made_panel, motion_panel
+
+    def colours(obj):
+        """Different colours of faces that are drawn of an envelope now."""
+        from pivy import coin
+
+        search = coin.SoSearchAction()
+        search.setType(coin.SoMaterial.getClassTypeId())
+        search.setInterest(coin.SoSearchAction.ALL)
+        search.setSearchingAll(True)
+        search.apply(obj.ViewObject.RootNode)
+        paths = search.getPaths()
+        found = {
+            tuple(round(x, 3) for x in paths[i].getTail().diffuseColor[0].getValue())
+            for i in range(paths.getLength())
+        }
+        return len(found)
+
+    def click_at(point):
+        yield from drag(point, point, steps=1)
+
+    open_workbench()
+    doc = new_document("MadeBy")
+    bracket = doc.addObject("Part::Box", "Bracket")
+    bracket.Length, bracket.Width, bracket.Height = 10, 20, 30
+    doc.recompute()
+    path = motion.motion_from_poses(
+        doc,
+        [0, 1, 3],
+        [
+            App.Placement(),
+            App.Placement(V(40, 0, 0), App.Rotation()),
+            App.Placement(V(60, 10, 0), App.Rotation(V(0, 0, 1), 60)),
+        ],
+    )
+    obj = envelope.make_envelope(doc, [bracket], path, Resolution=64)
+    doc.recompute()
+    envelope.compute(obj)
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield
+
+    # Nothing is remembered of it: the panel offers to compute it again.
+    select(obj)
+    Gui.runCommand("SweptVolume_MadeBy")
+    yield
+    panel = made_panel.opened[-1]
+    assert not find(QtWidgets.QComboBox, "SweptVolumeColourBy").isEnabled()
+    assert "not remembered" in panel.text.text(), panel.text.text()
+    own = colours(obj)
+    click(find(QtWidgets.QPushButton, "SweptVolumeRemember"))
+    yield lambda: panel.run is None and made_by.find(obj) is not None
+    assert obj.MadeBy == "Session" and obj.MadeByData == ""
+    for by, least in (("Face", 8), ("Time", 12), ("Kind", 3)):
+        choose("SweptVolumeColourBy", by)
+        yield lambda least=least: colours(obj) >= own + least - 1
+        yield 0.4
+        shot("70_made_by_" + by.lower())
+        yield 0.5
+
+    # The top of the swept box, in the middle of its way: the top face, which glides there.
+    yield from click_at(V(25, 10, 30))
+    answer = panel.answer
+    assert answer is not None, panel.text.text()
+    assert [part["label"] for part, _ in answer.faces] == ["Bracket"] * len(answer.faces)
+    assert "of Bracket, at" in panel.text.text(), panel.text.text()
+    # The low end is a face of the part where it stands first: Face1, x = 0.
+    bracket.ViewObject.Visibility = False  # it stands in the very same place
+    Gui.activeDocument().activeView().viewLeft()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 0.3
+    yield from click_at(V(0, 10, 15))
+    answer = panel.answer
+    assert answer.kind == made_by.CAP and answer.time == 0, answer
+    assert [number for _, number in answer.faces] == [1], answer
+    assert "Face1 of Bracket, at 0.000 s" in panel.text.text(), panel.text.text()
+    assert panel.player.now() == 0 and panel.moving is not None
+    click(find(QtWidgets.QPushButton, "SweptVolumeSelectFace"))
+    yield
+    chosen = Gui.Selection.getSelectionEx("", 0)
+    assert [s.SubElementNames for s in chosen] == [("Face1",)], chosen
+    # The far end: a vertical edge that sweeps, or the last pose.
+    Gui.activeDocument().activeView().viewRight()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 0.3
+    far = V(obj.Mesh.BoundBox.XMax, 0, 15)
+    rim = min(obj.Mesh.Points, key=lambda p: (p.Vector - V(far.x, p.y, 15)).Length).Vector
+    yield from click_at(V(rim))
+    assert panel.answer is not None and panel.answer.time > 1, panel.text.text()
+    assert abs(panel.player.now() - panel.answer.time) < 1e-9
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    choose("SweptVolumeColourBy", "Face")
+    yield 0.6
+    shot("71_made_by_click")
+    yield 0.5
+    click(panel_button(Close))
+    yield no_panel
+    assert obj.ViewObject.ColourBy == "Face"
+
+    # A recompute keeps the colours.
+    bracket.Height = 25
+    doc.recompute()
+    select(obj)
+    before = made_by.find(obj)
+    Gui.runCommand("SweptVolume_Recompute")
+    yield no_panel
+    assert obj.Status == envelope.UP_TO_DATE and made_by.find(obj) is not before
+    yield lambda: colours(obj) >= own + 7
+
+    # In the path editor a click on the envelope takes the player there.
+    select(path)
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield
+    editor = motion_panel.opened[-1]
+    editor.preview_box.setChecked(False)
+    editor.drag_box.setChecked(False)
+    Gui.activeDocument().activeView().viewRight()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 0.3
+    editor.player.go_to(0.0)
+    yield from click_at(V(rim.x, rim.y, 12))
+    assert editor.player.now() > 1, editor.player.now()
+    click(panel_button(Cancel))
+    yield no_panel
+    obj.ViewObject.ColourBy = "Nothing"
+    yield lambda: colours(obj) == own
+
+
+run(scenario)

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What made each triangle of an envelope: faces of parts in groups and links, several motions, what is
+kept and what is stored."""
+import os
+
+import FreeCAD as App
+import numpy as np
+import Part
+
+from case import Case, V, shift, turn
+from sweptvolume import convert
+from sweptvolume.features import envelope, made_by, motion
+from sweptvolume.features.made_by import CAP, EDGE, GRAZE
+from sweptvolume.trajectory.poses import at_time
+
+
+class MadeBy(Case):
+    NEEDS_CORE = True
+
+    def computed(self, parts, path, **settings):
+        settings.setdefault("MadeBy", "Session")
+        obj = self.envelope(parts, path, **settings)
+        envelope.compute(obj)
+        return obj
+
+    def check(self, obj, path, share=0.99):
+        """Every triangle's corners, moved back to where the part stood at the named time, lie on the
+        named face, or on both of an edge, but for what a cell and the triangles of the part allow."""
+        record = made_by.find(obj)
+        self.assertEqual(len(record.kind), obj.Mesh.CountFacets)
+        points, triangles = convert.arrays_from_mesh(obj.Mesh)
+        points = convert.transform(convert.global_matrix(*convert.root_path(obj)), points)
+        middles = points[triangles].mean(axis=1)
+        known = np.nonzero(record.kind >= 0)[0]
+        self.assertGreater(len(known), share * len(record.kind))
+        cell, near, asked = obj.UsedCellSize.Value, 0, 0
+        for t in known[:: max(1, len(known) // 300)]:
+            answer = record.answer(t)
+            moving = motion.world_poses_of(self.doc.getObject(answer.motion))
+            pose = at_time(moving, path.Interpolation, answer.time)
+            back = pose.inverse().multVec(V(*map(float, middles[t])))
+            for part, number in answer.faces:
+                shape = Part.getShape(
+                    self.doc.getObject(part["root"]),
+                    part["sub"] + "Face{}".format(number),
+                    needSubElement=True,
+                )
+                asked += 1
+                near += shape.distToShape(Part.Vertex(back))[0] < cell
+        self.assertGreater(near, 0.98 * asked)
+        return record
+
+    def test_faces_of_a_solid(self):
+        box = self.box()
+        path = motion.motion_from_poses(
+            self.doc, [0, 1, 3], [shift(), turn(40, V(1, 2, 3), V(15, 4, 2)), shift(30, 10, 0)]
+        )
+        path.Frame = "Absolute"
+        obj = self.computed([box], path)
+        record = self.check(obj, path)
+        self.assertEqual(set(record.kind) - {-1}, {CAP, EDGE, GRAZE})
+        self.assertEqual(len(record.parts), 1)
+        self.assertEqual((record.parts[0]["label"], record.parts[0]["count"]), ("Box", 6))
+
+    def test_wrong_records_are_seen(self):
+        """The check above is no formality."""
+        path = motion.motion_from_poses(
+            self.doc, [0, 1], [shift(), turn(40, V(1, 2, 3), V(15, 4, 2))]
+        )
+        path.Frame = "Absolute"
+        obj = self.computed([self.box()], path)
+        record = made_by.find(obj)
+        faces = record.faces.copy()
+        record.faces = np.where(faces >= 0, (faces + 1) % 6, -1)
+        with self.assertRaises(AssertionError):
+            self.check(obj, path)
+        record.faces, times = faces, record.time
+        record.time = times + 0.3
+        with self.assertRaises(AssertionError):
+            self.check(obj, path)
+        record.time = times
+        self.check(obj, path)
+
+    def test_several_parts_in_groups_and_links(self):
+        group, box = self.doc.addObject("App::Part", "G"), self.box()
+        cylinder = self.doc.addObject("Part::Cylinder", "Pin")
+        cylinder.Placement, cylinder.Radius = shift(0, 20, 0), 3
+        for part in (box, cylinder):
+            group.addObject(part)
+        link = self.doc.addObject("App::Link", "L")
+        link.LinkedObject, link.Placement = group, shift(0, 0, 40)
+        self.doc.recompute()
+        path = motion.motion_from_poses(self.doc, [0, 2], [shift(), turn(50, V(0, 1, 0), V(20, 0, 0))])
+        path.Frame = "Absolute"
+        obj = self.computed([link], path)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        record = made_by.find(obj)
+        owners = {record.owner(f)[0]["sub"] for f in np.unique(record.faces[record.faces >= 0])}
+        self.assertEqual(owners, {"Box.", "Pin."})
+        self.assertEqual({part["root"] for part in record.parts}, {"L"})
+        self.assertEqual([part["count"] for part in record.parts], [6, 3])
+        answer = next(record.answer(t) for t in range(len(record.kind)) if record.kind[t] == CAP)
+        self.assertRegex(made_by.text_of(answer), r"^Face\d of .*, at \d+\.\d\d\d s\n")
+
+    def test_two_motions(self):
+        """The outer surface of two envelopes remembers both."""
+        one, two = self.box("One"), self.box("Two")
+        two.Placement = shift(0, 5, 0)
+        first = self.line(30)
+        second = motion.motion_from_poses(self.doc, [5, 7], [shift(), shift(0, 0, 30)])
+        for path in (first, second):
+            path.Frame = "Relative"
+        obj = self.envelope([one, two], first, MadeBy="Session")
+        obj.Motions = [first, second]
+        envelope.compute(obj)
+        record = made_by.find(obj)
+        self.assertEqual(len(record.kind), obj.Mesh.CountFacets)
+        self.assertEqual([p["motion"] for p in record.parts], [first.Name, second.Name])
+        points, triangles = convert.arrays_from_mesh(obj.Mesh)
+        middles = points[triangles].mean(axis=1)
+        for t in range(0, len(triangles), 37):
+            if record.kind[t] < 0:
+                continue
+            answer = record.answer(t)
+            if middles[t][2] > 11:
+                self.assertEqual(answer.motion, second.Name)
+                self.assertTrue(5 <= answer.time <= 7)
+            elif middles[t][0] > 11:
+                self.assertEqual(answer.motion, first.Name)
+                self.assertTrue(0 <= answer.time <= 1)
+
+    def test_a_mesh_has_triangles_for_faces(self):
+        import Mesh
+
+        part = self.doc.addObject("Mesh::Feature", "Bracket")
+        part.Mesh = Mesh.createBox(10, 10, 10)
+        path = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(20, 20, 20)])
+        obj = self.computed([part], path)
+        record = made_by.find(obj)
+        self.assertTrue(record.parts[0]["facets"])
+        self.assertEqual(record.parts[0]["count"], part.Mesh.CountFacets)
+        answer = next(record.answer(t) for t in range(len(record.kind)) if record.kind[t] == CAP)
+        self.assertTrue(made_by.text_of(answer).startswith("triangle "), made_by.text_of(answer))
+
+    def test_off_remembers_nothing_and_the_mesh_is_the_same(self):
+        path, box = self.line(), self.box()
+        off = self.computed([box], path, MadeBy="Off")
+        self.assertIsNone(made_by.find(off))
+        on = self.computed([box], path)
+        self.assertIsNotNone(made_by.find(on))
+        self.assertEqual(off.InputHash, on.InputHash)
+        for one, other in zip(off.Mesh.Topology[0], on.Mesh.Topology[0]):
+            self.assertEqual(tuple(one), tuple(other))
+        self.assertEqual(off.Mesh.Topology[1], on.Mesh.Topology[1])
+
+    def test_grown_envelopes_are_computed_without(self):
+        obj = self.computed([self.box()], self.line(), Offset=1.0)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        self.assertIsNone(made_by.find(obj))
+
+    def test_recompute_recut_and_undo(self):
+        box, path = self.box(), self.line()
+        obj = self.computed([box], path, Tolerance=0.3)
+        first = made_by.find(obj)
+        self.assertEqual(len(first.kind), obj.Mesh.CountFacets)
+        obj.Tolerance = 0.05
+        self.assertTrue(envelope.can_recut(obj))
+        envelope.compute(obj)
+        second = made_by.find(obj)
+        self.assertEqual(len(second.kind), obj.Mesh.CountFacets)
+        self.assertIsNot(second, first)
+        box.Length = 14
+        self.doc.recompute()
+        self.assertIs(made_by.find(obj), second)  # stale, but still that of the stored mesh
+        envelope.compute(obj)
+        self.assertIsNot(made_by.find(obj), second)
+        self.doc.undo()
+        self.assertIs(made_by.find(obj), second)
+
+    def test_stored_only_where_asked_for(self):
+        path, box = self.line(), self.box()
+        obj = self.computed([box], path)
+        self.assertEqual(obj.MadeByData, "")
+        name, sizes = os.path.join(self.folder, "a.FCStd"), []
+        for choice in ("Session", "Document"):
+            obj.MadeBy = choice
+            self.doc.saveAs(name)
+            sizes.append(os.path.getsize(name))
+        self.assertLess(sizes[0], sizes[1])
+        before, label = made_by.find(obj), obj.Name
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(name)
+        again = made_by.find(self.doc.getObject(label))
+        for one, other in zip(
+            (before.kind, before.faces, before.time), (again.kind, again.faces, again.time)
+        ):
+            np.testing.assert_array_equal(one, other)
+        self.assertEqual(again.parts, before.parts)
+
+    def test_damaged_records_are_none(self):
+        obj = self.computed([self.box()], self.line(), MadeBy="Document")
+        text = obj.MadeByData
+        self.assertIsNotNone(made_by.unpacked(text))
+        for spoiled in ("", "nonsense", text[: len(text) // 2], "A" + text[1:], text[::-1]):
+            self.assertIsNone(made_by.unpacked(spoiled), spoiled[:20])
+        record = made_by.unpacked(text)
+        record.faces = record.faces + 100
+        self.assertIsNone(made_by.unpacked(record.packed()))
+        record = made_by.unpacked(text)
+        record.parts = [dict(record.parts[0], first="x")]
+        self.assertIsNone(made_by.unpacked(record.packed()))
