@@ -155,6 +155,14 @@
    <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
   </message>
   <message>
+   <source>What made this?</source>
+   <translation>Was hat das erzeugt?</translation>
+  </message>
+  <message>
+   <source>Colours the selected envelope by the faces that made it; a click on it tells which face or edge of which part passed there, and when</source>
+   <translation>Färbt die gewählte Hülle nach den Flächen, die sie erzeugt haben; ein Klick darauf sagt, welche Fläche oder Kante welches Teils dort vorbeikam, und wann</translation>
+  </message>
+  <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
@@ -775,6 +783,10 @@ Versucht:
    <translation>{0}: „{1}“ wird hier nicht verstanden; es zählt als {2}.</translation>
   </message>
   <message>
+   <source>what made an envelope is known of the swept volume itself: this one has an offset or is conservative.</source>
+   <translation>was eine Hülle erzeugt hat, ist nur vom überstrichenen Volumen selbst bekannt: Diese hat einen Sicherheitsabstand oder ist konservativ.</translation>
+  </message>
+  <message>
    <source>Transform is locked while the path editor is open: drag the chosen key, or type numbers.</source>
    <translation>Transformieren ist gesperrt, solange der Pfad-Editor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
   </message>
@@ -1000,6 +1012,34 @@ Versucht:
  <context>
   <name>SweptVolume_Panels</name>
   <message>
+   <source>a face at one pose</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>swept by an edge</source>
+   <translation>von einer Kante überstrichen</translation>
+  </message>
+  <message>
+   <source>swept by a face along a line of contact</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0}, at {1:.3f} s</source>
+   <translation>{0}, bei {1:.3f} s</translation>
+  </message>
+  <message>
+   <source>Face{0} of {1}</source>
+   <translation>Face{0} von {1}</translation>
+  </message>
+  <message>
+   <source>triangle {0} of {1}</source>
+   <translation>Dreieck {0} von {1}</translation>
+  </message>
+  <message>
+   <source>the edge between {0} and {1}</source>
+   <translation>die Kante zwischen {0} und {1}</translation>
+  </message>
+  <message>
    <source>No curve yet: check first.</source>
    <translation>Noch keine Kurve: zuerst prüfen.</translation>
   </message>
@@ -1204,6 +1244,14 @@ Versucht:
    <translation>Lagenfilter</translation>
   </message>
   <message>
+   <source>Remembers which face or edge of which part made each place, and when, for "What made this?"; in the document it takes room</source>
+   <translation>Merkt sich, welche Fläche oder Kante welches Teils jede Stelle erzeugt hat und wann, für „Was hat das erzeugt?“; im Dokument braucht das Platz</translation>
+  </message>
+  <message>
+   <source>What made it</source>
+   <translation>Was sie erzeugt hat</translation>
+  </message>
+  <message>
    <source>A position filter of {0} would leave out most poses and be much quicker.</source>
    <translation>Ein Positionsfilter von {0} würde die meisten Posen weglassen und wäre viel schneller.</translation>
   </message>
@@ -1362,6 +1410,38 @@ Versucht:
   <message>
    <source>Source</source>
    <translation>Quelle</translation>
+  </message>
+  <message>
+   <source>What made this?</source>
+   <translation>Was hat das erzeugt?</translation>
+  </message>
+  <message>
+   <source>Compute and remember</source>
+   <translation>Berechnen und merken</translation>
+  </message>
+  <message>
+   <source>Colour by</source>
+   <translation>Färben nach</translation>
+  </message>
+  <message>
+   <source>The place that was clicked</source>
+   <translation>Die angeklickte Stelle</translation>
+  </message>
+  <message>
+   <source>Select on the part</source>
+   <translation>Am Teil auswählen</translation>
+  </message>
+  <message>
+   <source>Click a place of the envelope in the 3D view.</source>
+   <translation>Klicken Sie in der 3D-Ansicht auf eine Stelle der Hülle.</translation>
+  </message>
+  <message>
+   <source>It is not remembered what made this envelope: it was computed without, or the document was closed since.</source>
+   <translation>Was diese Hülle erzeugt hat, ist nicht gemerkt: Sie wurde ohne das berechnet, oder das Dokument war seither geschlossen.</translation>
+  </message>
+  <message>
+   <source>It is not known what made this place.</source>
+   <translation>Was diese Stelle erzeugt hat, ist nicht bekannt.</translation>
   </message>
   <message>
    <source>none: select it, then press Pick</source>
@@ -1754,6 +1834,18 @@ etwa {2}, {3}</translation>
    <translation>Automatisch</translation>
   </message>
   <message>
+   <source>Off</source>
+   <translation>Aus</translation>
+  </message>
+  <message>
+   <source>Session</source>
+   <translation>Sitzung</translation>
+  </message>
+  <message>
+   <source>Document</source>
+   <translation>Dokument</translation>
+  </message>
+  <message>
    <source>input</source>
    <translation>Eingabe</translation>
   </message>
@@ -1796,6 +1888,22 @@ etwa {2}, {3}</translation>
   <message>
    <source>Progress</source>
    <translation>Fortschritt</translation>
+  </message>
+  <message>
+   <source>Nothing</source>
+   <translation>Nichts</translation>
+  </message>
+  <message>
+   <source>Face</source>
+   <translation>Fläche</translation>
+  </message>
+  <message>
+   <source>Kind</source>
+   <translation>Art</translation>
+  </message>
+  <message>
+   <source>Time</source>
+   <translation>Zeit</translation>
   </message>
  </context>
  <context>
@@ -1877,6 +1985,10 @@ etwa {2}, {3}</translation>
    <translation>Was AllVisible betrachtet, damit eine Änderung daran bemerkt wird</translation>
   </message>
   <message>
+   <source>What made each triangle (packed)</source>
+   <translation>Was jedes Dreieck erzeugt hat (gepackt)</translation>
+  </message>
+  <message>
    <source>Where the result was put in the document</source>
    <translation>Wohin das Ergebnis im Dokument gelegt wurde</translation>
   </message>
@@ -1939,6 +2051,10 @@ etwa {2}, {3}</translation>
   <message>
    <source>Where the sampling runs</source>
    <translation>Wo die Abtastung läuft</translation>
+  </message>
+  <message>
+   <source>Whether it is remembered which face or edge made each triangle: Off; Session: until the document is closed; Document: stored with it, which makes it larger</source>
+   <translation>Ob gemerkt wird, welche Fläche oder Kante jedes Dreieck erzeugt hat: Off: nein; Session: bis das Dokument geschlossen wird; Document: darin gespeichert, wodurch es größer wird</translation>
   </message>
   <message>
    <source>Why the last run failed; warnings</source>
@@ -2131,6 +2247,10 @@ Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon. Eine B
   <message>
    <source>About so many triangles are drawn of a heavy mesh; 0: all</source>
    <translation>So viele Dreiecke etwa werden von einem schweren Netz gezeichnet; 0: alle</translation>
+  </message>
+  <message>
+   <source>What the colours tell, where it is remembered what made it</source>
+   <translation>Was die Farben sagen, wo gemerkt ist, was sie erzeugt hat</translation>
   </message>
   <message>
    <source>Length of the axes drawn at each pose (mm); 0: automatic</source>

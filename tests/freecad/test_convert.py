@@ -100,7 +100,9 @@ class Convert(Case):
         fine = convert.reader(ball, 0.02)()
         coarse = convert.reader(ball, 1.0)()
         self.assertGreater(len(fine[1]), 5 * len(coarse[1]))
-        for points, facets in (fine, coarse):
+        for points, facets, faces in (fine, coarse):
+            self.assertEqual(set(faces), {0})
+            self.assertEqual(len(faces), len(facets))
             middle = points[facets].mean(axis=1)
             gap = 20.0 - np.linalg.norm(middle, axis=1).min()
             # The mesher keeps the deflection on edges; in the middle of a face it may double.

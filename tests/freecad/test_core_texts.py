@@ -33,6 +33,6 @@ class CoreTexts(unittest.TestCase):
             refusals.update(re.findall(r'Status::InvalidInput,\s*"([A-Za-z]+)"', text))
         self.assertEqual(set(core_texts._TEXTS) - found, set())
         #: What no object of FreeCAD can cause.
-        refusals -= {"BadIndex", "NothingKept", "NoSurface", "SameFile", "CheckFailed"}
+        refusals -= {"BadFaces", "BadIndex", "NothingKept", "NoSurface", "SameFile", "CheckFailed"}
         refusals -= {"NoStart", "SamePose"}  # of searches for paths
         self.assertEqual(refusals - set(core_texts._TEXTS), set())

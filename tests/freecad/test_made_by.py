@@ -25,7 +25,8 @@ class MadeBy(Case):
 
     def check(self, obj, path, share=0.99):
         """Every triangle's corners, moved back to where the part stood at the named time, lie on the
-        named face, or on both of an edge, but for what a cell and the triangles of the part allow."""
+        named face, or on both of an edge, but for what a cell and the triangles of the part allow.
+        """
         record = made_by.find(obj)
         self.assertEqual(len(record.kind), obj.Mesh.CountFacets)
         points, triangles = convert.arrays_from_mesh(obj.Mesh)
@@ -90,7 +91,9 @@ class MadeBy(Case):
         link = self.doc.addObject("App::Link", "L")
         link.LinkedObject, link.Placement = group, shift(0, 0, 40)
         self.doc.recompute()
-        path = motion.motion_from_poses(self.doc, [0, 2], [shift(), turn(50, V(0, 1, 0), V(20, 0, 0))])
+        path = motion.motion_from_poses(
+            self.doc, [0, 2], [shift(), turn(50, V(0, 1, 0), V(20, 0, 0))]
+        )
         path.Frame = "Absolute"
         obj = self.computed([link], path)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geometry/triangle_distance.h"
@@ -32,7 +33,8 @@ double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b
   return (p - a - part * way).norm();
 }
 
-/// The body by its faces; corners at the same place are one.
+/// The body by its faces; corners at the same place are one, and of triangles that repeat the first
+/// counts.
 class BodyFaces {
  public:
   explicit BodyFaces(const TriMesh& body) {
@@ -41,16 +43,24 @@ class BodyFaces {
       faceOf.resize(body.triangles.size());
       std::iota(faceOf.begin(), faceOf.end(), 0);
     }
+    using Places = std::array<Vector3d, 3>;
     using Ends = std::pair<Vector3d, Vector3d>;
     const auto before = [](const Ends& a, const Ends& b) {
       const ByPlace less;
       return less(a.first, b.first) || (!less(b.first, a.first) && less(a.second, b.second));
     };
     std::map<Ends, std::vector<std::int32_t>, decltype(before)> beside(before);
+    const auto lower = [](const Places& a, const Places& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), ByPlace());
+    };
+    std::set<Places, decltype(lower)> seen(lower);
     for (std::size_t t = 0; t < body.triangles.size(); ++t) {
       std::array<Vector3d, 3> corner;
       for (int k = 0; k < 3; ++k) corner[k] = body.vertices[body.triangles[t][k]];
       if ((corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() == 0) continue;
+      std::array<Vector3d, 3> places = corner;
+      std::sort(places.begin(), places.end(), ByPlace());
+      if (!seen.insert(places).second) continue;
       triangles_[faceOf[t]].push_back(corner);
       for (int k = 0; k < 3; ++k) {
         Ends ends(corner[k], corner[(k + 1) % 3]);

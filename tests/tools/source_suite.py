@@ -6,8 +6,8 @@
 
 For each part and each of three motions (a straight lift; three and five keys with turns), a line with
     known     share of the triangles whose source is named
-    right     share of those whose point, moved back by the pose at the named time, lies within a thousandth
-              of a cell of the named triangles or edge of the part; and within the chord of a step, 0.02
+    right     share of those whose point, moved back by the pose at the named time, lies within 0.001
+              cells of the named triangles or edge of the part; and within the chord of a step, 0.02
               of a cell
     on faces  the same point within the chord of the tessellation, and 1 % of a cell, of the exact face of the
               STEP file (asked of FreeCAD's kernel for a sample)

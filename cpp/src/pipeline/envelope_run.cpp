@@ -305,7 +305,7 @@ void EnvelopeRun::simplify() {
   }
   result_.kept =
       std::make_shared<const Simplifier>(std::move(result_.mesh), std::move(result_.contactTime),
-                                         std::move(result_.sources), prepared_.grid.cell);
+                                         prepared_.grid.cell, std::move(result_.sources));
   cutKept(result_, options_.tolerance, run_);
   stage("simplify");
 }
