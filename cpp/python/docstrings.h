@@ -29,7 +29,7 @@ inline constexpr const char* kSourcesDoc =
 
 A cap is a face of the body as it lies at one pose. An edge was swept by an edge of the body, where two
 faces meet at 8 degrees or more. A graze was swept by the inside of a face that the sweep touches along a
-curve, or by two faces that meet smoothly. Faces are those given as faces, else triangles of the body.
+curve, by a face that slides along itself, or by two faces that meet smoothly. Faces are those given as faces, else triangles of the body.
 Of a simplified envelope: what made the largest part of the triangle's area.)";
 
 constexpr const char* kRecutDoc =

@@ -374,6 +374,49 @@ def selected():
     App.closeDocument(doc.Name)
 
 
+def made_by():
+    """The faces that made an envelope, and a click on it."""
+    import Part
+
+    from sweptvolume.features import envelope, motion
+    from sweptvolume.panels import made_panel
+
+    doc = new_document("Crank")
+    crank = doc.addObject("Part::Feature", "Crank")
+    arm = Part.makeBox(60, 16, 8, App.Vector(0, -8, 0)).fuse(
+        [Part.makeCylinder(14, 8), Part.makeCylinder(8, 24, App.Vector(60, 0, 0))]
+    )
+    crank.Shape = arm.cut(Part.makeCylinder(7, 8)).removeSplitter()
+    turn = App.Rotation(App.Vector(0, 0, 1), 80)
+    path = motion.motion_from_poses(
+        doc,
+        [0, 1, 2],
+        [
+            App.Placement(),
+            App.Placement(App.Vector(), turn),
+            App.Placement(App.Vector(0, 0, 45), turn),
+        ],
+    )
+    hull = envelope.make_envelope(doc, [crank], path, Resolution=160, MadeBy="Session")
+    doc.recompute()
+    envelope.compute(hull)
+    crank.ViewObject.Visibility = path.ViewObject.Visibility = False
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    select(hull)
+    Gui.runCommand("SweptVolume_MadeBy")
+    yield 0.3
+    choose("SweptVolumeColourBy", "Face")
+    yield 1.0
+    point = next(p.Vector for p in hull.Mesh.Points if p.Vector.y > 66 and 40 < p.Vector.z < 55)
+    made_panel.opened[-1].picker.addSelection(doc.Name, hull.Name, "", tuple(point))
+    yield 0.8
+    yield from picture("made_by")
+    click(panel_button(Close))
+    yield no_panel
+    App.closeDocument(doc.Name)
+
+
 def preferences():
     yield from in_dialog("preferences", lambda: Gui.showPreferences("Swept Volume", 0))
 
@@ -382,7 +425,7 @@ def scenario():
     open_workbench()
     Gui.getMainWindow().showNormal()
     yield
-    for part in (bay, demo, joint, slider, selected, preferences):
+    for part in (bay, demo, joint, slider, selected, made_by, preferences):
         yield from part()
     yield
 

@@ -1012,16 +1012,16 @@ Versucht:
  <context>
   <name>SweptVolume_Panels</name>
   <message>
-   <source>a face at one pose</source>
-   <translation type="unfinished" />
+   <source>the face itself, at a key</source>
+   <translation>die Fläche selbst, an einer Stützstelle</translation>
   </message>
   <message>
    <source>swept by an edge</source>
    <translation>von einer Kante überstrichen</translation>
   </message>
   <message>
-   <source>swept by a face along a line of contact</source>
-   <translation type="unfinished" />
+   <source>swept by a face in passing</source>
+   <translation>von einer Fläche im Vorbeigehen überstrichen</translation>
   </message>
   <message>
    <source>{0}, at {1:.3f} s</source>

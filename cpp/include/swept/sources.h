@@ -19,8 +19,8 @@ enum class SourceKind : std::uint8_t {
   /// Swept by an edge of the body: where two faces meet at an angle of 8 degrees or more (the
   /// median along the edge), or where the body is open.
   Edge,
-  /// Swept by the inside of a face that the sweep touches along a curve, or by two faces that meet
-  /// smoothly.
+  /// Swept by the inside of a face that the sweep touches along a curve, by one that slides along
+  /// itself, or by two faces that meet smoothly.
   Graze,
 };
 

@@ -86,6 +86,23 @@ class EdgeSources {
   std::vector<EdgeSource> sources_;
 };
 
+/// Cosine of the angle (2e-3 rad) between a patch and a face in the plane of which it counts.
+constexpr double kInPlane = 1 - 2e-6;
+
+/// The face beside an edge that slides along itself where the edge swept a patch with this normal;
+/// -1: none.
+std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
+                         const Eigen::Vector3f& normal) {
+  const BodyEdge& edge = input.topology.edges[patch.index()];
+  const Eigen::Matrix3d& rotation = input.motion.placements[patch.placement].rotation;
+  for (const std::int32_t face : {edge.left, edge.right}) {
+    if (face < 0) continue;
+    const Eigen::Vector3d there = rotation * input.topology.normals[face].cast<double>();
+    if (there.dot(normal.cast<double>()) > kInPlane) return input.body.faceOf[face];
+  }
+  return -1;
+}
+
 /// Per placement: the last pose of the motion at or before it.
 std::vector<std::uint32_t> lastPoses(const Motion& motion) {
   std::vector<std::uint32_t> last(motion.placements.size(), 0);
@@ -117,6 +134,12 @@ std::vector<SurfaceSource> sourcesOfCrossings(const SamplerInput& input,
     if (element.isSidePatch()) {
       row.faces = edges[element.index()].faces;
       row.kind = edges[element.index()].kind;
+      if (row.kind == SourceKind::Graze) return;
+      const std::int32_t sliding = slidingFace(input, element, grid.crossings[crossing].normal);
+      if (sliding >= 0) {
+        row.faces = {sliding, -1};
+        row.kind = SourceKind::Graze;
+      }
     } else {
       row.faces = {input.body.faceOf[element.index()], -1};
       row.kind =

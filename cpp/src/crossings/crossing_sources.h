@@ -6,6 +6,7 @@
 // that the mesh is made of changes.
 // An edge of the body is sharp or smooth as a whole: where the same two faces meet along a chain of
 // edges, the median of their angles decides, so that coarse triangles do not tear it to pieces.
+// Where an edge sweeps in the plane of a face beside it, the face slides along itself: it is named.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -148,6 +148,8 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
                  poseOf(1, placement({0, 0, 1}, 0, {0, 0, 30}))};
   // A cylinder along its axis: its mantle slides along itself, its ends are caps.
   const Result slid = sweep(cylinderWithFaces(64), along, true);
+  EXPECT_EQ(kindsOf(slid)[1], 0);
+  EXPECT_GT(kindsOf(slid)[2], 0);
   for (std::size_t t = 0; t < slid.sources.of.size(); ++t) {
     if (slid.sources.of[t] == Sources::kNone) continue;
     const SurfaceSource& row = (*slid.sources.rows)[slid.sources.of[t]];

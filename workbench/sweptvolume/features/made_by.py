@@ -23,9 +23,9 @@ CAP, EDGE, GRAZE = range(3)
 #: Results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    mark("Panels", "a face at one pose"),
+    mark("Panels", "the face itself, at a key"),
     mark("Panels", "swept by an edge"),
-    mark("Panels", "swept by a face along a line of contact"),
+    mark("Panels", "swept by a face in passing"),
 )
 _PART = {
     "first": int,
@@ -85,7 +85,7 @@ class Record:
 def unpacked(text):
     """The record in a document; None where there is none, or a damaged one."""
     try:
-        with np.load(io.BytesIO(base64.b64decode(text)), allow_pickle=False) as data:
+        with np.load(io.BytesIO(base64.b64decode(text))) as data:
             head = json.loads(data["head"].tobytes().decode())
             kind, faces, time = data["kind"], data["faces"], data["time"]
     except (ValueError, KeyError, OSError, EOFError, zipfile.BadZipFile):
