@@ -25,9 +25,9 @@ class Sources:
 
     A cap is a face of the body as it lies at one pose. An edge was swept by an edge of the body, where
     two faces meet at 8 degrees or more. A graze was swept by the inside of a face that the sweep touches
-    along a curve, by a face that slides along itself, or by two faces that meet smoothly. Faces are numbered as in Mesh.faces; of a mesh
-    without, triangles of the body are its faces. Of a simplified envelope each triangle has what made
-    the largest part of its area."""
+    along a curve, by a face that slides along itself, or by two faces that meet smoothly. Faces are
+    numbered as in Mesh.faces; of a mesh without, triangles of the body are its faces. Of a simplified
+    envelope each triangle has what made the largest part of its area."""
 
     KINDS = ("cap", "edge", "graze")
     __slots__ = ("kind", "faces", "step", "time", "point")

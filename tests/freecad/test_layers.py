@@ -12,8 +12,8 @@ HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
 ORDER = [
     ["texts", "settings", "safe_file", "quantities"],
     ["core_texts"],
-    ["core"],
-    ["convert"],
+    ["core", "body"],
+    ["convert", "joined"],
     ["contents"],
     ["trajectory"],
     ["features"],

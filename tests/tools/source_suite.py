@@ -12,8 +12,8 @@ For each part and each of three motions (a straight lift; three and five keys wi
     on faces  the same point within the chord of the tessellation, and 1 % of a cell, of the exact face of the
               STEP file (asked of FreeCAD's kernel for a sample)
     corners   corners of the triangles within a cell of that face
-    faults    share that is still "right" with faces shifted by one, and with times shifted by 1 % of the step:
-              what the check is worth
+    faults    share that is still "right" with faces shifted by one, and with times shifted by 1 % of the
+              step: what the check is worth
     time      CPU time with sources over without, of several runs in turns
 """
 import argparse

@@ -279,8 +279,8 @@ def leaves(root, sub="", hidden=False):
 
 def reader(linked, deflection):
     """A shape or a mesh as it is now: a function for any thread that gives vertices (n,3), triangles
-    (m,3) in its own frame, and the number of each triangle's face (m,), None: not known. deflection: mm, chord height of solids. Raises InputProblem, and so does the
-    function."""
+    (m,3) in its own frame, and the number of each triangle's face (m,), None: not known. deflection: mm,
+    chord height of solids. Raises InputProblem, and so does the function."""
     if linked.isDerivedFrom("Mesh::Feature"):
         mesh = linked.Mesh.copy()
         return lambda: arrays_from_mesh(mesh) + (None,)

@@ -7,7 +7,7 @@ A run is three steps: prepare() reads the document (GUI thread), what it returns
 """
 import json
 
-from .. import convert, core
+from .. import convert, core, joined
 from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
@@ -116,7 +116,7 @@ def work(requests, union_options, control, compute=core.compute):
         control.enter(k, len(requests) + 1)
         found.append(compute(request, control))
     control.enter(len(requests), len(requests) + 1)
-    return core.join(found, union_options, control)
+    return joined.join(found, union_options, control)
 
 
 def prepare(plan, document):

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Several envelopes as one: plain arrays, any thread."""
+import numpy as np
+
+from . import core
+
+
+def join(outcomes, options, control):
+    """The outer surface of several envelopes: their meshes together, sampled once more where they are.
+
+    What the runs before took and warned of goes into the report. Raises CoreError.
+    """
+    counts = np.cumsum([0] + [len(o.vertices) for o in outcomes])
+    vertices = np.vstack([o.vertices for o in outcomes])
+    triangles = np.vstack([o.triangles + n for o, n in zip(outcomes, counts)]).astype(np.int32)
+    still = np.zeros(1), np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]])
+    request = core.Request(core.Triangles(vertices, triangles), *still, "none", options)
+    joined = core.compute(request, control)
+    if joined.sources is not None:
+        _hand_on_sources(joined, outcomes)
+    report = joined.report
+    report["joined"] = len(outcomes)
+    for before in outcomes:
+        report["placements"] += before.report["placements"]
+        report["warnings"] = before.report["warnings"] + report["warnings"]
+        report["seconds"]["total"] += before.report["seconds"]["total"]
+        peak = max(report["peak_memory_bytes"], before.report["peak_memory_bytes"])
+        report["peak_memory_bytes"] = peak
+    return joined
+
+
+def _hand_on_sources(joined, outcomes):
+    """A triangle of several envelopes together was made by what made the triangle that it lies on."""
+    kinds, faces, times, parts, first = [], [], [], [], 0
+    for outcome in outcomes:
+        kind, of, time = outcome.sources
+        kinds.append(kind)
+        faces.append(np.where(of >= 0, of + first, -1))
+        times.append(time)
+        parts += [dict(part, first=part["first"] + first) for part in outcome.parts]
+        first += sum(part["count"] for part in outcome.parts)
+    on = joined.sources[1][:, 0]
+    known = on >= 0
+    kind, of, time = np.concatenate(kinds)[on], np.concatenate(faces)[on], np.concatenate(times)[on]
+    kind[~known], of[~known], time[~known] = -1, -1, np.nan
+    joined.sources, joined.parts = (kind, of, time), parts
