@@ -127,7 +127,7 @@ def judge(swept, path, cells, rounds):
         seconds, result = timed(swept, body, way, cells, rounds)
         sources, cell = result.sources, result.report["cell"]
         known = np.nonzero(sources.kind >= 0)[0]
-        some = rng.choice(known, min(20 * SAMPLE, len(known)), replace=False)
+        some = rng.choice(known, min(10 * SAMPLE, len(known)), replace=False)
 
         def right(spoil=lambda rows: None, near=NEAR):
             rows = source_check.Rows(sources, some)

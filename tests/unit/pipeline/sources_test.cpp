@@ -125,7 +125,7 @@ TEST(Sources, FaultsAreSeenByTheChecker) {
   };
   EXPECT_LT(wrongShare([](SurfaceSource&) {}), kShareOff);
   EXPECT_GT(wrongShare([](SurfaceSource& row) { row.faces[0] = (row.faces[0] + 1) % 6; }), 0.9);
-  EXPECT_GT(wrongShare([](SurfaceSource& row) { row.step = 1 - row.step; }), 0.9);
+  EXPECT_GT(wrongShare([](SurfaceSource& row) { row.step = (row.step + 1) % 3; }), 0.9);
   EXPECT_GT(wrongShare([](SurfaceSource& row) { row.timeSeconds += 0.02; }), 0.9);
   EXPECT_GT(wrongShare([&](SurfaceSource& row) { row.point.y() += 0.1 * cell; }), 0.5);
   EXPECT_GT(wrongShare([](SurfaceSource& row) {
