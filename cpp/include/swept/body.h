@@ -20,7 +20,7 @@ struct BodyFileOptions {
 };
 
 struct Body {
-  TriMesh mesh;
+  TriMesh mesh;           ///< with the faces of a solid, counted from 0 in the order of its file
   double chordError = 0;  ///< mm: how far triangles may leave the exact surface; 0: a mesh file
   std::vector<Finding> findings;  ///< for the report of the run
 };

@@ -87,7 +87,7 @@ struct ImportedSolid {
   /// Of its product in a STEP file of several products, else the file's without suffix; numbered
   /// where several have it.
   std::string name;
-  TriMesh mesh;  ///< mm; every face has corners of its own
+  TriMesh mesh;  ///< mm; every face has corners of its own, and its number in the file from 0
 };
 
 /// Every solid of the file; if there is none, all its faces as one open mesh. linearDeflection: mm,
