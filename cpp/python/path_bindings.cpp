@@ -11,6 +11,7 @@
 #include "errors.h"
 #include "job.h"
 #include "swept/io.h"
+#include "swept/live_clearance.h"
 #include "swept/path.h"
 #include "values.h"
 
@@ -20,13 +21,38 @@ namespace {
 constexpr const char* kFindPathDoc =
     R"(find_path(vertices, triangles, goal, neighbours, start=None, extract=None, via=(), clearance=0.0,
           release=0.0, translation_only=False, max_angle=None, interpolation='linear', tolerance=0.01,
-          body_chord=0.0, budget=60.0, seed=1, run=None) -> (dict, motion or None)
+          body_chord=0.0, budget=60.0, seed=1, run=None, watch=None) -> (dict, motion or None)
 
 A motion that brings the part to its goal and keeps the clearance from every neighbour, between its keys
 as well. goal, start, via: arrays (4, 4). extract, instead of a start: a radius in mm, or a direction
-(x, y, z). neighbours: as for clearance(). Lengths in mm, max_angle in rad, budget in s. Returns the
+(x, y, z). neighbours: as for clearance(), or with one more: the clearance that this one asks for (None: the
+common one). Lengths in mm, max_angle in rad, budget in s. watch: a PathWatch. Returns the
 report (docs/paths.md) and (times, quaternions, translations), or None where none was found. Raises
 InvalidInput (GoalBlocked, StartBlocked, ...), Cancelled.)";
+
+constexpr const char* kPathWatchDoc =
+    R"(PathWatch()
+
+What others may see of a search that find_path() is given this for, from any thread.)";
+
+constexpr const char* kLiveDoc =
+    R"(LiveClearance(vertices, triangles, neighbours, run=None)
+
+The distance of a part to its neighbours, one placement after another, each at once. Prepared once;
+neighbours as for clearance(), their chord errors do not count. One question at a time, from any thread.
+Raises InvalidInput, Cancelled.)";
+
+constexpr const char* kLiveAtDoc =
+    R"(at(pose) -> (index, distance, inside, point_on_part, point_on_neighbour)
+
+The nearest neighbour at a placement (4, 4): its index, mm between the triangles (0 where they meet, or where
+one part lies inside the other: then `inside`), and the two points (x, y, z) in the world.)";
+
+constexpr const char* kLiveReachedDoc =
+    R"(reached(from_pose, to_pose, apart) -> float64 (4, 4)
+
+The last placement on the straight way between two up to which the part stays at least `apart` mm from all
+neighbours. From a place that is nearer: to_pose if it keeps the distance, else from_pose.)";
 
 Pose poseFrom(const py::handle& value, const char* name) {
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
@@ -47,13 +73,66 @@ Extraction extractionFrom(const py::object& value) {
   return extraction;
 }
 
+PathNeighbour pathNeighbourFrom(const py::handle& item) {
+  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (parts.size() != 5) return {neighbourFrom(item), {}};
+  return {neighbourFrom(parts[py::slice(0, 4, 1)]), parts[4].cast<std::optional<double>>()};
+}
+
+py::array matrixFrom(const Pose& pose) {
+  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> m;
+  m.setIdentity();
+  m.topLeftCorner<3, 3>() = pose.rotation.toRotationMatrix();
+  m.topRightCorner<3, 1>() = pose.translation;
+  return py::array_t<double>(std::vector<py::ssize_t>{4, 4}, m.data());
+}
+
+py::tuple asTuple(const Eigen::Vector3d& v) { return py::make_tuple(v[0], v[1], v[2]); }
+
+std::unique_ptr<LiveClearance> makeLive(const py::object& vertices, const py::object& triangles,
+                                        const py::iterable& neighbours, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh part = meshFromArrays(vertices, triangles);
+  std::vector<ClearanceNeighbour> parts;
+  for (const py::handle& item : neighbours) parts.push_back(neighbourFrom(item));
+  return runWithoutLock(*context,
+                        [&] { return std::make_unique<LiveClearance>(part, parts, *context); });
+}
+
+py::tuple pyLiveAt(LiveClearance& live, const py::object& pose) {
+  const Pose at = poseFrom(pose, "pose");
+  LiveDistance found;
+  {
+    const py::gil_scoped_release release;
+    found = live.at(at);
+  }
+  return py::make_tuple(found.neighbour, found.distance, found.inside, asTuple(found.pointOnPart),
+                        asTuple(found.pointOnNeighbour));
+}
+
+py::array pyLiveReached(LiveClearance& live, const py::object& from, const py::object& to,
+                        double apart) {
+  const Pose a = poseFrom(from, "from_pose"), b = poseFrom(to, "to_pose");
+  Pose found;
+  {
+    const py::gil_scoped_release release;
+    found = live.reached(a, b, apart);
+  }
+  return matrixFrom(found);
+}
+
+py::object pyFarthest(const PathWatch& watch) {
+  const std::optional<Pose> pose = watch.farthest();
+  return pose ? py::object(matrixFrom(*pose)) : py::none();
+}
+
 py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
                      const py::object& goal, const py::iterable& neighbours,
                      const py::object& start, const py::object& extract, const py::iterable& via,
                      double clearance, double release, bool translationOnly,
                      const std::optional<double>& maxAngle, const std::string& interpolation,
                      double tolerance, double bodyChord, double budget, std::uint64_t seed,
-                     const py::object& run) {
+                     const py::object& run, PathWatch* watch) {
   const RunPointer context = runFromObject(run);
   const TriMesh part = meshFromArrays(vertices, triangles);
   PathTask task;
@@ -62,7 +141,7 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
   if (!extract.is_none()) task.extraction = extractionFrom(extract);
   for (const py::handle& item : via) task.via.push_back(poseFrom(item, "via"));
   std::vector<PathNeighbour> parts;
-  for (const py::handle& item : neighbours) parts.push_back({neighbourFrom(item), {}});
+  for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
   PathOptions options;
   options.clearance = clearance;
   options.tolerance = tolerance;
@@ -73,8 +152,8 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
   options.interpolation = parseInterpolation(interpolation);
   options.budgetSeconds = budget;
   options.seed = seed;
-  const PathReport report =
-      runWithoutLock(*context, [&] { return findPath(part, task, parts, options, *context); });
+  const PathReport report = runWithoutLock(
+      *context, [&] { return findPath(part, task, parts, options, *context, watch); });
   const py::object found = parseJson(toJson(report));
   if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
   if (report.verdict != PathVerdict::Found) return py::make_tuple(found, py::none());
@@ -84,6 +163,10 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
 }  // namespace
 
 void bindPath(py::module_& module) {
+  py::class_<PathWatch, std::shared_ptr<PathWatch>>(module, "PathWatch", kPathWatchDoc)
+      .def(py::init<>())
+      .def("farthest", &pyFarthest,
+           "The placement that came farthest out so far, float64 (4, 4); None before the first.");
   module.def("find_path", &pyFindPath, kFindPathDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("goal"), py::arg("neighbours"), py::arg("start") = py::none(),
              py::arg("extract") = py::none(), py::arg("via") = py::tuple(),
@@ -91,7 +174,13 @@ void bindPath(py::module_& module) {
              py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("budget") = 60.0, py::arg("seed") = 1,
-             py::arg("run") = py::none());
+             py::arg("run") = py::none(), py::arg("watch") = nullptr);
+  py::class_<LiveClearance>(module, "LiveClearance", kLiveDoc)
+      .def(py::init(&makeLive), py::arg("vertices"), py::arg("triangles"), py::arg("neighbours"),
+           py::arg("run") = py::none())
+      .def("at", &pyLiveAt, kLiveAtDoc, py::arg("pose"))
+      .def("reached", &pyLiveReached, kLiveReachedDoc, py::arg("from_pose"), py::arg("to_pose"),
+           py::arg("apart"));
 }
 
 }  // namespace swept::python
