@@ -13,6 +13,7 @@ ORDER = [
     ["texts", "settings", "safe_file", "quantities"],
     ["core_texts"],
     ["core"],
+    ["core_paths"],
     ["convert"],
     ["contents"],
     ["trajectory"],

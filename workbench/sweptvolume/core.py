@@ -164,7 +164,7 @@ class Outcome:
 
 
 @contextlib.contextmanager
-def _errors():
+def errors():
     """The module's exceptions as CoreError, the only kind the workbench knows."""
     try:
         yield
@@ -217,14 +217,14 @@ def _outcome(found, request=None):
 
 def compute(request, control):
     """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
-    with _errors():
+    with errors():
         found = module().compute(*_arguments(request), run=control.context, **request.options)
     return _outcome(found, request)
 
 
 def recut(result, tolerance, control):
     """The `result` of an Outcome at another tolerance, not sampled again: Outcome."""
-    with _errors():
+    with errors():
         found = result.recut(tolerance, run=control.context)
     again = _outcome(found)
     again.result = found
@@ -261,7 +261,7 @@ class Sessions:
 
     def compute(self, request, control):
         """As the module's compute(), but the surface is only good to be looked at."""
-        with self._lock, _errors():
+        with self._lock, errors():
             session = self._session(request)
             _, _, motion, interpolation = _arguments(request)
             sketch = not request.options.get("conservative")
@@ -270,7 +270,7 @@ class Sessions:
 
     def lighten(self, request, control):
         """In a quiet moment: runs of a heavy body take a lighter one from now on."""
-        with self._lock, _errors():
+        with self._lock, errors():
             if len(request.triangles) <= HEAVY or self._light_of(request):
                 return
             body = _lightened(request.vertices, request.triangles, control)
@@ -324,7 +324,7 @@ def estimate(request, control=None):
     control: then a few steps of the motion are sampled; up to a second or so. Else from boxes only.
     """
     how = {} if control is None else {"trial": True, "run": control.context}
-    with _errors():
+    with errors():
         return module().estimate(*_arguments(request), **how, **request.options)
 
 
@@ -346,14 +346,14 @@ def mesh_file(vertices, triangles):
 
 def read_motion(path, unit):
     """Motion file -> times (s), translations (mm), quaternions (x, y, z, w). Raises CoreError."""
-    with _errors():
+    with errors():
         times, rotations, translations = module().read_trajectory_csv(path, unit)
     return times, translations, rotations
 
 
 def write_mesh(vertices, triangles, path):
     """PLY, STL, OBJ or OFF by suffix. Raises CoreError."""
-    with _errors():
+    with errors():
         module().write_mesh(path, vertices, triangles)
 
 
@@ -364,7 +364,7 @@ def has_solids():
 
 def estimate_solid(vertices, triangles, control, **options):
     """What write_solid() with the same options would give: triangles, faces, megabytes, seconds."""
-    with _errors():
+    with errors():
         return module().estimate_solid(vertices, triangles, run=control.context, **options)
 
 
@@ -373,7 +373,7 @@ def write_solid(vertices, triangles, path, control, **options):
 
     Returns the report (dict); raises CoreError.
     """
-    with _errors():
+    with errors():
         return module().write_solid(path, vertices, triangles, run=control.context, **options)
 
 
@@ -383,7 +383,7 @@ def clearance(request, neighbours, options, control):
     `request.options` are not used; raises CoreError.
     """
     vertices, triangles, motion, interpolation = _arguments(request)
-    with _errors():
+    with errors():
         return module().clearance(
             vertices, triangles, motion, neighbours, interpolation, run=control.context, **options
         )
@@ -391,5 +391,5 @@ def clearance(request, neighbours, options, control):
 
 def distance_to_mesh(points, vertices, triangles, control):
     """Distance (mm) of each point to a mesh, negative inside. Raises CoreError."""
-    with _errors():
+    with errors():
         return module().distance_to_mesh(points, vertices, triangles, run=control.context)

@@ -77,8 +77,8 @@ Pose LiveClearance::reached(const Pose& from, const Pose& to, double apart) {
   const path::State a = scene.inside(from), b = scene.inside(to);
   if (!scene.isFree(a, rule, parts_->memory))
     return scene.isFree(b, rule, parts_->memory) ? to : from;
-  const double share = scene.follow(a, b, rule, parts_->memory).share;
-  return share >= 1 ? to : share <= 0 ? from : scene.outside(scene.onWay(a, b, share));
+  const double free = scene.follow(a, b, rule, parts_->memory).fraction;
+  return free >= 1 ? to : free <= 0 ? from : scene.outside(scene.stateBetween(a, b, free));
 }
 
 }  // namespace swept

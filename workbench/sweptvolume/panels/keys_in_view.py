@@ -37,9 +37,7 @@ class KeysInView:
             widgets.show_message(self.message, str(problem))
             return
         self.body = body
-        inside = convert.transform(convert.matrix_of(body.placement.inverse()), corners)
-        middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
-        self._begin_pivot(App.Vector(*map(float, middle)))
+        self._begin_pivot(convert.middle_of([self.pair], body.placement))
         self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
         self.light = LightParts(self.pair, PART_TRIANGLES)

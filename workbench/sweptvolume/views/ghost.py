@@ -64,6 +64,25 @@ class CoarseEnvelope(Overlay):
         self.surface.removeAllChildren()
 
 
+class MovingPart(Overlay):
+    """A part (vertices, triangles) at one placement, not drawn before the first."""
+
+    def __init__(self, document, vertices, triangles):
+        from pivy import coin
+
+        super().__init__(document)
+        drawn = surface.drawn(vertices, triangles, MOVING_TRIANGLES)
+        shape = surface.group_of(drawn, surface.is_solid(vertices, triangles))
+        self.moving, self.shown = coin.SoMatrixTransform(), coin.SoSwitch()
+        self.shown.addChild(self.moving)
+        self.shown.addChild(shape)
+        self.add(MOVING_COLOUR, 0.35, self.shown)
+
+    def show(self, placement):
+        self.moving.matrix = _matrix(placement)
+        self.shown.whichChild = -3  # all
+
+
 class Ghosts(Overlay):
     """A part (vertices, triangles) at its keys and on the way, and the way with its frames."""
 
