@@ -58,9 +58,7 @@ def check(doc, part, path, required):
         doc, Generators=[part], Motion=path, AllVisible=True, Required=required
     )
     doc.recompute()
-    rows = {row["name"]: row for row in clearance.compute(obj)["neighbours"]}
-    doc.removeObject(obj.Name)
-    return rows
+    return {row["name"]: row for row in clearance.compute(obj)["neighbours"]}
 
 
 def slot_scene(doc):
@@ -186,8 +184,6 @@ def just_out(doc):
     """Without a start, in a moved group: the motion leads there all the same."""
     from sweptvolume.features import motion
 
-    for name in [o.Name for o in doc.Objects]:
-        doc.removeObject(name)
     group = doc.addObject("App::Part", "Bay")
     group.Placement = App.Placement(V(100, 20, 5), App.Rotation(V(0, 1, 2), 40))
     for name, size, at in (
@@ -210,6 +206,7 @@ def just_out(doc):
     yield 0.5
     table = find(QtWidgets.QTableWidget, "SweptVolumeNeighbours")
     assert table.rowCount() == 3, table.rowCount()
+    find(QtWidgets.QWidget, "SweptVolumePathClearance").setProperty("rawValue", 0.5)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
     yield lambda: motions(doc)
     yield 0.5
@@ -233,7 +230,7 @@ def scenario():
     doc = new_document("Ways")
     yield from slot(doc)
     yield from too_narrow(doc)
-    yield from just_out(doc)
+    yield from just_out(new_document("Out"))
 
 
 run(scenario)
