@@ -392,10 +392,3 @@ def box_corners(pairs):
     if not corners:
         raise InputProblem(translate("Messages", "the moving part is empty."))
     return np.vstack(corners)
-
-
-def middle_of(pairs, placement):
-    """Middle of the parts' boxes in the coordinates that a placement of theirs places (Vector, mm)."""
-    inside = transform(matrix_of(placement.inverse()), box_corners(pairs))
-    middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
-    return App.Vector(*map(float, middle))

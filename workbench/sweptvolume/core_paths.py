@@ -4,20 +4,26 @@ from . import core
 
 
 class PathRequest:
-    """Input of one search: plain arrays, independent of any document.
+    """Input of one search, independent of any document.
 
-    vertices (n,3) mm in the coordinates that the placements place, triangles (m,3); goal, start (4,4);
-    extract: mm, or a direction (x, y, z), instead of a start; neighbours in the world: (name, vertices,
-    triangles, chord, clearance or None); options: as the module's find_path()."""
+    body: has vertices (n,3) mm, in the coordinates that the placements place, and triangles (m,3), made in
+    any thread; goal, start: (4,4); extract, instead of a start: mm, or a direction (x, y, z); neighbours:
+    (name, body in the world, chord, clearance or None); options: as the module's find_path()."""
 
-    def __init__(self, vertices, triangles, goal, neighbours, start, extract, options):
-        self.vertices = vertices
-        self.triangles = triangles
+    def __init__(self, body, goal, neighbours, start, extract, options):
+        self.body = body
         self.goal = goal
         self.neighbours = neighbours
         self.start = start
         self.extract = extract
         self.options = options
+
+    def rows(self):
+        """The neighbours as the module takes them. Raises InputProblem where one gives no triangles."""
+        return [
+            (name, body.vertices, body.triangles, chord, own)
+            for name, body, chord, own in self.neighbours
+        ]
 
 
 def watch():
@@ -27,13 +33,14 @@ def watch():
 
 def find_path(request, control, seen=None):
     """(report, motion): dict, and (times, translations, rotations) or None. seen: a watch(). Raises
-    CoreError."""
+    CoreError, InputProblem."""
+    body, neighbours = request.body, request.rows()
     with core.errors():
         report, found = core.module().find_path(
-            request.vertices,
-            request.triangles,
+            body.vertices,
+            body.triangles,
             request.goal,
-            request.neighbours,
+            neighbours,
             start=request.start,
             extract=request.extract,
             run=control.context,

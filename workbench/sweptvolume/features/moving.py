@@ -2,6 +2,7 @@
 """Parts that move rigidly together, their motion, and what they are seen from: document objects ->
 plain arrays for the core. Reads documents only in the thread of the GUI.
 """
+import FreeCAD as App
 import numpy as np
 
 from .. import contents, convert, core
@@ -31,7 +32,14 @@ def _in_world(motion, standing):
 SINGLE_STEP = 0.25
 
 
-class _Seen:
+def middle_of(pairs, placement):
+    """Middle of the parts' boxes in the coordinates that a placement of theirs places (Vector, mm)."""
+    inside = transform(matrix_of(placement.inverse()), convert.box_corners(pairs))
+    middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
+    return App.Vector(*map(float, middle))
+
+
+class Seen:
     """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to there."""
 
     def __init__(self, body, matrix):
@@ -198,5 +206,5 @@ class Moving:
         """A run of the core for the parts themselves. deflection: mm, for solids; read: as
         convert.body_from."""
         self.check()
-        body = _Seen(read(self.pairs, deflection), self.into_base())
+        body = Seen(read(self.pairs, deflection), self.into_base())
         return self.request(body, tolerance, options)

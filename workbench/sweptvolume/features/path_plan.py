@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A search for an installation path: document objects -> plain arrays for the core -> a motion of ours.
+"""A search for an installation path: document objects -> input of the core -> a motion of ours.
 
 A run is PathPlan.request() - work() - make(). The poses that the core places are those of the pivot of the
 motion to come, the middle of the part: what it certifies is then what the motion does between its keys."""
@@ -13,6 +13,7 @@ from ..texts import translate
 from ..trajectory.poses import Poses, shift_to
 from . import clearance_plan
 from . import motion as motion_feature
+from .moving import Seen, middle_of
 
 #: mm; the budget in s, the largest turn in degrees.
 DEFAULTS = {
@@ -72,15 +73,14 @@ class PathPlan:
             )
 
     def request(self):
-        """The search as plain arrays, and the pivot. Raises InputProblem."""
+        """The search without a document; notes the pivot. Raises InputProblem."""
         self.check()
         deflection = max(float(self.values["Deflection"]), 1e-4)
         body = convert.body_from(self.pairs, deflection)
-        self.pivot = convert.middle_of(self.pairs, body.placement)
+        self.pivot = middle_of(self.pairs, body.placement)
         base = body.placement.multiply(shift_to(self.pivot))
         return core_paths.PathRequest(
-            convert.transform(matrix_of(base.inverse()), body.vertices),
-            body.triangles,
+            Seen(body, matrix_of(base.inverse())),
             self._placed(self.goal if self.goal is not None else body.placement),
             self._still_parts(deflection),
             None if self.start is None else self._placed(self.start),
@@ -97,7 +97,7 @@ class PathPlan:
         found = []
         for pair, part in zip(still.leaves(), still.still_parts(deflection)[0]):
             own = self.clearances.get(pair)
-            found.append((part.name, part.vertices, part.triangles, part.chord, own))
+            found.append((part.name, part.body, part.chord, own))
         return found
 
     def _options(self, deflection):
@@ -133,7 +133,7 @@ class Outcome:
 
 
 def work(request, pivot, control, seen=None):
-    """Any thread: the search itself. Raises core.CoreError."""
+    """Any thread: the search itself. Raises core.CoreError, InputProblem."""
     report, found = core_paths.find_path(request, control, seen)
     return Outcome(report, None if found is None else poses_from(found, pivot))
 

@@ -187,16 +187,21 @@ class FindPathPanel(StartPanel):
         if not self.begin(lambda: FindPathTask(self.plan()), self.ended):
             return False
         self.find.setEnabled(False)
-        request = self.run.task.request
-        self.ghost = MovingPart(self.document, request.vertices, request.triangles)
         self.looks.start(LOOK)
         return True
 
     def _look(self):
         """Shows where the search came to."""
         farthest = self.run.task.seen.farthest() if self.run is not None else None
-        if farthest is not None and self.ghost is not None:
-            self.ghost.show(App.Placement(App.Matrix(*farthest.ravel())))
+        if farthest is not None:
+            self._show_at(self.run.task, App.Placement(App.Matrix(*farthest.ravel())))
+
+    def _show_at(self, task, placement):
+        """The part where the search came to. Its triangles are there: the search has them."""
+        if self.ghost is None:
+            body = task.request.body
+            self.ghost = MovingPart(self.document, body.vertices, body.triangles)
+        self.ghost.show(placement)
 
     def ended(self, run):
         self.looks.stop()
@@ -215,7 +220,7 @@ class FindPathPanel(StartPanel):
             self._forget_ghost()
             self.found.add(task.obj, task.outcome.report)
         else:
-            self.ghost.show(task.outcome.farthest())
+            self._show_at(task, task.outcome.farthest())
             self.beside.mark(task.outcome.report["escape"]["blockers"])
 
     def _forget_ghost(self):

@@ -7,6 +7,7 @@ import FreeCAD as App
 from .. import convert, core
 from ..convert import InputProblem
 from ..features import motion
+from ..features.moving import middle_of
 from ..trajectory.poses import at_time, base_of, shift_to
 from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
@@ -37,7 +38,7 @@ class KeysInView:
             widgets.show_message(self.message, str(problem))
             return
         self.body = body
-        self._begin_pivot(convert.middle_of([self.pair], body.placement))
+        self._begin_pivot(middle_of([self.pair], body.placement))
         self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
         self.light = LightParts(self.pair, PART_TRIANGLES)
