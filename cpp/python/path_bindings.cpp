@@ -30,6 +30,16 @@ common one). Lengths in mm, max_angle in rad, budget in s. watch: a PathWatch. R
 report (docs/paths.md) and (times, quaternions, translations), or None where none was found. Raises
 InvalidInput (GoalBlocked, StartBlocked, ...), Cancelled.)";
 
+constexpr const char* kImproveDoc =
+    R"(improve_path(vertices, triangles, motion, neighbours, interpolation='linear', locked=(),
+             more_clearance=False, clearance=0.0, release=0.0, translation_only=False, max_angle=None,
+             tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None) -> (dict, motion or None)
+
+A motion made better: what is nearer to a neighbour than the clearance is led another way where one is found,
+what is not is made shorter, with fewer keys; with more_clearance as far from the neighbours as can be had.
+Keys whose indices are in `locked`, and the ends, stay. What cannot be mended, or lies within `release` of the
+ends, stays as it was ("kept_moves"). The rest as for find_path(); "before" has the figures of the motion.)";
+
 constexpr const char* kPathWatchDoc =
     R"(PathWatch()
 
@@ -126,6 +136,29 @@ py::object pyFarthest(const PathWatch& watch) {
   return pose ? py::object(matrixFrom(*pose)) : py::none();
 }
 
+PathOptions optionsFrom(double clearance, double release, bool translationOnly,
+                        const std::optional<double>& maxAngle, double tolerance, double bodyChord,
+                        double budget, std::uint64_t seed, Interpolation interpolation) {
+  PathOptions options;
+  options.clearance = clearance;
+  options.tolerance = tolerance;
+  options.bodyChordError = bodyChord;
+  options.release = release;
+  options.translationOnly = translationOnly;
+  options.largestTurn = maxAngle;
+  options.interpolation = interpolation;
+  options.budgetSeconds = budget;
+  options.seed = seed;
+  return options;
+}
+
+py::tuple answerOf(const PathReport& report) {
+  const py::object found = parseJson(toJson(report));
+  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  if (report.verdict != PathVerdict::Found) return py::make_tuple(found, py::none());
+  return py::make_tuple(found, trajectoryToArrays(report.path));
+}
+
 py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
                      const py::object& goal, const py::iterable& neighbours,
                      const py::object& start, const py::object& extract, const py::iterable& via,
@@ -142,22 +175,29 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
   for (const py::handle& item : via) task.via.push_back(poseFrom(item, "via"));
   std::vector<PathNeighbour> parts;
   for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
-  PathOptions options;
-  options.clearance = clearance;
-  options.tolerance = tolerance;
-  options.bodyChordError = bodyChord;
-  options.release = release;
-  options.translationOnly = translationOnly;
-  options.largestTurn = maxAngle;
-  options.interpolation = parseInterpolation(interpolation);
-  options.budgetSeconds = budget;
-  options.seed = seed;
+  const PathOptions options =
+      optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, bodyChord, budget, seed,
+                  parseInterpolation(interpolation));
   const PathReport report = runWithoutLock(
       *context, [&] { return findPath(part, task, parts, options, *context, watch); });
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
-  if (report.verdict != PathVerdict::Found) return py::make_tuple(found, py::none());
-  return py::make_tuple(found, trajectoryToArrays(report.path));
+  return answerOf(report);
+}
+
+py::tuple pyImprovePath(const py::object& vertices, const py::object& triangles,
+                        const py::object& motion, const py::iterable& neighbours,
+                        const std::string& interpolation, const std::vector<std::size_t>& locked,
+                        bool moreClearance, double clearance, double release, bool translationOnly,
+                        const std::optional<double>& maxAngle, double tolerance, double bodyChord,
+                        double budget, std::uint64_t seed, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh part = meshFromArrays(vertices, triangles);
+  const ImproveTask task{trajectoryFromObject(motion, interpolation), locked, moreClearance};
+  std::vector<PathNeighbour> parts;
+  for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
+  const PathOptions options = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance,
+                                          bodyChord, budget, seed, task.motion.interpolation);
+  return answerOf(
+      runWithoutLock(*context, [&] { return improvePath(part, task, parts, options, *context); }));
 }
 
 }  // namespace
@@ -175,6 +215,13 @@ void bindPath(py::module_& module) {
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("budget") = 60.0, py::arg("seed") = 1,
              py::arg("run") = py::none(), py::arg("watch") = nullptr);
+  module.def("improve_path", &pyImprovePath, kImproveDoc, py::arg("vertices"), py::arg("triangles"),
+             py::arg("motion"), py::arg("neighbours"), py::arg("interpolation") = "linear",
+             py::arg("locked") = py::tuple(), py::arg("more_clearance") = false,
+             py::arg("clearance") = 0.0, py::arg("release") = 0.0,
+             py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
+             py::arg("tolerance") = 0.01, py::arg("body_chord") = 0.0, py::arg("budget") = 60.0,
+             py::arg("seed") = 1, py::arg("run") = py::none());
   py::class_<LiveClearance>(module, "LiveClearance", kLiveDoc)
       .def(py::init(&makeLive), py::arg("vertices"), py::arg("triangles"), py::arg("neighbours"),
            py::arg("run") = py::none())
