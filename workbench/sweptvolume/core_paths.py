@@ -19,11 +19,14 @@ class PathRequest:
         self.options = options
 
     def rows(self):
-        """The neighbours as the module takes them. Raises InputProblem where one gives no triangles."""
-        return [
-            (name, body.vertices, body.triangles, chord, own)
-            for name, body, chord, own in self.neighbours
-        ]
+        return rows_of(self.neighbours)
+
+
+def rows_of(neighbours):
+    """Neighbours as the module takes them. Raises InputProblem where one gives no triangles."""
+    return [
+        (name, body.vertices, body.triangles, chord, own) for name, body, chord, own in neighbours
+    ]
 
 
 def watch():
@@ -50,6 +53,25 @@ def find_path(request, control, seen=None):
     if found is None:
         return report, None
     times, rotations, translations = found
+    return report, (times, translations, rotations)
+
+
+def improve_path(request, neighbours, options, control):
+    """As find_path(), of a core.Request; neighbours: as PathRequest.rows() gives them. Raises CoreError."""
+    motion = request.times, request.rotations, request.translations
+    with core.errors():
+        report, found = core.module().improve_path(
+            request.vertices,
+            request.triangles,
+            motion,
+            neighbours,
+            request.interpolation,
+            run=control.context,
+            **options,
+        )
+    if found is None:
+        return report, None
+    times, rotations, translations = found[:3]
     return report, (times, translations, rotations)
 
 

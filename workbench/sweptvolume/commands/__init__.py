@@ -13,6 +13,7 @@ _MODULES = [
     "motion_driven",
     "find_path",
     "edit_motion",
+    "improve_path",
     "edit_source",
     "reload_motion",
     "",
@@ -77,7 +78,8 @@ def fill_context_menu(workbench, recipient):
     if recipient == "Tree" and selection.ours():
         return  # its view provider fills the menu there, whichever workbench is active
     if selection.motion():
-        names += ["SweptVolume_EditMotion", "SweptVolume_FindPath", "SweptVolume_ReloadMotion"]
+        names += ["SweptVolume_EditMotion", "SweptVolume_ImprovePath"]
+        names += ["SweptVolume_FindPath", "SweptVolume_ReloadMotion"]
     elif selection.parts():
         names += ["SweptVolume_NewMotion", "SweptVolume_FindPath"]
     if selection.motion() or selection.parts():

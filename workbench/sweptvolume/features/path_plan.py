@@ -6,6 +6,7 @@ motion to come, the middle of the part: what it certifies is then what the motio
 import math
 
 import FreeCAD as App
+import numpy as np
 
 from .. import convert, core, core_paths
 from ..convert import InputProblem, matrix_of
@@ -93,12 +94,7 @@ class PathPlan:
 
     def _still_parts(self, deflection):
         """As the core takes them."""
-        still = beside(self.document, self.pairs, self.neighbours)
-        found = []
-        for pair, part in zip(still.leaves(), still.still_parts(deflection)[0]):
-            own = self.clearances.get(pair)
-            found.append((part.name, part.body, part.chord, own))
-        return found
+        return rows_beside(self.document, self.pairs, self.neighbours, self.clearances, deflection)
 
     def _options(self, deflection):
         v = self.values
@@ -119,6 +115,15 @@ def beside(document, pairs, neighbours=None):
     return clearance_plan.Plan(document, pairs, None, neighbours or [], neighbours is None, {})
 
 
+def rows_beside(document, pairs, neighbours, clearances, deflection):
+    """Neighbours as core_paths.PathRequest has them."""
+    still = beside(document, pairs, neighbours)
+    return [
+        (part.name, part.body, part.chord, clearances.get(pair))
+        for pair, part in zip(still.leaves(), still.still_parts(deflection)[0])
+    ]
+
+
 class Outcome:
     """What a search found: report (dict, docs/paths.md), poses (Poses of the part; None: nothing)."""
 
@@ -130,6 +135,11 @@ class Outcome:
         """Where the part came to that found no way, for the pivot (4x4 as Placement)."""
         pose = self.report["escape"]["pose"]
         return convert.placements_from([pose["translation"]], [pose["quaternion_xyzw"]])[0]
+
+
+def placement_of(matrix):
+    """A rigid 4x4 as Placement."""
+    return App.Placement(App.Matrix(*np.asarray(matrix).ravel()))
 
 
 def work(request, pivot, control, seen=None):
@@ -146,11 +156,11 @@ def poses_from(found, pivot):
     return Poses(times, placements, pivot=pivot)
 
 
-def make(document, pairs, poses, label=None):
+def make(document, pairs, poses, label=None, interpolation=INTERPOLATION):
     """The motion of a path that was found."""
     obj = motion_feature.make_motion(document, label or label_for(pairs))
     motion_feature.store(obj, poses)
-    obj.Interpolation, obj.Frame = INTERPOLATION, "Absolute"
+    obj.Interpolation, obj.Frame = interpolation, "Absolute"
     obj.Pivot = poses.pivot
     motion_feature.set_parts(obj, pairs)
     document.recompute([obj])

@@ -1,61 +1,43 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: finds the way of a part to its place. What it finds becomes a motion, each one step of Undo;
-nothing else is written."""
-import FreeCAD as App
-import FreeCADGui as Gui
+"""Task panel: finds the way of a part to its place, shows how far the search came, makes a motion of it."""
 from PySide import QtCore
 
 from .. import convert
 from ..convert import InputProblem
 from ..features import motion, path_plan
-from ..texts import translate
+from ..texts import mark, translate
 from ..views.ghost import MovingPart
-from . import focus, guard, path_texts, paths_table, selection, widgets
-from .neighbours_box import NeighboursBox
+from . import focus, guard, path_texts, selection, widgets
 from .path_tasks import FindPathTask
 from .place_field import PlaceField
-from .run_panel import StartPanel
+from .search_panel import SearchPanel
 from .widgets import QtWidgets
 
 #: ms between two looks at where the search came to.
 LOOK = 100
 
 
-class FindPathPanel(StartPanel):
+class FindPathPanel(SearchPanel):
     """path: a motion whose ends are the start and the goal."""
 
+    TITLE, ICON = mark("Panels", "Find path"), "SweptVolume_FindPath"
+    BUTTON = mark("Panels", "&Find path")
+
     def __init__(self, document, pairs=(), neighbours=(), path=None):
-        self.document, self.pairs, self.run, self.ghost = document, list(pairs), None, None
-        self.form, self.layout = widgets.window(
-            translate("Panels", "Find path"), "SweptVolume_FindPath"
-        )
-        self.box, self.message = widgets.RunBox(), widgets.message_label()
-        self.find = QtWidgets.QPushButton(translate("Panels", "&Find path"))
-        self.find.setObjectName("SweptVolumeFind")
-        self.find.setDefault(True)  # Enter
-        self.find.clicked.connect(lambda *ignored: self.start())
-        for widget in (self.find, self.box, self.message):  # seen without scrolling
-            self.layout.addWidget(widget)
-        self.found = paths_table.PathsTable(document, self.layout)
-        self._build_ends()
-        self.beside = NeighboursBox(document, lambda: self.pairs, self.layout)
-        self._build_rules()
-        self.layout.addStretch(1)
+        self.ghost = None
         self.looks = QtCore.QTimer()
         self.looks.timeout.connect(self._look)
-        self.watch = widgets.DocumentWatch(document, self.reject)
-        self.beside.take_visible()
+        super().__init__(document, pairs)
         if neighbours:
-            self._take_neighbours(neighbours)
+            self.take_neighbours(neighbours)
         if path is not None:
             self._take_ends(path)
-        self._show_part()
 
     # --- building
 
-    def _build_ends(self):
+    def build_way(self):
         rows = widgets.group(translate("Panels", "Way of the part"), self.layout)
-        self.part = QtWidgets.QLabel()
+        self.part = QtWidgets.QLabel(self.part_text())
         self.part.setWordWrap(True)
         pick = QtWidgets.QPushButton(translate("Panels", "&Pick"))
         pick.setObjectName("SweptVolumePickPart")
@@ -75,46 +57,16 @@ class FindPathPanel(StartPanel):
         for field in (self.goal, self.start_at):
             field.failed.connect(lambda text: widgets.show_message(self.message, text))
 
-    def _build_rules(self):
-        rows = widgets.group(translate("Panels", "Rules"), self.layout)
-        now = path_plan.DEFAULTS
-        self.required = widgets.length(now["Required"], 0.0, 0.5)
-        self.required.setObjectName("SweptVolumePathClearance")
-        self.release = widgets.hint(
-            widgets.length(now["Release"], 0.0, 5.0),
-            translate(
-                "Panels",
-                "Parts that touch, or are nearer than the clearance, where the way begins or ends may do "
-                "so until no point of the part is farther than this from there",
-            ),
-        )
-        self.release.setObjectName("SweptVolumeRelease")
+    def build_rules(self, rows):
         self.straight = QtWidgets.QCheckBox(translate("Panels", "The part never turns"))
         self.straight.setObjectName("SweptVolumeTranslationOnly")
         self.turn = widgets.hint(
-            widgets.angle(now["LargestTurn"], 0.0, 15.0),
+            widgets.angle(path_plan.DEFAULTS["LargestTurn"], 0.0, 15.0),
             translate("Panels", "From how the part stands where it belongs; 180: as it likes"),
         )
         self.turn.setObjectName("SweptVolumeLargestTurn")
-        self.budget = QtWidgets.QDoubleSpinBox()
-        self.budget.setObjectName("SweptVolumeBudget")
-        self.budget.setRange(0.0, 86400.0)
-        self.budget.setDecimals(1)
-        self.budget.setSuffix(" s")
-        self.budget.setValue(now["Budget"])
-        self.seed = widgets.hint(
-            QtWidgets.QSpinBox(), translate("Panels", "Another number may find another path")
-        )
-        self.seed.setObjectName("SweptVolumeSeed")
-        self.seed.setRange(1, 1000000)
-        self.deflection = widgets.length(now["Deflection"], 1e-4, 0.01)
-        rows.addRow(translate("Panels", "Clearance"), self.required)
-        rows.addRow(translate("Panels", "Contact allowed for"), self.release)
         rows.addRow(self.straight)
         rows.addRow(translate("Panels", "Largest turn"), self.turn)
-        rows.addRow(translate("Panels", "Time at most"), self.budget)
-        rows.addRow(translate("Panels", "Seed"), self.seed)
-        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
         self.straight.toggled.connect(lambda on: self.turn.setEnabled(not on))
 
     # --- inputs
@@ -133,10 +85,6 @@ class FindPathPanel(StartPanel):
         size = float(((corners.max(axis=0) - corners.min(axis=0)) ** 2).sum()) ** 0.5
         return float("{:.2g}".format(size))
 
-    def _show_part(self):
-        none = translate("Panels", "none: select it, then press Pick")
-        self.part.setText(", ".join(convert.label_of(*p) for p in self.pairs) or none)
-
     @guard.told
     def _pick(self):
         chosen = selection.parts()
@@ -147,11 +95,7 @@ class FindPathPanel(StartPanel):
         self.pairs = chosen[:1]
         self.beside.drop_moving()
         self.start_at.distance.setProperty("rawValue", self._size())
-        self._show_part()
-
-    @guard.told
-    def _take_neighbours(self, pairs):
-        self.beside.take(pairs)
+        self.part.setText(self.part_text())
 
     @guard.told
     def _take_ends(self, path):
@@ -170,23 +114,20 @@ class FindPathPanel(StartPanel):
             extract=self.start_at.extract(),
             goal=self.goal.placement(),
             clearances=self.beside.clearances(),
-            Required=float(self.required.property("rawValue")),
-            Release=float(self.release.property("rawValue")),
             TranslationOnly=self.straight.isChecked(),
             LargestTurn=float(self.turn.property("rawValue")),
-            Budget=self.budget.value(),
-            Seed=self.seed.value(),
-            Deflection=float(self.deflection.property("rawValue")),
+            **self.rules(),
         )
 
     # --- run
 
+    def task(self):
+        return FindPathTask(self.plan())
+
     def start(self):
         self._forget_ghost()
-        self.beside.mark([])
-        if not self.begin(lambda: FindPathTask(self.plan()), self.ended):
+        if not super().start():
             return False
-        self.find.setEnabled(False)
         self.looks.start(LOOK)
         return True
 
@@ -194,7 +135,7 @@ class FindPathPanel(StartPanel):
         """Shows where the search came to."""
         farthest = self.run.task.seen.farthest() if self.run is not None else None
         if farthest is not None:
-            self._show_at(self.run.task, App.Placement(App.Matrix(*farthest.ravel())))
+            self._show_at(self.run.task, path_plan.placement_of(farthest))
 
     def _show_at(self, task, placement):
         """The part where the search came to. Its triangles are there: the search has them."""
@@ -205,50 +146,29 @@ class FindPathPanel(StartPanel):
 
     def ended(self, run):
         self.looks.stop()
-        self.run = None
-        if not widgets.alive(self.document):
-            return
-        self.find.setEnabled(True)
-        self.box.leave(self.form)
-        task = run.task
-        if run.state != "ok":
+        if run.state != "ok" and widgets.alive(self.document):
             self._forget_ghost()
-            widgets.show_failure(self.message, run)
-            return
-        widgets.show_message(self.message, path_texts.told(task.outcome.report))
+        super().ended(run)
+
+    def found(self, task):
+        report = task.outcome.report
+        widgets.show_message(self.message, path_texts.told(report))
         if task.obj is not None:
             self._forget_ghost()
-            self.found.add(task.obj, task.outcome.report)
-        else:
-            self._show_at(task, task.outcome.farthest())
-            self.beside.mark(task.outcome.report["escape"]["blockers"])
+            return
+        self._show_at(task, task.outcome.farthest())
+        self.beside.mark(report["escape"]["blockers"])
 
     def _forget_ghost(self):
         if self.ghost is not None:
             self.ghost.remove()
             self.ghost = None
 
-    # --- task panel
-
-    def getStandardButtons(self):
-        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
-
-    def modifyStandardButtons(self, box):
-        """The button that starts is one of the form."""
-        widgets.forget_with(box)
-
     def reject(self):
-        """Close: stops what still runs; the paths that were found stay."""
-        self.watch.stop()
         self.looks.stop()
-        if self.run is not None:
-            self.run.ended.disconnect(self.ended)
-            self.run.cancel()
-            self.run = None
         if widgets.alive(self.document):
             self._forget_ghost()
-        Gui.Control.closeDialog()
-        return True
+        return super().reject()
 
 
 def show(document, **given):

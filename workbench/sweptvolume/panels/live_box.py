@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The path editor's live clearance: how near the dragged part is to its neighbours, and whether it stops at
 them."""
-import FreeCAD as App
 from PySide import QtCore
 
 from .. import quantities
 from ..convert import InputProblem, matrix_of
 from ..features.moving import middle_of
+from ..features.path_plan import placement_of
 from ..texts import translate
 from ..trajectory.poses import shift_to
 from ..views.live_distance import LiveDistance
@@ -99,7 +99,7 @@ class LiveBox(QtCore.QObject):
                 self.drawn = LiveDistance(self.document)
             self.drawn.show(self.at, text.split(" (")[:1], answer.points, clash)
         if self.row >= 0:
-            place = App.Placement(App.Matrix(*answer.matrix.ravel()))
+            place = placement_of(answer.matrix)
             last = answer.number == self.live.number
             self.reached.emit(self.row, place.multiply(self.middle.inverse()), last)
 

@@ -59,3 +59,43 @@ def _not_found(report):
     elif possible == 0:
         lines.append(translate("Messages", "A path was found without any clearance: ask for less."))
     return lines
+
+
+def improved(report):
+    """All that is to be said of a motion that was improved."""
+    if report["verdict"] != "found":
+        lines = [
+            translate(
+                "Messages",
+                "Nothing of the motion keeps the clearance: ask for less, or find a path.",
+            )
+        ]
+    else:
+        text = translate(
+            "Messages", "{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}."
+        )
+        before = report["before"]
+        lines = [
+            text.format(
+                report["keys"],
+                before["keys"],
+                quantities.quantity(report["length"]),
+                quantities.quantity(before["length"]),
+                quantities.quantity(report["clearance"]),
+                quantities.quantity(before["clearance"]),
+            )
+        ]
+        released = report["kept_moves"] - report["unmended_moves"]
+        if report["unmended_moves"]:
+            text = translate(
+                "Messages",
+                "{0} moves stay as they were and are nearer than asked for: no other way was found there.",
+            )
+            lines.append(text.format(report["unmended_moves"]))
+        if released:
+            text = translate(
+                "Messages", "{0} moves at the ends are nearer, as allowed, and stay as they were."
+            )
+            lines.append(text.format(released))
+    lines += [said(w["code"], w["text"]) for w in report["warnings"]]
+    return "\n".join(lines)
