@@ -155,6 +155,22 @@
    <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
   </message>
   <message>
+   <source>Find path...</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Finds how the selected part gets to its place between the others, clear of them all the way. More selected parts are its neighbours; a selected motion gives start and goal</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Improve path...</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Leads the selected motion round what it clashes with, makes it shorter with fewer keys, or gives it more clearance. The motion stays; the better one comes beside it</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
@@ -225,6 +241,14 @@
   <message>
    <source>Puts the keyboard into the tree: arrows choose, Ctrl with arrows and Space chooses more; from the tree it goes to the open panel</source>
    <translation>Setzt die Tastatur in den Baum: Pfeile wählen, Strg mit Pfeilen und Leertaste wählt weitere; vom Baum geht sie zum offenen Panel</translation>
+  </message>
+  <message>
+   <source>Improve path</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Find path</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Edit envelope</source>
@@ -342,6 +366,26 @@
    <translation>Es gibt kein Nachbarteil, gegen das geprüft werden könnte.</translation>
   </message>
   <message>
+   <source>The part does not fit where it belongs: a neighbour is in the way.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The part does not fit where it comes from.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The part does not fit at a place that it has to pass.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The part is where it belongs already.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>It is not said where the part comes from.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The file could not be written: check folder and free space.</source>
    <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner und freien Platz.</translation>
   </message>
@@ -451,6 +495,18 @@
   <message>
    <source>The motion has no source whose settings can be changed.</source>
    <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
+  </message>
+  <message>
+   <source>Select the part whose way is to be found.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Select the part that moves together with the motion.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>"{0}" has less than two keys: there is no way.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Select the object with the value, then the part that it moves.</source>
@@ -703,6 +759,14 @@ Versucht:
    <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, und aus {0} Dreiecken würden ebenso viele Flächen (Grenze {1}): die Hülle vereinfachen oder als STL, PLY oder OBJ exportieren.</translation>
   </message>
   <message>
+   <source>{0}, improved</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>"{0}" only stands at its poses: choose what it does between them first.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo the deletion.</source>
    <translation>{0} wurde gelöscht, und {1} ist ohne das nicht vollständig: wählen Sie neu, was verwendet werden soll ({2}), oder machen Sie das Löschen rückgängig.</translation>
   </message>
@@ -739,6 +803,14 @@ Versucht:
    <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
   </message>
   <message>
+   <source>Path of {0}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>give a start, or how far the part is to get out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
@@ -771,6 +843,10 @@ Versucht:
    <translation>Bewegung aus Datei</translation>
   </message>
   <message>
+   <source>select the part that moves in the tree or in the 3D view.</source>
+   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
+  </message>
+  <message>
    <source>{0}: "{1}" is not understood here; it counts as {2}.</source>
    <translation>{0}: „{1}“ wird hier nicht verstanden; es zählt als {2}.</translation>
   </message>
@@ -781,10 +857,6 @@ Versucht:
   <message>
    <source>there is no change of the keys to undo or redo.</source>
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
-  </message>
-  <message>
-   <source>select the part that moves in the tree or in the 3D view.</source>
-   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
   </message>
   <message>
    <source>no part: close the panel, select the moving part and open it again.</source>
@@ -803,8 +875,72 @@ Versucht:
    <translation>Bewegung bearbeiten</translation>
   </message>
   <message>
+   <source>"{0}": a clearance of {1} is not possible.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The part came {0} away from where it belongs; it is shown there.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Most often in the way: {0}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A path was found with a clearance of {0}: ask for less.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is no path on which the part never turns: proven.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing of the motion keeps the clearance: ask for less, or find a path.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0} moves stay as they were and are nearer than asked for: no other way was found there.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0} moves at the ends are nearer, as allowed, and stay as they were.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nearer than that, as allowed, within {0} of the ends: {1}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No path was found in this time.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No path was found.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A path was found without any clearance: ask for less.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
    <translation>wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
+  </message>
+  <message>
+   <source>select a face or an edge in the 3D view first: it gives the direction.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>"{0}": {1} numbers are needed here, with blanks between.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>There is no envelope in the document: make one with Create envelope.</source>
@@ -1256,6 +1392,78 @@ Versucht:
    <translation>Eine Lage ist</translation>
   </message>
   <message>
+   <source>&amp;Find path</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Find path</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Way of the part</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&amp;Pick</source>
+   <translation>Wählen</translation>
+  </message>
+  <message>
+   <source>Takes the part that is selected in the tree or in the view</source>
+   <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>It belongs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>It comes from</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The part never turns</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>From how the part stands where it belongs; 180: as it likes</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Largest turn</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&amp;Improve path</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Improve path</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Key {0}, {1:g} s</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Ticked keys stay where and when they are</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Locked</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The path may be longer then; without this it is as short as the clearance lets it</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>As much clearance as can be had</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The last change of the keys</source>
    <translation>Die letzte Änderung der Schlüssel</translation>
   </message>
@@ -1274,18 +1482,6 @@ Versucht:
   <message>
    <source>Key placements</source>
    <translation>Stützstellen</translation>
-  </message>
-  <message>
-   <source>&amp;Pick</source>
-   <translation>Wählen</translation>
-  </message>
-  <message>
-   <source>Takes the part that is selected in the tree or in the view</source>
-   <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
-  </message>
-  <message>
-   <source>Part</source>
-   <translation>Teil</translation>
   </message>
   <message>
    <source>&amp;Capture</source>
@@ -1364,6 +1560,30 @@ Versucht:
    <translation>Quelle</translation>
   </message>
   <message>
+   <source>{0} to {1}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the clearance while dragging</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The key goes no farther than the part comes without touching a neighbour; neighbours are all visible parts</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Clash with {1}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Stop at contact</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Contact with {1} ({0})</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>none: select it, then press Pick</source>
    <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
@@ -1404,16 +1624,20 @@ Versucht:
    <translation>Raster</translation>
   </message>
   <message>
-   <source>Adds the solids and meshes selected in the tree</source>
-   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
+   <source>Neighbours</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Take selected</source>
-   <translation>Auswahl nehmen</translation>
+   <source>What this one asks for; empty: the common clearance below</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>&amp;Add selected</source>
    <translation>Auswahl hin&amp;zufügen</translation>
+  </message>
+  <message>
+   <source>Adds the solids and meshes selected in the tree</source>
+   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
   </message>
   <message>
    <source>&amp;Remove</source>
@@ -1422,6 +1646,18 @@ Versucht:
   <message>
    <source>Takes the marked parts out of the list</source>
    <translation>Nimmt die markierten Teile aus der Liste</translation>
+  </message>
+  <message>
+   <source>All &amp;visible</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>All other parts that are visible now</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take selected</source>
+   <translation>Auswahl nehmen</translation>
   </message>
   <message>
    <source>Seen from a moving part</source>
@@ -1446,6 +1682,26 @@ Versucht:
   <message>
    <source>Its motion</source>
    <translation>Seine Bewegung</translation>
+  </message>
+  <message>
+   <source>Paths</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keys</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>length</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>turns</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>clearance</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The point that goes straight between two keys, and about which a key is turned; x, y, z of the keys are its own.</source>
@@ -1474,6 +1730,34 @@ Versucht:
   <message>
    <source>In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm</source>
    <translation>In den Koordinaten des Teils: {0:.6g}, {1:.6g}, {2:.6g} mm</translation>
+  </message>
+  <message>
+   <source>Where it stands now</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A placement</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Just out: by a distance</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Just out: in a direction</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>x, y, z of the direction in which the part leaves. Take: normal of the selected face, or direction of the selected edge</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the selected object stands, or else the part itself</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Play</source>
@@ -1542,6 +1826,30 @@ Versucht:
   <message>
    <source>Warnings: {0}</source>
    <translation>Warnungen: {0}</translation>
+  </message>
+  <message>
+   <source>Rules</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Parts that touch, or are nearer than the clearance, where the way begins or ends may do so until no point of the part is farther than this from there</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Contact allowed for</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Another number may find another path</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time at most</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{0} triangles: at most {1} faces,
@@ -1784,6 +2092,22 @@ etwa {2}, {3}</translation>
   <message>
    <source>export</source>
    <translation>Schreiben</translation>
+  </message>
+  <message>
+   <source>straight moves</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>moves without turns</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>moves with turns</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>polish</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>done</source>
