@@ -156,19 +156,19 @@
   </message>
   <message>
    <source>Find path...</source>
-   <translation type="unfinished" />
+   <translation>Weg finden...</translation>
   </message>
   <message>
    <source>Finds how the selected part gets to its place between the others, clear of them all the way. More selected parts are its neighbours; a selected motion gives start and goal</source>
-   <translation type="unfinished" />
+   <translation>Findet, wie das gewählte Teil zwischen den anderen an seinen Platz kommt, auf dem ganzen Weg frei von ihnen. Weitere gewählte Teile sind seine Nachbarn; eine gewählte Bewegung gibt Start und Ziel</translation>
   </message>
   <message>
    <source>Improve path...</source>
-   <translation type="unfinished" />
+   <translation>Weg verbessern...</translation>
   </message>
   <message>
    <source>Leads the selected motion round what it clashes with, makes it shorter with fewer keys, or gives it more clearance. The motion stays; the better one comes beside it</source>
-   <translation type="unfinished" />
+   <translation>Führt die gewählte Bewegung um das herum, womit sie kollidiert, macht sie kürzer mit weniger Schlüsseln oder gibt ihr mehr Abstand. Die Bewegung bleibt; die bessere kommt daneben</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -244,11 +244,11 @@
   </message>
   <message>
    <source>Improve path</source>
-   <translation type="unfinished" />
+   <translation>Weg verbessern</translation>
   </message>
   <message>
    <source>Find path</source>
-   <translation type="unfinished" />
+   <translation>Weg finden</translation>
   </message>
   <message>
    <source>Edit envelope</source>
@@ -367,23 +367,23 @@
   </message>
   <message>
    <source>The part does not fit where it belongs: a neighbour is in the way.</source>
-   <translation type="unfinished" />
+   <translation>Das Teil passt nicht an seinen Platz: ein Nachbar ist im Weg.</translation>
   </message>
   <message>
    <source>The part does not fit where it comes from.</source>
-   <translation type="unfinished" />
+   <translation>Das Teil passt nicht dorthin, woher es kommt.</translation>
   </message>
   <message>
    <source>The part does not fit at a place that it has to pass.</source>
-   <translation type="unfinished" />
+   <translation>Das Teil passt nicht an eine Stelle, die es passieren muss.</translation>
   </message>
   <message>
    <source>The part is where it belongs already.</source>
-   <translation type="unfinished" />
+   <translation>Das Teil ist schon an seinem Platz.</translation>
   </message>
   <message>
    <source>It is not said where the part comes from.</source>
-   <translation type="unfinished" />
+   <translation>Es ist nicht gesagt, woher das Teil kommt.</translation>
   </message>
   <message>
    <source>The file could not be written: check folder and free space.</source>
@@ -498,15 +498,15 @@
   </message>
   <message>
    <source>Select the part whose way is to be found.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie das Teil, dessen Weg gefunden werden soll.</translation>
   </message>
   <message>
    <source>Select the part that moves together with the motion.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie das Teil, das sich bewegt, zusammen mit der Bewegung.</translation>
   </message>
   <message>
    <source>"{0}" has less than two keys: there is no way.</source>
-   <translation type="unfinished" />
+   <translation>"{0}" hat weniger als zwei Schlüssel: es gibt keinen Weg.</translation>
   </message>
   <message>
    <source>Select the object with the value, then the part that it moves.</source>
@@ -760,11 +760,11 @@ Versucht:
   </message>
   <message>
    <source>{0}, improved</source>
-   <translation type="unfinished" />
+   <translation>{0}, verbessert</translation>
   </message>
   <message>
    <source>"{0}" only stands at its poses: choose what it does between them first.</source>
-   <translation type="unfinished" />
+   <translation>"{0}" steht nur an ihren Posen: wählen Sie zuerst, was sie dazwischen tut.</translation>
   </message>
   <message>
    <source>{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo the deletion.</source>
@@ -804,11 +804,11 @@ Versucht:
   </message>
   <message>
    <source>Path of {0}</source>
-   <translation type="unfinished" />
+   <translation>Weg von {0}</translation>
   </message>
   <message>
    <source>give a start, or how far the part is to get out.</source>
-   <translation type="unfinished" />
+   <translation>geben Sie einen Start an, oder wie weit das Teil hinaus soll.</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -876,59 +876,59 @@ Versucht:
   </message>
   <message>
    <source>"{0}": a clearance of {1} is not possible.</source>
-   <translation type="unfinished" />
+   <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
   </message>
   <message>
    <source>The part came {0} away from where it belongs; it is shown there.</source>
-   <translation type="unfinished" />
+   <translation>Das Teil kam {0} von seinem Platz weg; dort wird es gezeigt.</translation>
   </message>
   <message>
    <source>Most often in the way: {0}.</source>
-   <translation type="unfinished" />
+   <translation>Am häufigsten im Weg: {0}.</translation>
   </message>
   <message>
    <source>A path was found with a clearance of {0}: ask for less.</source>
-   <translation type="unfinished" />
+   <translation>Mit einem Abstand von {0} wurde ein Weg gefunden: verlangen Sie weniger.</translation>
   </message>
   <message>
    <source>{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}.</source>
-   <translation type="unfinished" />
+   <translation>{0} Schlüssel statt {1}, {2} statt {3}, Abstand {4} statt {5}.</translation>
   </message>
   <message>
    <source>There is no path on which the part never turns: proven.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keinen Weg, auf dem sich das Teil nie dreht: bewiesen.</translation>
   </message>
   <message>
    <source>Nothing of the motion keeps the clearance: ask for less, or find a path.</source>
-   <translation type="unfinished" />
+   <translation>Nichts von der Bewegung hält den Abstand: verlangen Sie weniger, oder suchen Sie einen Weg.</translation>
   </message>
   <message>
    <source>{0} moves stay as they were and are nearer than asked for: no other way was found there.</source>
-   <translation type="unfinished" />
+   <translation>{0} Züge bleiben, wie sie waren, und sind näher als verlangt: dort wurde kein anderer Weg gefunden.</translation>
   </message>
   <message>
    <source>{0} moves at the ends are nearer, as allowed, and stay as they were.</source>
-   <translation type="unfinished" />
+   <translation>{0} Züge an den Enden sind näher, wie erlaubt, und bleiben, wie sie waren.</translation>
   </message>
   <message>
    <source>Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}.</source>
-   <translation type="unfinished" />
+   <translation>Gefunden: {0} Schlüssel, {1}, Drehungen von {2} Grad, Abstand mindestens {3}.</translation>
   </message>
   <message>
    <source>Nearer than that, as allowed, within {0} of the ends: {1}.</source>
-   <translation type="unfinished" />
+   <translation>Näher als das, wie erlaubt, bis {0} von den Enden: {1}.</translation>
   </message>
   <message>
    <source>No path was found in this time.</source>
-   <translation type="unfinished" />
+   <translation>In dieser Zeit wurde kein Weg gefunden.</translation>
   </message>
   <message>
    <source>No path was found.</source>
-   <translation type="unfinished" />
+   <translation>Es wurde kein Weg gefunden.</translation>
   </message>
   <message>
    <source>A path was found without any clearance: ask for less.</source>
-   <translation type="unfinished" />
+   <translation>Ganz ohne Abstand wurde ein Weg gefunden: verlangen Sie weniger.</translation>
   </message>
   <message>
    <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
@@ -936,11 +936,11 @@ Versucht:
   </message>
   <message>
    <source>select a face or an edge in the 3D view first: it gives the direction.</source>
-   <translation type="unfinished" />
+   <translation>wählen Sie zuerst eine Fläche oder Kante in der 3D-Ansicht: sie gibt die Richtung.</translation>
   </message>
   <message>
    <source>"{0}": {1} numbers are needed here, with blanks between.</source>
-   <translation type="unfinished" />
+   <translation>"{0}": hier braucht es {1} Zahlen mit Leerzeichen dazwischen.</translation>
   </message>
   <message>
    <source>There is no envelope in the document: make one with Create envelope.</source>
@@ -1393,15 +1393,15 @@ Versucht:
   </message>
   <message>
    <source>&amp;Find path</source>
-   <translation type="unfinished" />
+   <translation>Weg &amp;finden</translation>
   </message>
   <message>
    <source>Find path</source>
-   <translation type="unfinished" />
+   <translation>Weg finden</translation>
   </message>
   <message>
    <source>Way of the part</source>
-   <translation type="unfinished" />
+   <translation>Weg des Teils</translation>
   </message>
   <message>
    <source>&amp;Pick</source>
@@ -1417,51 +1417,51 @@ Versucht:
   </message>
   <message>
    <source>It belongs</source>
-   <translation type="unfinished" />
+   <translation>Es gehört</translation>
   </message>
   <message>
    <source>It comes from</source>
-   <translation type="unfinished" />
+   <translation>Es kommt</translation>
   </message>
   <message>
    <source>The part never turns</source>
-   <translation type="unfinished" />
+   <translation>Das Teil dreht sich nie</translation>
   </message>
   <message>
    <source>From how the part stands where it belongs; 180: as it likes</source>
-   <translation type="unfinished" />
+   <translation>Gegenüber seiner Stellung an seinem Platz; 180: beliebig</translation>
   </message>
   <message>
    <source>Largest turn</source>
-   <translation type="unfinished" />
+   <translation>Größte Drehung</translation>
   </message>
   <message>
    <source>&amp;Improve path</source>
-   <translation type="unfinished" />
+   <translation>Weg ver&amp;bessern</translation>
   </message>
   <message>
    <source>Improve path</source>
-   <translation type="unfinished" />
+   <translation>Weg verbessern</translation>
   </message>
   <message>
    <source>Key {0}, {1:g} s</source>
-   <translation type="unfinished" />
+   <translation>Schlüssel {0}, {1:g} s</translation>
   </message>
   <message>
    <source>Ticked keys stay where and when they are</source>
-   <translation type="unfinished" />
+   <translation>Angehakte Schlüssel bleiben, wo und wann sie sind</translation>
   </message>
   <message>
    <source>Locked</source>
-   <translation type="unfinished" />
+   <translation>Gesperrt</translation>
   </message>
   <message>
    <source>The path may be longer then; without this it is as short as the clearance lets it</source>
-   <translation type="unfinished" />
+   <translation>Der Weg kann dann länger sein; sonst ist er so kurz, wie der Abstand es zulässt</translation>
   </message>
   <message>
    <source>As much clearance as can be had</source>
-   <translation type="unfinished" />
+   <translation>So viel Abstand wie möglich</translation>
   </message>
   <message>
    <source>The last change of the keys</source>
@@ -1561,27 +1561,27 @@ Versucht:
   </message>
   <message>
    <source>{0} to {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} bis {1}</translation>
   </message>
   <message>
    <source>Show the clearance while dragging</source>
-   <translation type="unfinished" />
+   <translation>Abstand beim Ziehen zeigen</translation>
   </message>
   <message>
    <source>The key goes no farther than the part comes without touching a neighbour; neighbours are all visible parts</source>
-   <translation type="unfinished" />
+   <translation>Der Schlüssel geht nur so weit, wie das Teil kommt, ohne einen Nachbarn zu berühren; Nachbarn sind alle sichtbaren Teile</translation>
   </message>
   <message>
    <source>Clash with {1}</source>
-   <translation type="unfinished" />
+   <translation>Kollision mit {1}</translation>
   </message>
   <message>
    <source>Stop at contact</source>
-   <translation type="unfinished" />
+   <translation>Bei Kontakt anhalten</translation>
   </message>
   <message>
    <source>Contact with {1} ({0})</source>
-   <translation type="unfinished" />
+   <translation>Kontakt mit {1} ({0})</translation>
   </message>
   <message>
    <source>none: select it, then press Pick</source>
@@ -1625,11 +1625,11 @@ Versucht:
   </message>
   <message>
    <source>Neighbours</source>
-   <translation type="unfinished" />
+   <translation>Nachbarn</translation>
   </message>
   <message>
    <source>What this one asks for; empty: the common clearance below</source>
-   <translation type="unfinished" />
+   <translation>Was dieser verlangt; leer: der gemeinsame Abstand unten</translation>
   </message>
   <message>
    <source>&amp;Add selected</source>
@@ -1649,11 +1649,11 @@ Versucht:
   </message>
   <message>
    <source>All &amp;visible</source>
-   <translation type="unfinished" />
+   <translation>Alle si&amp;chtbaren</translation>
   </message>
   <message>
    <source>All other parts that are visible now</source>
-   <translation type="unfinished" />
+   <translation>Alle anderen Teile, die jetzt sichtbar sind</translation>
   </message>
   <message>
    <source>Take selected</source>
@@ -1685,23 +1685,23 @@ Versucht:
   </message>
   <message>
    <source>Paths</source>
-   <translation type="unfinished" />
+   <translation>Wege</translation>
   </message>
   <message>
    <source>Keys</source>
-   <translation type="unfinished" />
+   <translation>Schlüssel</translation>
   </message>
   <message>
    <source>length</source>
-   <translation type="unfinished" />
+   <translation>Länge</translation>
   </message>
   <message>
    <source>turns</source>
-   <translation type="unfinished" />
+   <translation>Drehung</translation>
   </message>
   <message>
    <source>clearance</source>
-   <translation type="unfinished" />
+   <translation>Abstand</translation>
   </message>
   <message>
    <source>The point that goes straight between two keys, and about which a key is turned; x, y, z of the keys are its own.</source>
@@ -1733,31 +1733,31 @@ Versucht:
   </message>
   <message>
    <source>Where it stands now</source>
-   <translation type="unfinished" />
+   <translation>Dorthin, wo es jetzt steht</translation>
   </message>
   <message>
    <source>A placement</source>
-   <translation type="unfinished" />
+   <translation>Eine Platzierung</translation>
   </message>
   <message>
    <source>Just out: by a distance</source>
-   <translation type="unfinished" />
+   <translation>Nur hinaus: um eine Strecke</translation>
   </message>
   <message>
    <source>Just out: in a direction</source>
-   <translation type="unfinished" />
+   <translation>Nur hinaus: in eine Richtung</translation>
   </message>
   <message>
    <source>Take</source>
-   <translation type="unfinished" />
+   <translation>Nehmen</translation>
   </message>
   <message>
    <source>x, y, z of the direction in which the part leaves. Take: normal of the selected face, or direction of the selected edge</source>
-   <translation type="unfinished" />
+   <translation>x, y, z der Richtung, in der das Teil hinausgeht. Nehmen: Normale der gewählten Fläche oder Richtung der gewählten Kante</translation>
   </message>
   <message>
    <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the selected object stands, or else the part itself</source>
-   <translation type="unfinished" />
+   <translation>x, y, z ({0}), Gier-, Nick-, Rollwinkel (Grad) des Teils im Dokument. Nehmen: wo das gewählte Objekt steht, sonst das Teil selbst</translation>
   </message>
   <message>
    <source>Play</source>
@@ -1829,27 +1829,27 @@ Versucht:
   </message>
   <message>
    <source>Rules</source>
-   <translation type="unfinished" />
+   <translation>Regeln</translation>
   </message>
   <message>
    <source>Parts that touch, or are nearer than the clearance, where the way begins or ends may do so until no point of the part is farther than this from there</source>
-   <translation type="unfinished" />
+   <translation>Teile, die sich am Anfang oder Ende des Wegs berühren oder näher sind als der Abstand, dürfen das, bis ein Punkt des Teils weiter als dies von dort weg ist</translation>
   </message>
   <message>
    <source>Contact allowed for</source>
-   <translation type="unfinished" />
+   <translation>Kontakt erlaubt bis</translation>
   </message>
   <message>
    <source>Another number may find another path</source>
-   <translation type="unfinished" />
+   <translation>Eine andere Zahl findet vielleicht einen anderen Weg</translation>
   </message>
   <message>
    <source>Time at most</source>
-   <translation type="unfinished" />
+   <translation>Höchstens</translation>
   </message>
   <message>
    <source>Seed</source>
-   <translation type="unfinished" />
+   <translation>Startzahl</translation>
   </message>
   <message>
    <source>{0} triangles: at most {1} faces,
@@ -2095,19 +2095,19 @@ etwa {2}, {3}</translation>
   </message>
   <message>
    <source>straight moves</source>
-   <translation type="unfinished" />
+   <translation>gerade Züge</translation>
   </message>
   <message>
    <source>moves without turns</source>
-   <translation type="unfinished" />
+   <translation>Züge ohne Drehung</translation>
   </message>
   <message>
    <source>moves with turns</source>
-   <translation type="unfinished" />
+   <translation>Züge mit Drehung</translation>
   </message>
   <message>
    <source>polish</source>
-   <translation type="unfinished" />
+   <translation>glätten</translation>
   </message>
   <message>
    <source>done</source>
