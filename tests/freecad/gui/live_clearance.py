@@ -70,6 +70,8 @@ def box_before_a_wall():
     tip = start + V(0, 0, panel.dragger.arrow)
     yield from drag(tip, tip + V(0, 0, 15))
     yield lambda: "Clash with Wall" in text()
+    red = panel.ghosts.paint.diffuseColor.getValues()[0].getValue()
+    assert red[0] > 0.8 and red[1] < 0.2, red
     shot("81_live_clash")
     yield 0.7
     # The same way again, and it stops.

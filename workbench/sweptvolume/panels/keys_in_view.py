@@ -127,6 +127,10 @@ class KeysInView:
         if last and self.let_go:
             self._settle()
 
+    def show_clash(self, on):
+        if self.ghosts is not None and self.ghosts.root is not None:
+            self.ghosts.show_clash(on)
+
     def _standing_at(self, row):
         """Where the part stands at a key, seen from the document."""
         there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())

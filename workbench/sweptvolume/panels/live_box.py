@@ -20,6 +20,8 @@ class LiveBox(QtCore.QObject):
     there is no newer question."""
 
     reached = QtCore.Signal(int, object, bool)
+    #: Whether the part clashes where it stands now.
+    clashes = QtCore.Signal(bool)
 
     def __init__(self, document, rows):
         super().__init__()
@@ -92,6 +94,7 @@ class LiveBox(QtCore.QObject):
         elif answer.distance <= self.live.scene.chord:
             text = translate("Panels", "Contact with {1} ({0})")
         text = text.format(quantities.quantity(answer.distance), answer.name)
+        self.clashes.emit(clash)
         widgets.show_message(self.text, text)
         self.text.setStyleSheet("color: #d01020; font-weight: bold;" if clash else "")
         if self.show_box.isChecked():
@@ -110,6 +113,7 @@ class LiveBox(QtCore.QObject):
     def quiet(self):
         """No key is dragged: nothing is drawn."""
         self.row = -1
+        self.clashes.emit(False)
         if self.drawn is not None:
             self.drawn.hide()
         widgets.show_message(self.text, "")

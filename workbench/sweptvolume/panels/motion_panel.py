@@ -130,6 +130,7 @@ class MotionPanel(KeysInView):
         self.interpolation.currentIndexChanged.connect(lambda *ignored: self.show_all())
         self.preview_box.toggled.connect(lambda *ignored: self.ask_preview())
         self.live.reached.connect(self.reached)
+        self.live.clashes.connect(self.show_clash)
         self.drag_box.toggled.connect(lambda *ignored: self.show_dragger())
 
     # --- keys

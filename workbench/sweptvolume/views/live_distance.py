@@ -24,7 +24,7 @@ class LiveDistance(Overlay):
         self.line_colour, self.text_colour = coin.SoBaseColor(), coin.SoBaseColor()
         style, font = coin.SoDrawStyle(), coin.SoFont()
         style.lineWidth = LINE
-        font.size = TEXT
+        font.size, font.name = TEXT, "Arial:Bold"
         self.ends, self.lines = coin.SoCoordinate3(), coin.SoLineSet()
         self.place, self.text = coin.SoTranslation(), coin.SoText2()
         line, text = coin.SoSeparator(), coin.SoSeparator()
