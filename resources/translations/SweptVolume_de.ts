@@ -903,12 +903,12 @@ Versucht:
    <translation>Nichts von der Bewegung hält den Abstand: verlangen Sie weniger, oder suchen Sie einen Weg.</translation>
   </message>
   <message>
-   <source>{0} moves stay as they were and are nearer than asked for: no other way was found there.</source>
-   <translation>{0} Züge bleiben, wie sie waren, und sind näher als verlangt: dort wurde kein anderer Weg gefunden.</translation>
+   <source>Moves that stay nearer than asked for, as no other way was found there: {0}.</source>
+   <translation>Züge, die näher bleiben als verlangt, da dort kein anderer Weg gefunden wurde: {0}.</translation>
   </message>
   <message>
-   <source>{0} moves at the ends are nearer, as allowed, and stay as they were.</source>
-   <translation>{0} Züge an den Enden sind näher, wie erlaubt, und bleiben, wie sie waren.</translation>
+   <source>Moves at the ends that are nearer, as allowed, and stay as they were: {0}.</source>
+   <translation>Züge an den Enden, die näher sind, wie erlaubt, und bleiben, wie sie waren: {0}.</translation>
   </message>
   <message>
    <source>Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}.</source>

@@ -89,12 +89,13 @@ def improved(report):
         if report["unmended_moves"]:
             text = translate(
                 "Messages",
-                "{0} moves stay as they were and are nearer than asked for: no other way was found there.",
+                "Moves that stay nearer than asked for, as no other way was found there: {0}.",
             )
             lines.append(text.format(report["unmended_moves"]))
         if released:
             text = translate(
-                "Messages", "{0} moves at the ends are nearer, as allowed, and stay as they were."
+                "Messages",
+                "Moves at the ends that are nearer, as allowed, and stay as they were: {0}.",
             )
             lines.append(text.format(released))
     lines += [said(w["code"], w["text"]) for w in report["warnings"]]

@@ -6,7 +6,7 @@ from .ghost import Overlay
 from .surface import fill
 
 #: Where parts are apart, and where they clash: line and text.
-APART, CLASH = ((0.85, 0.0, 0.6), (1.0, 0.95, 0.45)), ((0.95, 0.05, 0.1), (1.0, 0.25, 0.25))
+APART, CLASH = ((0.85, 0.0, 0.6), (1.0, 0.95, 0.45)), ((0.95, 0.05, 0.1), (1.0, 1.0, 1.0))
 #: Pixels: of the text and of the line. Blanks keep the text off the dragger.
 TEXT, LINE, BESIDE = 17, 3.0, "     "
 
