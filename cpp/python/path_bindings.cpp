@@ -11,6 +11,7 @@
 #include "errors.h"
 #include "job.h"
 #include "swept/io.h"
+#include "swept/live_clearance.h"
 #include "swept/path.h"
 #include "values.h"
 
@@ -20,13 +21,48 @@ namespace {
 constexpr const char* kFindPathDoc =
     R"(find_path(vertices, triangles, goal, neighbours, start=None, extract=None, via=(), clearance=0.0,
           release=0.0, translation_only=False, max_angle=None, interpolation='linear', tolerance=0.01,
-          body_chord=0.0, budget=60.0, seed=1, run=None) -> (dict, motion or None)
+          body_chord=0.0, budget=60.0, seed=1, run=None, watch=None) -> (dict, motion or None)
 
 A motion that brings the part to its goal and keeps the clearance from every neighbour, between its keys
 as well. goal, start, via: arrays (4, 4). extract, instead of a start: a radius in mm, or a direction
-(x, y, z). neighbours: as for clearance(). Lengths in mm, max_angle in rad, budget in s. Returns the
+(x, y, z). neighbours: as for clearance(), or with one more: the clearance that this one asks for (None: the
+common one). Lengths in mm, max_angle in rad, budget in s. watch: a PathWatch. Returns the
 report (docs/paths.md) and (times, quaternions, translations), or None where none was found. Raises
 InvalidInput (GoalBlocked, StartBlocked, ...), Cancelled.)";
+
+constexpr const char* kImproveDoc =
+    R"(improve_path(vertices, triangles, motion, neighbours, interpolation='linear', locked=(),
+             more_clearance=False, clearance=0.0, release=0.0, translation_only=False, max_angle=None,
+             tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None) -> (dict, motion or None)
+
+A motion made better: what is nearer to a neighbour than the clearance is led another way where one is found,
+what is not is made shorter, with fewer keys; with more_clearance as far from the neighbours as can be had.
+Keys whose indices are in `locked`, and the ends, stay. What cannot be mended, or lies within `release` of the
+ends, stays as it was ("kept_moves"). The rest as for find_path(); "before" has the figures of the motion.)";
+
+constexpr const char* kPathWatchDoc =
+    R"(PathWatch()
+
+What others may see of a search that find_path() is given this for, from any thread.)";
+
+constexpr const char* kLiveDoc =
+    R"(LiveClearance(vertices, triangles, neighbours, run=None)
+
+The distance of a part to its neighbours, one placement after another, each at once. Prepared once;
+neighbours as for clearance(), their chord errors do not count. One question at a time, from any thread.
+Raises InvalidInput, Cancelled.)";
+
+constexpr const char* kLiveAtDoc =
+    R"(at(pose) -> (index, distance, inside, point_on_part, point_on_neighbour)
+
+The nearest neighbour at a placement (4, 4): its index, mm between the triangles (0 where they meet, or where
+one part lies inside the other: then `inside`), and the two points (x, y, z) in the world.)";
+
+constexpr const char* kLiveReachedDoc =
+    R"(reached(from_pose, to_pose, apart) -> float64 (4, 4)
+
+The last placement on the straight way between two up to which the part stays at least `apart` mm from all
+neighbours. From a place that is nearer: to_pose if it keeps the distance, else from_pose.)";
 
 Pose poseFrom(const py::handle& value, const char* name) {
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
@@ -47,13 +83,89 @@ Extraction extractionFrom(const py::object& value) {
   return extraction;
 }
 
+PathNeighbour pathNeighbourFrom(const py::handle& item) {
+  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (parts.size() != 5) return {neighbourFrom(item), {}};
+  return {neighbourFrom(parts[py::slice(0, 4, 1)]), parts[4].cast<std::optional<double>>()};
+}
+
+py::array matrixFrom(const Pose& pose) {
+  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> m;
+  m.setIdentity();
+  m.topLeftCorner<3, 3>() = pose.rotation.toRotationMatrix();
+  m.topRightCorner<3, 1>() = pose.translation;
+  return py::array_t<double>(std::vector<py::ssize_t>{4, 4}, m.data());
+}
+
+py::tuple asTuple(const Eigen::Vector3d& v) { return py::make_tuple(v[0], v[1], v[2]); }
+
+std::unique_ptr<LiveClearance> makeLive(const py::object& vertices, const py::object& triangles,
+                                        const py::iterable& neighbours, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh part = meshFromArrays(vertices, triangles);
+  std::vector<ClearanceNeighbour> parts;
+  for (const py::handle& item : neighbours) parts.push_back(neighbourFrom(item));
+  return runWithoutLock(*context,
+                        [&] { return std::make_unique<LiveClearance>(part, parts, *context); });
+}
+
+py::tuple pyLiveAt(LiveClearance& live, const py::object& pose) {
+  const Pose at = poseFrom(pose, "pose");
+  LiveDistance found;
+  {
+    const py::gil_scoped_release release;
+    found = live.at(at);
+  }
+  return py::make_tuple(found.neighbour, found.distance, found.inside, asTuple(found.pointOnPart),
+                        asTuple(found.pointOnNeighbour));
+}
+
+py::array pyLiveReached(LiveClearance& live, const py::object& from, const py::object& to,
+                        double apart) {
+  const Pose a = poseFrom(from, "from_pose"), b = poseFrom(to, "to_pose");
+  Pose found;
+  {
+    const py::gil_scoped_release release;
+    found = live.reached(a, b, apart);
+  }
+  return matrixFrom(found);
+}
+
+py::object pyFarthest(const PathWatch& watch) {
+  const std::optional<Pose> pose = watch.farthest();
+  return pose ? py::object(matrixFrom(*pose)) : py::none();
+}
+
+PathOptions optionsFrom(double clearance, double release, bool translationOnly,
+                        const std::optional<double>& maxAngle, double tolerance, double bodyChord,
+                        double budget, std::uint64_t seed, Interpolation interpolation) {
+  PathOptions options;
+  options.clearance = clearance;
+  options.tolerance = tolerance;
+  options.bodyChordError = bodyChord;
+  options.release = release;
+  options.translationOnly = translationOnly;
+  options.largestTurn = maxAngle;
+  options.interpolation = interpolation;
+  options.budgetSeconds = budget;
+  options.seed = seed;
+  return options;
+}
+
+py::tuple answerOf(const PathReport& report) {
+  const py::object found = parseJson(toJson(report));
+  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  if (report.verdict != PathVerdict::Found) return py::make_tuple(found, py::none());
+  return py::make_tuple(found, trajectoryToArrays(report.path));
+}
+
 py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
                      const py::object& goal, const py::iterable& neighbours,
                      const py::object& start, const py::object& extract, const py::iterable& via,
                      double clearance, double release, bool translationOnly,
                      const std::optional<double>& maxAngle, const std::string& interpolation,
                      double tolerance, double bodyChord, double budget, std::uint64_t seed,
-                     const py::object& run) {
+                     const py::object& run, PathWatch* watch) {
   const RunPointer context = runFromObject(run);
   const TriMesh part = meshFromArrays(vertices, triangles);
   PathTask task;
@@ -62,28 +174,39 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
   if (!extract.is_none()) task.extraction = extractionFrom(extract);
   for (const py::handle& item : via) task.via.push_back(poseFrom(item, "via"));
   std::vector<PathNeighbour> parts;
-  for (const py::handle& item : neighbours) parts.push_back({neighbourFrom(item), {}});
-  PathOptions options;
-  options.clearance = clearance;
-  options.tolerance = tolerance;
-  options.bodyChordError = bodyChord;
-  options.release = release;
-  options.translationOnly = translationOnly;
-  options.largestTurn = maxAngle;
-  options.interpolation = parseInterpolation(interpolation);
-  options.budgetSeconds = budget;
-  options.seed = seed;
-  const PathReport report =
-      runWithoutLock(*context, [&] { return findPath(part, task, parts, options, *context); });
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
-  if (report.verdict != PathVerdict::Found) return py::make_tuple(found, py::none());
-  return py::make_tuple(found, trajectoryToArrays(report.path));
+  for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
+  const PathOptions options =
+      optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, bodyChord, budget, seed,
+                  parseInterpolation(interpolation));
+  const PathReport report = runWithoutLock(
+      *context, [&] { return findPath(part, task, parts, options, *context, watch); });
+  return answerOf(report);
+}
+
+py::tuple pyImprovePath(const py::object& vertices, const py::object& triangles,
+                        const py::object& motion, const py::iterable& neighbours,
+                        const std::string& interpolation, const std::vector<std::size_t>& locked,
+                        bool moreClearance, double clearance, double release, bool translationOnly,
+                        const std::optional<double>& maxAngle, double tolerance, double bodyChord,
+                        double budget, std::uint64_t seed, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh part = meshFromArrays(vertices, triangles);
+  const ImproveTask task{trajectoryFromObject(motion, interpolation), locked, moreClearance};
+  std::vector<PathNeighbour> parts;
+  for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
+  const PathOptions options = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance,
+                                          bodyChord, budget, seed, task.motion.interpolation);
+  return answerOf(
+      runWithoutLock(*context, [&] { return improvePath(part, task, parts, options, *context); }));
 }
 
 }  // namespace
 
 void bindPath(py::module_& module) {
+  py::class_<PathWatch, std::shared_ptr<PathWatch>>(module, "PathWatch", kPathWatchDoc)
+      .def(py::init<>())
+      .def("farthest", &pyFarthest,
+           "The placement that came farthest out so far, float64 (4, 4); None before the first.");
   module.def("find_path", &pyFindPath, kFindPathDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("goal"), py::arg("neighbours"), py::arg("start") = py::none(),
              py::arg("extract") = py::none(), py::arg("via") = py::tuple(),
@@ -91,7 +214,20 @@ void bindPath(py::module_& module) {
              py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("budget") = 60.0, py::arg("seed") = 1,
-             py::arg("run") = py::none());
+             py::arg("run") = py::none(), py::arg("watch") = nullptr);
+  module.def("improve_path", &pyImprovePath, kImproveDoc, py::arg("vertices"), py::arg("triangles"),
+             py::arg("motion"), py::arg("neighbours"), py::arg("interpolation") = "linear",
+             py::arg("locked") = py::tuple(), py::arg("more_clearance") = false,
+             py::arg("clearance") = 0.0, py::arg("release") = 0.0,
+             py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
+             py::arg("tolerance") = 0.01, py::arg("body_chord") = 0.0, py::arg("budget") = 60.0,
+             py::arg("seed") = 1, py::arg("run") = py::none());
+  py::class_<LiveClearance>(module, "LiveClearance", kLiveDoc)
+      .def(py::init(&makeLive), py::arg("vertices"), py::arg("triangles"), py::arg("neighbours"),
+           py::arg("run") = py::none())
+      .def("at", &pyLiveAt, kLiveAtDoc, py::arg("pose"))
+      .def("reached", &pyLiveReached, kLiveReachedDoc, py::arg("from_pose"), py::arg("to_pose"),
+           py::arg("apart"));
 }
 
 }  // namespace swept::python

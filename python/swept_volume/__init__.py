@@ -38,9 +38,9 @@ from ._calls import (
     distance_to_mesh,
     estimate,
     estimate_solid,
-    find_path,
     write_solid,
 )
+from ._paths import find_path, improve_path
 from ._sources import Sources
 from ._values import (
     Mesh,
@@ -80,6 +80,7 @@ __all__ = [
     "estimate",
     "estimate_solid",
     "find_path",
+    "improve_path",
     "read_body",
     "read_mesh",
     "read_motion",

@@ -17,7 +17,6 @@ from ._values import (
     Integers,
     Mesh,
     MeshLike,
-    Motion,
     MotionLike,
     Path,
     bad_option,
@@ -381,53 +380,6 @@ def clearance(
     )
     _log(report["warnings"])
     return report
-
-
-def find_path(
-    mesh: MeshLike,
-    goal: npt.ArrayLike,
-    neighbours: Iterable[Neighbour],
-    *,
-    start: Optional[npt.ArrayLike] = None,
-    extract: Union[float, Sequence[float], None] = None,
-    via: Iterable[npt.ArrayLike] = (),
-    clearance: float = 0.0,
-    release: float = 0.0,
-    translation_only: bool = False,
-    max_angle: Optional[float] = None,
-    interpolation: str = "linear",
-    tolerance: float = 0.01,
-    body_chord: Optional[float] = None,
-    budget: float = 60.0,
-    seed: int = 1,
-    run: Optional[RunContext] = None,
-) -> Tuple[Dict[str, Any], Optional[Motion]]:
-    """A motion that brings a part to its goal and keeps the clearance (mm) from every neighbour, between
-    its keys as well. goal, start, via: matrices (4, 4); extract, instead of a start: a radius in mm or
-    a direction (x, y, z). Contact is allowed until the part is `release` mm out. max_angle in rad,
-    budget in s. Returns the report (docs/paths.md) and the motion, None where none was found."""
-    body = mesh_of(mesh)
-    report, arrays = _core.find_path(
-        body.vertices,
-        body.triangles,
-        goal,
-        [_neighbour(item) for item in neighbours],
-        start,
-        extract,
-        list(via),
-        clearance,
-        release,
-        translation_only,
-        max_angle,
-        interpolation,
-        tolerance,
-        body.chord_error if body_chord is None else body_chord,
-        budget,
-        seed,
-        run,
-    )
-    _log(report["warnings"])
-    return report, None if arrays is None else motion_of(arrays, interpolation)
 
 
 def distance_to_mesh(

@@ -176,7 +176,44 @@ def find_path(
     budget: float = 60.0,
     seed: int = 1,
     run: Optional[RunContext] = None,
+    watch: Optional[PathWatch] = None,
 ) -> Tuple[Dict[str, Any], Any]: ...
+def improve_path(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    motion: Any,
+    neighbours: Any,
+    interpolation: str = "linear",
+    locked: Any = (),
+    more_clearance: bool = False,
+    clearance: float = 0.0,
+    release: float = 0.0,
+    translation_only: bool = False,
+    max_angle: Optional[float] = None,
+    tolerance: float = 0.01,
+    body_chord: float = 0.0,
+    budget: float = 60.0,
+    seed: int = 1,
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], Any]: ...
+
+class PathWatch:
+    def __init__(self) -> None: ...
+    def farthest(self) -> Optional[npt.NDArray[np.float64]]: ...
+
+class LiveClearance:
+    def __init__(
+        self,
+        vertices: npt.ArrayLike,
+        triangles: npt.ArrayLike,
+        neighbours: Any,
+        run: Optional[RunContext] = None,
+    ) -> None: ...
+    def at(self, pose: npt.ArrayLike) -> Tuple[int, float, bool, Any, Any]: ...
+    def reached(
+        self, from_pose: npt.ArrayLike, to_pose: npt.ArrayLike, apart: float
+    ) -> npt.NDArray[np.float64]: ...
+
 def distance_to_mesh(
     points: npt.ArrayLike,
     vertices: npt.ArrayLike,

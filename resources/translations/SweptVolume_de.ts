@@ -155,6 +155,22 @@
    <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
   </message>
   <message>
+   <source>Find path...</source>
+   <translation>Weg finden...</translation>
+  </message>
+  <message>
+   <source>Finds how the selected part gets to its place between the others, clear of them all the way. More selected parts are its neighbours; a selected motion gives start and goal</source>
+   <translation>Findet, wie das gewählte Teil zwischen den anderen an seinen Platz kommt, auf dem ganzen Weg frei von ihnen. Weitere gewählte Teile sind seine Nachbarn; eine gewählte Bewegung gibt Start und Ziel</translation>
+  </message>
+  <message>
+   <source>Improve path...</source>
+   <translation>Weg verbessern...</translation>
+  </message>
+  <message>
+   <source>Leads the selected motion round what it clashes with, makes it shorter with fewer keys, or gives it more clearance. The motion stays; the better one comes beside it</source>
+   <translation>Führt die gewählte Bewegung um das herum, womit sie kollidiert, macht sie kürzer mit weniger Schlüsseln oder gibt ihr mehr Abstand. Die Bewegung bleibt; die bessere kommt daneben</translation>
+  </message>
+  <message>
    <source>What made this?</source>
    <translation>Was hat das erzeugt?</translation>
   </message>
@@ -233,6 +249,14 @@
   <message>
    <source>Puts the keyboard into the tree: arrows choose, Ctrl with arrows and Space chooses more; from the tree it goes to the open panel</source>
    <translation>Setzt die Tastatur in den Baum: Pfeile wählen, Strg mit Pfeilen und Leertaste wählt weitere; vom Baum geht sie zum offenen Panel</translation>
+  </message>
+  <message>
+   <source>Improve path</source>
+   <translation>Weg verbessern</translation>
+  </message>
+  <message>
+   <source>Find path</source>
+   <translation>Weg finden</translation>
   </message>
   <message>
    <source>Edit envelope</source>
@@ -350,6 +374,26 @@
    <translation>Es gibt kein Nachbarteil, gegen das geprüft werden könnte.</translation>
   </message>
   <message>
+   <source>The part does not fit where it belongs: a neighbour is in the way.</source>
+   <translation>Das Teil passt nicht an seinen Platz: ein Nachbar ist im Weg.</translation>
+  </message>
+  <message>
+   <source>The part does not fit where it comes from.</source>
+   <translation>Das Teil passt nicht dorthin, woher es kommt.</translation>
+  </message>
+  <message>
+   <source>The part does not fit at a place that it has to pass.</source>
+   <translation>Das Teil passt nicht an eine Stelle, die es passieren muss.</translation>
+  </message>
+  <message>
+   <source>The part is where it belongs already.</source>
+   <translation>Das Teil ist schon an seinem Platz.</translation>
+  </message>
+  <message>
+   <source>It is not said where the part comes from.</source>
+   <translation>Es ist nicht gesagt, woher das Teil kommt.</translation>
+  </message>
+  <message>
    <source>The file could not be written: check folder and free space.</source>
    <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner und freien Platz.</translation>
   </message>
@@ -459,6 +503,18 @@
   <message>
    <source>The motion has no source whose settings can be changed.</source>
    <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
+  </message>
+  <message>
+   <source>Select the part whose way is to be found.</source>
+   <translation>Wählen Sie das Teil, dessen Weg gefunden werden soll.</translation>
+  </message>
+  <message>
+   <source>Select the part that moves together with the motion.</source>
+   <translation>Wählen Sie das Teil, das sich bewegt, zusammen mit der Bewegung.</translation>
+  </message>
+  <message>
+   <source>"{0}" has less than two keys: there is no way.</source>
+   <translation>"{0}" hat weniger als zwei Schlüssel: es gibt keinen Weg.</translation>
   </message>
   <message>
    <source>Select the object with the value, then the part that it moves.</source>
@@ -711,6 +767,14 @@ Versucht:
    <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, und aus {0} Dreiecken würden ebenso viele Flächen (Grenze {1}): die Hülle vereinfachen oder als STL, PLY oder OBJ exportieren.</translation>
   </message>
   <message>
+   <source>{0}, improved</source>
+   <translation>{0}, verbessert</translation>
+  </message>
+  <message>
+   <source>"{0}" only stands at its poses: choose what it does between them first.</source>
+   <translation>"{0}" steht nur an ihren Posen: wählen Sie zuerst, was sie dazwischen tut.</translation>
+  </message>
+  <message>
    <source>{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo the deletion.</source>
    <translation>{0} wurde gelöscht, und {1} ist ohne das nicht vollständig: wählen Sie neu, was verwendet werden soll ({2}), oder machen Sie das Löschen rückgängig.</translation>
   </message>
@@ -747,6 +811,14 @@ Versucht:
    <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
   </message>
   <message>
+   <source>Path of {0}</source>
+   <translation>Weg von {0}</translation>
+  </message>
+  <message>
+   <source>give a start, or how far the part is to get out.</source>
+   <translation>geben Sie einen Start an, oder wie weit das Teil hinaus soll.</translation>
+  </message>
+  <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
@@ -779,6 +851,10 @@ Versucht:
    <translation>Bewegung aus Datei</translation>
   </message>
   <message>
+   <source>select the part that moves in the tree or in the 3D view.</source>
+   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
+  </message>
+  <message>
    <source>{0}: "{1}" is not understood here; it counts as {2}.</source>
    <translation>{0}: „{1}“ wird hier nicht verstanden; es zählt als {2}.</translation>
   </message>
@@ -793,10 +869,6 @@ Versucht:
   <message>
    <source>there is no change of the keys to undo or redo.</source>
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
-  </message>
-  <message>
-   <source>select the part that moves in the tree or in the 3D view.</source>
-   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
   </message>
   <message>
    <source>no part: close the panel, select the moving part and open it again.</source>
@@ -815,8 +887,72 @@ Versucht:
    <translation>Bewegung bearbeiten</translation>
   </message>
   <message>
+   <source>"{0}": a clearance of {1} is not possible.</source>
+   <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
+  </message>
+  <message>
+   <source>The part came {0} away from where it belongs; it is shown there.</source>
+   <translation>Das Teil kam {0} von seinem Platz weg; dort wird es gezeigt.</translation>
+  </message>
+  <message>
+   <source>Most often in the way: {0}.</source>
+   <translation>Am häufigsten im Weg: {0}.</translation>
+  </message>
+  <message>
+   <source>A path was found with a clearance of {0}: ask for less.</source>
+   <translation>Mit einem Abstand von {0} wurde ein Weg gefunden: verlangen Sie weniger.</translation>
+  </message>
+  <message>
+   <source>{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}.</source>
+   <translation>{0} Schlüssel statt {1}, {2} statt {3}, Abstand {4} statt {5}.</translation>
+  </message>
+  <message>
+   <source>There is no path on which the part never turns: proven.</source>
+   <translation>Es gibt keinen Weg, auf dem sich das Teil nie dreht: bewiesen.</translation>
+  </message>
+  <message>
+   <source>Nothing of the motion keeps the clearance: ask for less, or find a path.</source>
+   <translation>Nichts von der Bewegung hält den Abstand: verlangen Sie weniger, oder suchen Sie einen Weg.</translation>
+  </message>
+  <message>
+   <source>Moves that stay nearer than asked for, as no other way was found there: {0}.</source>
+   <translation>Züge, die näher bleiben als verlangt, da dort kein anderer Weg gefunden wurde: {0}.</translation>
+  </message>
+  <message>
+   <source>Moves at the ends that are nearer, as allowed, and stay as they were: {0}.</source>
+   <translation>Züge an den Enden, die näher sind, wie erlaubt, und bleiben, wie sie waren: {0}.</translation>
+  </message>
+  <message>
+   <source>Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}.</source>
+   <translation>Gefunden: {0} Schlüssel, {1}, Drehungen von {2} Grad, Abstand mindestens {3}.</translation>
+  </message>
+  <message>
+   <source>Nearer than that, as allowed, within {0} of the ends: {1}.</source>
+   <translation>Näher als das, wie erlaubt, bis {0} von den Enden: {1}.</translation>
+  </message>
+  <message>
+   <source>No path was found in this time.</source>
+   <translation>In dieser Zeit wurde kein Weg gefunden.</translation>
+  </message>
+  <message>
+   <source>No path was found.</source>
+   <translation>Es wurde kein Weg gefunden.</translation>
+  </message>
+  <message>
+   <source>A path was found without any clearance: ask for less.</source>
+   <translation>Ganz ohne Abstand wurde ein Weg gefunden: verlangen Sie weniger.</translation>
+  </message>
+  <message>
    <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
    <translation>wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
+  </message>
+  <message>
+   <source>select a face or an edge in the 3D view first: it gives the direction.</source>
+   <translation>wählen Sie zuerst eine Fläche oder Kante in der 3D-Ansicht: sie gibt die Richtung.</translation>
+  </message>
+  <message>
+   <source>"{0}": {1} numbers are needed here, with blanks between.</source>
+   <translation>"{0}": hier braucht es {1} Zahlen mit Leerzeichen dazwischen.</translation>
   </message>
   <message>
    <source>There is no envelope in the document: make one with Create envelope.</source>
@@ -1304,6 +1440,78 @@ Versucht:
    <translation>Eine Lage ist</translation>
   </message>
   <message>
+   <source>&amp;Find path</source>
+   <translation>Weg &amp;finden</translation>
+  </message>
+  <message>
+   <source>Find path</source>
+   <translation>Weg finden</translation>
+  </message>
+  <message>
+   <source>Way of the part</source>
+   <translation>Weg des Teils</translation>
+  </message>
+  <message>
+   <source>&amp;Pick</source>
+   <translation>Wählen</translation>
+  </message>
+  <message>
+   <source>Takes the part that is selected in the tree or in the view</source>
+   <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>It belongs</source>
+   <translation>Es gehört</translation>
+  </message>
+  <message>
+   <source>It comes from</source>
+   <translation>Es kommt</translation>
+  </message>
+  <message>
+   <source>The part never turns</source>
+   <translation>Das Teil dreht sich nie</translation>
+  </message>
+  <message>
+   <source>From how the part stands where it belongs; 180: as it likes</source>
+   <translation>Gegenüber seiner Stellung an seinem Platz; 180: beliebig</translation>
+  </message>
+  <message>
+   <source>Largest turn</source>
+   <translation>Größte Drehung</translation>
+  </message>
+  <message>
+   <source>&amp;Improve path</source>
+   <translation>Weg ver&amp;bessern</translation>
+  </message>
+  <message>
+   <source>Improve path</source>
+   <translation>Weg verbessern</translation>
+  </message>
+  <message>
+   <source>Key {0}, {1:g} s</source>
+   <translation>Schlüssel {0}, {1:g} s</translation>
+  </message>
+  <message>
+   <source>Ticked keys stay where and when they are</source>
+   <translation>Angehakte Schlüssel bleiben, wo und wann sie sind</translation>
+  </message>
+  <message>
+   <source>Locked</source>
+   <translation>Gesperrt</translation>
+  </message>
+  <message>
+   <source>The path may be longer then; without this it is as short as the clearance lets it</source>
+   <translation>Der Weg kann dann länger sein; sonst ist er so kurz, wie der Abstand es zulässt</translation>
+  </message>
+  <message>
+   <source>As much clearance as can be had</source>
+   <translation>So viel Abstand wie möglich</translation>
+  </message>
+  <message>
    <source>The last change of the keys</source>
    <translation>Die letzte Änderung der Schlüssel</translation>
   </message>
@@ -1322,18 +1530,6 @@ Versucht:
   <message>
    <source>Key placements</source>
    <translation>Stützstellen</translation>
-  </message>
-  <message>
-   <source>&amp;Pick</source>
-   <translation>Wählen</translation>
-  </message>
-  <message>
-   <source>Takes the part that is selected in the tree or in the view</source>
-   <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
-  </message>
-  <message>
-   <source>Part</source>
-   <translation>Teil</translation>
   </message>
   <message>
    <source>&amp;Capture</source>
@@ -1412,6 +1608,30 @@ Versucht:
    <translation>Quelle</translation>
   </message>
   <message>
+   <source>{0} to {1}</source>
+   <translation>{0} bis {1}</translation>
+  </message>
+  <message>
+   <source>Show the clearance while dragging</source>
+   <translation>Abstand beim Ziehen zeigen</translation>
+  </message>
+  <message>
+   <source>The key goes no farther than the part comes without touching a neighbour; neighbours are all visible parts</source>
+   <translation>Der Schlüssel geht nur so weit, wie das Teil kommt, ohne einen Nachbarn zu berühren; Nachbarn sind alle sichtbaren Teile</translation>
+  </message>
+  <message>
+   <source>Clash with {1}</source>
+   <translation>Kollision mit {1}</translation>
+  </message>
+  <message>
+   <source>Stop at contact</source>
+   <translation>Bei Kontakt anhalten</translation>
+  </message>
+  <message>
+   <source>Contact with {1} ({0})</source>
+   <translation>Kontakt mit {1} ({0})</translation>
+  </message>
+  <message>
    <source>What made this?</source>
    <translation>Was hat das erzeugt?</translation>
   </message>
@@ -1484,16 +1704,20 @@ Versucht:
    <translation>Raster</translation>
   </message>
   <message>
-   <source>Adds the solids and meshes selected in the tree</source>
-   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
+   <source>Neighbours</source>
+   <translation>Nachbarn</translation>
   </message>
   <message>
-   <source>Take selected</source>
-   <translation>Auswahl nehmen</translation>
+   <source>What this one asks for; empty: the common clearance below</source>
+   <translation>Was dieser verlangt; leer: der gemeinsame Abstand unten</translation>
   </message>
   <message>
    <source>&amp;Add selected</source>
    <translation>Auswahl hin&amp;zufügen</translation>
+  </message>
+  <message>
+   <source>Adds the solids and meshes selected in the tree</source>
+   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
   </message>
   <message>
    <source>&amp;Remove</source>
@@ -1502,6 +1726,18 @@ Versucht:
   <message>
    <source>Takes the marked parts out of the list</source>
    <translation>Nimmt die markierten Teile aus der Liste</translation>
+  </message>
+  <message>
+   <source>All &amp;visible</source>
+   <translation>Alle si&amp;chtbaren</translation>
+  </message>
+  <message>
+   <source>All other parts that are visible now</source>
+   <translation>Alle anderen Teile, die jetzt sichtbar sind</translation>
+  </message>
+  <message>
+   <source>Take selected</source>
+   <translation>Auswahl nehmen</translation>
   </message>
   <message>
    <source>Seen from a moving part</source>
@@ -1526,6 +1762,26 @@ Versucht:
   <message>
    <source>Its motion</source>
    <translation>Seine Bewegung</translation>
+  </message>
+  <message>
+   <source>Paths</source>
+   <translation>Wege</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <translation>Schlüssel</translation>
+  </message>
+  <message>
+   <source>length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <source>turns</source>
+   <translation>Drehung</translation>
+  </message>
+  <message>
+   <source>clearance</source>
+   <translation>Abstand</translation>
   </message>
   <message>
    <source>The point that goes straight between two keys, and about which a key is turned; x, y, z of the keys are its own.</source>
@@ -1554,6 +1810,34 @@ Versucht:
   <message>
    <source>In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm</source>
    <translation>In den Koordinaten des Teils: {0:.6g}, {1:.6g}, {2:.6g} mm</translation>
+  </message>
+  <message>
+   <source>Where it stands now</source>
+   <translation>Dorthin, wo es jetzt steht</translation>
+  </message>
+  <message>
+   <source>A placement</source>
+   <translation>Eine Platzierung</translation>
+  </message>
+  <message>
+   <source>Just out: by a distance</source>
+   <translation>Nur hinaus: um eine Strecke</translation>
+  </message>
+  <message>
+   <source>Just out: in a direction</source>
+   <translation>Nur hinaus: in eine Richtung</translation>
+  </message>
+  <message>
+   <source>Take</source>
+   <translation>Nehmen</translation>
+  </message>
+  <message>
+   <source>x, y, z of the direction in which the part leaves. Take: normal of the selected face, or direction of the selected edge</source>
+   <translation>x, y, z der Richtung, in der das Teil hinausgeht. Nehmen: Normale der gewählten Fläche oder Richtung der gewählten Kante</translation>
+  </message>
+  <message>
+   <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the selected object stands, or else the part itself</source>
+   <translation>x, y, z ({0}), Gier-, Nick-, Rollwinkel (Grad) des Teils im Dokument. Nehmen: wo das gewählte Objekt steht, sonst das Teil selbst</translation>
   </message>
   <message>
    <source>Play</source>
@@ -1622,6 +1906,30 @@ Versucht:
   <message>
    <source>Warnings: {0}</source>
    <translation>Warnungen: {0}</translation>
+  </message>
+  <message>
+   <source>Rules</source>
+   <translation>Regeln</translation>
+  </message>
+  <message>
+   <source>Parts that touch, or are nearer than the clearance, where the way begins or ends may do so until no point of the part is farther than this from there</source>
+   <translation>Teile, die sich am Anfang oder Ende des Wegs berühren oder näher sind als der Abstand, dürfen das, bis ein Punkt des Teils weiter als dies von dort weg ist</translation>
+  </message>
+  <message>
+   <source>Contact allowed for</source>
+   <translation>Kontakt erlaubt bis</translation>
+  </message>
+  <message>
+   <source>Another number may find another path</source>
+   <translation>Eine andere Zahl findet vielleicht einen anderen Weg</translation>
+  </message>
+  <message>
+   <source>Time at most</source>
+   <translation>Höchstens</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>Startzahl</translation>
   </message>
   <message>
    <source>{0} triangles: at most {1} faces,
@@ -1876,6 +2184,22 @@ etwa {2}, {3}</translation>
   <message>
    <source>export</source>
    <translation>Schreiben</translation>
+  </message>
+  <message>
+   <source>straight moves</source>
+   <translation>gerade Züge</translation>
+  </message>
+  <message>
+   <source>moves without turns</source>
+   <translation>Züge ohne Drehung</translation>
+  </message>
+  <message>
+   <source>moves with turns</source>
+   <translation>Züge mit Drehung</translation>
+  </message>
+  <message>
+   <source>polish</source>
+   <translation>glätten</translation>
   </message>
   <message>
    <source>done</source>

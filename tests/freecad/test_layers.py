@@ -13,6 +13,7 @@ ORDER = [
     ["texts", "settings", "safe_file", "quantities"],
     ["core_texts"],
     ["core", "body"],
+    ["core_paths"],
     ["convert", "joined"],
     ["contents"],
     ["trajectory"],

@@ -131,3 +131,90 @@ def test_no_way_out_ends_with_status_3(call, tmp_path):  # noqa: F811
     )  # fmt: skip
     assert done.returncode == 3 and "no path without turning exists" in done.stdout, done.stderr
     assert not (tmp_path / "path.csv").exists()
+
+
+def test_a_motion_is_made_shorter_and_keeps_its_locked_keys():
+    way = np.array(
+        [shift(0, 0, 60), shift(15, 0, 40), shift(3, 0.6, 20), shift(-9, 0, 9), shift(0, 0, 0)]
+    )
+    motion = sv.Motion.from_matrices(way, np.arange(5.0))
+    report, better = sv.improve_path(PART, motion, WALLS, clearance=0.3)
+    assert report["before"]["keys"] == 5 and report["kept_moves"] == 0
+    assert len(better.times) == 2 and report["length"] == pytest.approx(60)
+    assert (better.times[0], better.times[-1]) == (0, 4)
+    report, better = sv.improve_path(PART, motion, WALLS, clearance=0.3, locked=[2])
+    assert better.translations.tolist() == [[0, 0, 60], [3, 0.6, 20], [0, 0, 0]]
+    assert better.times.tolist() == [0, 2, 4]
+    checked = sv.clearance(PART, better, WALLS, required=0.3)
+    assert {row["verdict"] for row in checked["neighbours"]} == {"clear"}
+
+
+def test_a_clash_is_led_round_and_clearance_raised():
+    post = WALLS + [("post", block([-3, -1.2, 20], [3, 1.2, 26]))]
+    motion = sv.Motion.from_matrices(np.array([shift(0, 0, 60), shift(0, 0, 0)]), [0, 1])
+    report, better = sv.improve_path(PART, motion, post, clearance=0.3)
+    assert report["before"]["clearance"] == 0 and report["unmended_moves"] == 0
+    checked = sv.clearance(PART, better, post, required=0.3)
+    assert {row["verdict"] for row in checked["neighbours"]} == {"clear"}
+    more, wider = sv.improve_path(PART, better, post, clearance=0.3, more_clearance=True, budget=5)
+    assert more["clearance"] > 0.7 > report["clearance"] - 0.4
+    checked = sv.clearance(PART, wider, post, required=more["clearance"])
+    assert {row["verdict"] for row in checked["neighbours"]} == {"clear"}
+
+
+def test_what_cannot_be_mended_is_said_and_stays():
+    lid = WALLS + [
+        ("lid", block([-20, -4, 30], [20, 4, 33])),
+        ("end", block([-20, -4, -5], [-18, 4, 33])),
+    ]
+    lid.append(("other end", block([18, -4, -5], [20, 4, 33])))
+    lid += [("upper left", block([-20, 2, 19], [20, 4, 33]))]
+    lid += [("upper right", block([-20, -4, 19], [20, -2, 33]))]
+    motion = sv.Motion.from_matrices(np.array([shift(0, 0, 60), shift(0, 0, 0)]), [0, 1])
+    report, same = sv.improve_path(PART, motion, lid, clearance=0.3, budget=1)
+    assert report["unmended_moves"] == report["kept_moves"] == 1
+    assert report["clearance"] >= 0.3 and np.ptp(same.translations[:, :2]) == pytest.approx(
+        0, abs=1e-9
+    )
+    with pytest.raises(sv.InvalidInput) as refused:
+        sv.improve_path(PART, motion, WALLS, locked=[2])
+    assert refused.value.code == "BadOption"
+
+
+def test_live_distances_agree_with_the_check():
+    walls = [(name, mesh.vertices, mesh.triangles) for name, mesh in WALLS]
+    live = _swept.LiveClearance(PART.vertices, PART.triangles, walls)
+    assert live.at(shift(0, 0.4, 0))[:3] == (0, pytest.approx(0.6), False)
+    assert live.at(shift(0, 0, -3.5))[:2] == (2, pytest.approx(0.5))
+    assert live.at(shift(0, 1.5, 0))[1] == 0
+    small = block([-0.1, -0.1, -0.1], [0.1, 0.1, 0.1])
+    inner = _swept.LiveClearance(small.vertices, small.triangles, walls)
+    assert inner.at(shift(0, 3, 0))[:3] == (0, 0, True)
+    stopped = live.reached(shift(0, 0, 0), shift(0, 0, -30), 0.25)
+    assert stopped[2, 3] == pytest.approx(-3.75, abs=0.01) and stopped[2, 3] >= -3.75
+    assert live.reached(shift(0, 0.9, 0), shift(0, 0, 0), 0.25).tolist() == shift(0, 0, 0).tolist()
+    for _ in range(2):
+        rng = np.random.default_rng(3)
+        for y, z in rng.uniform(-0.9, 0.9, (20, 2)):
+            at = shift(0, y, z)
+            report = _swept.clearance(PART.vertices, PART.triangles, np.array([at]), walls, "none")
+            nearest = min(row["distance"] for row in report["neighbours"])
+            assert live.at(at)[1] == pytest.approx(nearest, abs=1e-9)
+
+
+def test_neighbours_ask_for_clearances_of_their_own_and_a_watch_sees_the_way():
+    rows = [
+        (name, mesh.vertices, mesh.triangles, 0.0, own)
+        for (name, mesh), own in zip(WALLS, (0.9, None, 3.9))
+    ]
+    watch = _swept.PathWatch()
+    options = dict(start=shift(0, 0, 60), clearance=0.5)
+    report, _ = _swept.find_path(
+        PART.vertices, PART.triangles, shift(0, 0, 0), rows, watch=watch, **options
+    )
+    assert (
+        report["verdict"] == "found" and watch.farthest() is None
+    )  # a straight way is not searched
+    rows[2] = rows[2][:4] + (4.1,)
+    with pytest.raises(sv.InvalidInput, match="floor"):
+        _swept.find_path(PART.vertices, PART.triangles, shift(0, 0, 0), rows, **options)

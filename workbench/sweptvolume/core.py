@@ -177,7 +177,7 @@ class Outcome:
 
 
 @contextlib.contextmanager
-def _errors():
+def errors():
     """The module's exceptions as CoreError, the only kind the workbench knows."""
     try:
         yield
@@ -238,7 +238,7 @@ def _with_sources(outcome, found, parts):
 
 def compute(request, control):
     """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
-    with _errors():
+    with errors():
         faces = request.faces if request.options.get("sources") else None
         found = module().compute(
             *_arguments(request), run=control.context, faces=faces, **request.options
@@ -249,7 +249,7 @@ def compute(request, control):
 def recut(result, tolerance, control):
     """The `result` of an Outcome at another tolerance, not sampled again: Outcome."""
     surface, parts = result
-    with _errors():
+    with errors():
         found = surface.recut(tolerance, run=control.context)
     again = _with_sources(_outcome(found), found, parts)
     again.result = found, parts
@@ -291,7 +291,7 @@ class Sessions:
 
     def compute(self, request, control):
         """As the module's compute(), but the surface is only good to be looked at."""
-        with self._lock, _errors():
+        with self._lock, errors():
             session = self._session(request)
             _, _, motion, interpolation = _arguments(request)
             sketch = not request.options.get("conservative")
@@ -300,7 +300,7 @@ class Sessions:
 
     def lighten(self, request, control):
         """In a quiet moment: runs of a heavy body take a lighter one from now on."""
-        with self._lock, _errors():
+        with self._lock, errors():
             if len(request.triangles) <= HEAVY or self._light_of(request):
                 return
             body = _lightened(request.vertices, request.triangles, control)
@@ -332,7 +332,7 @@ def estimate(request, control=None):
     control: then a few steps of the motion are sampled; up to a second or so. Else from boxes only.
     """
     how = {} if control is None else {"trial": True, "run": control.context}
-    with _errors():
+    with errors():
         return module().estimate(*_arguments(request), **how, **request.options)
 
 
@@ -354,14 +354,14 @@ def mesh_file(vertices, triangles):
 
 def read_motion(path, unit):
     """Motion file -> times (s), translations (mm), quaternions (x, y, z, w). Raises CoreError."""
-    with _errors():
+    with errors():
         times, rotations, translations = module().read_trajectory_csv(path, unit)
     return times, translations, rotations
 
 
 def write_mesh(vertices, triangles, path):
     """PLY, STL, OBJ or OFF by suffix. Raises CoreError."""
-    with _errors():
+    with errors():
         module().write_mesh(path, vertices, triangles)
 
 
@@ -372,7 +372,7 @@ def has_solids():
 
 def estimate_solid(vertices, triangles, control, **options):
     """What write_solid() with the same options would give: triangles, faces, megabytes, seconds."""
-    with _errors():
+    with errors():
         return module().estimate_solid(vertices, triangles, run=control.context, **options)
 
 
@@ -381,7 +381,7 @@ def write_solid(vertices, triangles, path, control, **options):
 
     Returns the report (dict); raises CoreError.
     """
-    with _errors():
+    with errors():
         return module().write_solid(path, vertices, triangles, run=control.context, **options)
 
 
@@ -391,7 +391,7 @@ def clearance(request, neighbours, options, control):
     `request.options` are not used; raises CoreError.
     """
     vertices, triangles, motion, interpolation = _arguments(request)
-    with _errors():
+    with errors():
         return module().clearance(
             vertices, triangles, motion, neighbours, interpolation, run=control.context, **options
         )
@@ -399,5 +399,5 @@ def clearance(request, neighbours, options, control):
 
 def distance_to_mesh(points, vertices, triangles, control):
     """Distance (mm) of each point to a mesh, negative inside. Raises CoreError."""
-    with _errors():
+    with errors():
         return module().distance_to_mesh(points, vertices, triangles, run=control.context)

@@ -43,6 +43,13 @@ _TEXTS = {
     "OutOfMemory": mark("Core", "The memory was not enough: take a larger cell."),
     "Cancelled": mark("Core", "Cancelled."),
     "NoNeighbours": mark("Core", "There is no neighbour to be checked against."),
+    "GoalBlocked": mark(
+        "Core", "The part does not fit where it belongs: a neighbour is in the way."
+    ),
+    "StartBlocked": mark("Core", "The part does not fit where it comes from."),
+    "ViaBlocked": mark("Core", "The part does not fit at a place that it has to pass."),
+    "SamePose": mark("Core", "The part is where it belongs already."),
+    "NoStart": mark("Core", "It is not said where the part comes from."),
     "WriteFailed": mark("Core", "The file could not be written: check folder and free space."),
     "KernelFailure": mark(
         "Core", "The kernel for solids failed: give a tolerance, or a mesh file."

@@ -67,6 +67,14 @@ struct PathEscape {
   std::vector<std::string> blockers;  ///< neighbours that stopped most moves, the worst first
 };
 
+/// A path in numbers.
+struct PathFigures {
+  std::int64_t keys = 0;
+  double length = 0;     ///< mm that the part's middle travels
+  double turn = 0;       ///< rad, sum over the path
+  double clearance = 0;  ///< mm, smallest guaranteed one outside the release zones
+};
+
 struct PathReport {
   Status status = Status::Ok;
   std::string code;
@@ -97,6 +105,9 @@ struct PathReport {
   std::vector<NeighbourClearance> certificate;  ///< of the path outside the release zones
   std::vector<StageSeconds> seconds;            ///< "total" is the last entry
   std::vector<Finding> warnings;
+  std::optional<PathFigures> before;  ///< of the motion that was improved
+  std::int64_t keptMoves = 0;  ///< improving: moves that stay as they were, nearer than asked for
+  std::int64_t unmendedMoves = 0;  ///< of them: outside the release zones
 };
 
 /// What somebody who watches a search may see: the placement that came farthest out so far.
@@ -122,6 +133,23 @@ class PathWatch {
 PathReport findPath(const TriMesh& part, const PathTask& task,
                     const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
                     RunContext& run, PathWatch* watch = nullptr);
+
+/// How a motion is improved.
+struct ImproveTask {
+  Trajectory motion;                ///< linear or screw, at least two poses
+  std::vector<std::size_t> locked;  ///< keys that stay where and when they are; both ends always do
+  bool moreClearance = false;       ///< as much clearance as can be had, not only what is asked for
+};
+
+/// A motion made better: what is nearer to a neighbour than the clearance is led another way, what
+/// is not is made shorter with fewer keys. What cannot be mended stays exactly as it is, and so
+/// does what is nearer within `release` of the ends (keptMoves); all else is certified as in
+/// findPath(). The verdict is NotFound if nothing keeps the clearance. Options as for findPath(),
+/// the interpolation is that of the motion. Never throws except std::bad_alloc; codes besides those
+/// of findPath(): BadPose.
+PathReport improvePath(const TriMesh& part, const ImproveTask& task,
+                       const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+                       RunContext& run);
 
 /// The report as JSON text (UTF-8); keys as in docs/paths.md.
 std::string toJson(const PathReport& report);

@@ -78,6 +78,24 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
 
 }  // namespace
 
+Demand demandOf(const std::vector<PathNeighbour>& neighbours, const PathOptions& options) {
+  Demand demand;
+  for (const PathNeighbour& n : neighbours) {
+    const double required = n.clearance.value_or(options.clearance);
+    demand.required.push_back(required);
+    demand.chordError.push_back(n.part.chordError);
+    demand.names.push_back(n.part.name);
+    // A hair more than what counts as clear, so that rounding does not decide.
+    demand.apart.push_back(std::max(required, options.tolerance) + options.bodyChordError +
+                           n.part.chordError + 1e-7);
+  }
+  demand.bodyChordError = options.bodyChordError;
+  demand.tolerance = options.tolerance;
+  demand.release = options.release;
+  demand.turns = !options.translationOnly;
+  return demand;
+}
+
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
                                   const clearance::MotionTree& motion, double required,
                                   RunContext& run) {

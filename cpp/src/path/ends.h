@@ -25,6 +25,9 @@ struct Demand {
   bool turns = true;
 };
 
+/// What neighbours and options ask for together.
+Demand demandOf(const std::vector<PathNeighbour>& neighbours, const PathOptions& options);
+
 struct End {
   State state;
   /// mm that the part may lie inside a neighbour while it is released from this end; negative: the

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "base/number_text.h"
-#include "clearance/guarded_report.h"
 #include "clearance/pair_check.h"
+#include "path/guarded_path.h"
 #include "path/ladder.h"
 #include "path/outside.h"
 #include "path/task_check.h"
@@ -29,21 +29,8 @@ class PathFinder {
         run_(run),
         report_(report),
         scene_(part, neighbours, options, run),
-        limits_{timer_, options.budgetSeconds, options.seed, watch} {
-    for (const PathNeighbour& n : neighbours) {
-      const double required = n.clearance.value_or(o_.clearance);
-      demand_.required.push_back(required);
-      demand_.chordError.push_back(n.part.chordError);
-      demand_.names.push_back(n.part.name);
-      // A hair more than what counts as clear, so that rounding does not decide.
-      demand_.apart.push_back(std::max(required, o_.tolerance) + o_.bodyChordError +
-                              n.part.chordError + 1e-7);
-    }
-    demand_.bodyChordError = o_.bodyChordError;
-    demand_.tolerance = o_.tolerance;
-    demand_.release = o_.release;
-    demand_.turns = !o_.translationOnly;
-  }
+        limits_{timer_, options.budgetSeconds, options.seed, watch},
+        demand_(demandOf(neighbours, options)) {}
 
   void findIt() {
     prepare();
@@ -353,29 +340,12 @@ const char* pathVerdictName(PathVerdict verdict) {
 PathReport findPath(const TriMesh& part, const PathTask& task,
                     const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
                     RunContext& run, PathWatch* watch) {
-  PathReport report;
-  report.required = options.clearance;
-  report.tolerance = options.tolerance;
-  report.release = options.release;
-  report.seed = options.seed;
-  report.interpolation = interpolationName(options.interpolation);
-  report.bodyTriangles = std::ssize(part.triangles);
-  for (const PathNeighbour& n : neighbours)
-    report.neighbourTriangles += std::ssize(n.part.mesh.triangles);
-  const auto takeBack = [](PathReport& taken) {
-    const int threads = taken.threads;
-    taken = {};
-    taken.threads = threads;
-  };
-  clearance::fillGuarded(report, run, "search", "the parts", takeBack, [&] {
-    run.checkpoint(Phase::Input);
+  return guardedPath(part, neighbours, options, run, [&](PathReport& report) {
     checkPathOptions(task, neighbours, options);
     PathFinder finder(part, task, neighbours, options, run, watch, report);
     finder.findIt();
-    report.seconds.push_back({"total", finder.seconds()});
-    run.checkpoint(Phase::Done);
+    return finder.seconds();
   });
-  return report;
 }
 
 }  // namespace swept

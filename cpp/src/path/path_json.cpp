@@ -38,6 +38,14 @@ std::string toJson(const PathReport& report) {
     if (report.possibleClearance >= 0) json["possible_clearance"] = report.possibleClearance;
     json["budget_ended"] = report.budgetEnded;
   }
+  if (report.before) {
+    json["kept_moves"] = report.keptMoves;
+    json["unmended_moves"] = report.unmendedMoves;
+    json["before"] = {{"keys", report.before->keys},
+                      {"length", report.before->length},
+                      {"turn_degrees", report.before->turn * 180 / std::numbers::pi},
+                      {"clearance", report.before->clearance}};
+  }
   json["steps"] = report.steps;
   json["body_triangles"] = report.bodyTriangles;
   json["neighbour_triangles"] = report.neighbourTriangles;

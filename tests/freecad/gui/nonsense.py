@@ -121,6 +121,8 @@ def scenario():
         clearance_panel,
         envelope_panel,
         file_panel,
+        find_path_panel,
+        improve_panel,
         motion_panel,
         solid_panel,
         source_panel,
@@ -161,6 +163,10 @@ def scenario():
         panel.tangent.kind.setCurrentIndex(3)
         return panel
 
+    def start_at(panel):
+        panel.start_at.show_placement(App.Placement(V(0, -20, 0), App.Rotation()))
+        return panel
+
     panel = keys()
     yield 0.4
     yield from table_storm(panel)
@@ -178,6 +184,16 @@ def scenario():
         ("wire", lambda: source_panel.show(doc, "Curve", [wire]), ok),
         ("value", lambda: source_panel.show(doc, "Driven", [wall, box]), ok),
         ("motion", keys, ok),
+        (
+            "path",
+            lambda: start_at(find_path_panel.show(doc, pairs=[(box, "")])),
+            lambda p: p.start(),
+        ),
+        (
+            "improve",
+            lambda: improve_panel.show(doc, motion=path, pairs=[(box, "")]),
+            lambda p: p.start(),
+        ),
     ]
     for name, reopen, confirm in jobs:
         yield from storm(name, reopen, confirm)

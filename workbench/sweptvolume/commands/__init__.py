@@ -11,7 +11,9 @@ _MODULES = [
     "motion_from_selection",
     "motion_from_source",
     "motion_driven",
+    "find_path",
     "edit_motion",
+    "improve_path",
     "edit_source",
     "reload_motion",
     "",
@@ -77,9 +79,10 @@ def fill_context_menu(workbench, recipient):
     if recipient == "Tree" and selection.ours():
         return  # its view provider fills the menu there, whichever workbench is active
     if selection.motion():
-        names += ["SweptVolume_EditMotion", "SweptVolume_ReloadMotion"]
+        names += ["SweptVolume_EditMotion", "SweptVolume_ImprovePath"]
+        names += ["SweptVolume_FindPath", "SweptVolume_ReloadMotion"]
     elif selection.parts():
-        names.append("SweptVolume_NewMotion")
+        names += ["SweptVolume_NewMotion", "SweptVolume_FindPath"]
     if selection.motion() or selection.parts():
         names += ["SweptVolume_Envelope", "SweptVolume_Clearance"]
     if selection.envelope():

@@ -268,10 +268,10 @@ class Plan:
         deflection = max(float(self.values["Deflection"]), 1e-4)
         straight = 0.5 * float(self.values["Tolerance"])
         body = moving.body_request(deflection, straight, {})
-        chord = deflection if _has_shape(self.pairs) else 0.0
+        chord = chord_of(self.pairs, deflection)
         if moving.curved():
             chord += straight
-        neighbours, notes = self._neighbours(deflection)
+        neighbours, notes = self.still_parts(deflection)
         off, text = moving.hidden()
         if off > float(self.values["Tolerance"]):
             notes.append(text)
@@ -295,7 +295,8 @@ class Plan:
             notes,
         )
 
-    def _neighbours(self, deflection):
+    def still_parts(self, deflection):
+        """(neighbours as plain values, notes on what was left out). Raises InputProblem."""
         neighbours, notes = [], self.left_out()
         for pair in self.leaves():
             name = convert.label_of(*pair)
@@ -306,17 +307,18 @@ class Plan:
                     raise
                 notes.append(_left_out(problem))
                 continue
-            chord = deflection if _has_shape([pair]) else 0.0
-            neighbours.append(Neighbour(name, part, chord))
+            neighbours.append(Neighbour(name, part, chord_of([pair], deflection)))
         return neighbours, notes
 
 
-def _has_shape(pairs):
-    return any(
+def chord_of(pairs, deflection):
+    """How far (mm) the triangles of parts may leave them: meshes are what they are."""
+    shapes = any(
         not linked.isDerivedFrom("Mesh::Feature")
         for root, sub in pairs
         for linked, _ in convert.leaves(root, sub)
     )
+    return deflection if shapes else 0.0
 
 
 def envelope_arrays(envelope):

@@ -2,6 +2,7 @@
 """Parts that move rigidly together, their motion, and what they are seen from: document objects ->
 plain arrays for the core. Reads documents only in the thread of the GUI.
 """
+import FreeCAD as App
 import numpy as np
 
 from .. import contents, convert, core
@@ -31,11 +32,20 @@ def _in_world(motion, standing):
 SINGLE_STEP = 0.25
 
 
-class _Seen:
-    """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to there."""
+def middle_of(pairs, placement):
+    """Middle of the parts' boxes in the coordinates that a placement of theirs places (Vector, mm)."""
+    inside = transform(matrix_of(placement.inverse()), convert.box_corners(pairs))
+    middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
+    return App.Vector(*map(float, middle))
 
-    def __init__(self, body, matrix, motion):
-        self.body, self.matrix, self.motion = body, matrix, motion.Name
+
+class Seen:
+    """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to there; motion: the
+    object that moves it, for its sources."""
+
+    def __init__(self, body, matrix, motion=None):
+        self.body, self.matrix = body, matrix
+        self.motion = motion.Name if motion is not None else ""
 
     @property
     def vertices(self):
@@ -206,5 +216,5 @@ class Moving:
         """A run of the core for the parts themselves. deflection: mm, for solids; read: as
         convert.body_from."""
         self.check()
-        body = _Seen(read(self.pairs, deflection), self.into_base(), self.motion)
+        body = Seen(read(self.pairs, deflection), self.into_base(), self.motion)
         return self.request(body, tolerance, options)

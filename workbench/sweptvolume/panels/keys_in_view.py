@@ -7,6 +7,7 @@ import FreeCAD as App
 from .. import convert, core
 from ..convert import InputProblem
 from ..features import motion
+from ..features.moving import middle_of
 from ..trajectory.poses import at_time, base_of, shift_to
 from ..views.dragger import PoseDragger
 from ..views.ghost import CoarseEnvelope, Ghosts
@@ -37,15 +38,14 @@ class KeysInView:
             widgets.show_message(self.message, str(problem))
             return
         self.body = body
-        inside = convert.transform(convert.matrix_of(body.placement.inverse()), corners)
-        middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
-        self._begin_pivot(App.Vector(*map(float, middle)))
+        self._begin_pivot(middle_of([self.pair], body.placement))
         self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
         self.light = LightParts(self.pair, PART_TRIANGLES)
         self._show_own_path(False)  # the edited one is drawn in its place
         self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
         self._set_snap()
+        self.live.begin(self.pair, body)
 
     def _begin_pivot(self, middle):
         """As the motion has it; a new one has the middle of the part."""
@@ -103,19 +103,42 @@ class KeysInView:
         if not self.drag_box.isChecked() or not 0 <= row < len(self.keys):
             self.dragger.hide()
             return
-        there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())
-        self.dragger.show(there.multiply(self.body.placement).multiply(self.handle))
+        self.dragger.show(self._standing_at(row).multiply(self.handle))
 
     def dragged(self, placement):
-        """The dragger moves: the chosen key follows."""
+        """The dragger moves: the chosen key follows, where it may."""
         row = self.keyboard.row()
         if not 0 <= row < len(self.keys):
             return
-        base = self.base()
         if self.frame.currentData() == "RelativeToFirst" and row == 0:
             return  # the first pose is where the part stands
-        world = placement.multiply(self.handle.inverse())
-        place = world.multiply(self.body.placement.inverse()).multiply(base)
+        world, self.let_go = placement.multiply(self.handle.inverse()), False
+        if self.live.stops():
+            self.live.reach(row, self._standing_at(row), world, placement.Base)
+            return
+        self.live.follow(world, placement.Base)
+        self._move_key(row, world)
+
+    def reached(self, row, world, last):
+        """As far as the part comes on the way to where its key was dragged."""
+        if row != self.keyboard.row() or row >= len(self.keys):
+            return
+        self._move_key(row, world)
+        if last and self.let_go:
+            self._settle()
+
+    def show_clash(self, on):
+        if self.ghosts is not None and self.ghosts.root is not None:
+            self.ghosts.show_clash(on)
+
+    def _standing_at(self, row):
+        """Where the part stands at a key, seen from the document."""
+        there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())
+        return there.multiply(self.body.placement)
+
+    def _move_key(self, row, world):
+        """The part stands there at a key."""
+        place = world.multiply(self.body.placement.inverse()).multiply(self.base())
         self.keys.update(row, self.container.inverse().multiply(place))
         self.undrawn = row
         if self.preview_box.isChecked():
@@ -135,6 +158,13 @@ class KeysInView:
 
     def dropped(self, placement):
         self.dragged(placement)
+        self.let_go = True
+        if not self.live.stops():
+            self._settle()
+
+    def _settle(self):
+        """The key has come to where it stays."""
+        self.let_go = False
         self.draw_dragged()
         self.noted()
         self.show_dragger()

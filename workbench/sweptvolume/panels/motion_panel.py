@@ -15,6 +15,7 @@ from ..views.edit_lock import EditLock
 from . import focus, guard, key_table, selection, sourced, widgets
 from .key_history import History, UndoKeys, content, copy_of
 from .keys_in_view import KeysInView
+from .live_box import LiveBox
 from .pivot_box import PivotBox
 from .place_picker import PlacePicker
 from .player import Player
@@ -114,6 +115,7 @@ class MotionPanel(KeysInView):
         self.preview_text = widgets.message_label()
         rows.addRow(self.drag_box)
         rows.addRow(translate("Panels", "Snap"), line)
+        self.live, self.let_go = LiveBox(self.document, rows), False
         rows.addRow(self.preview_box)
         rows.addRow(self.preview_text)
 
@@ -129,6 +131,8 @@ class MotionPanel(KeysInView):
         self.pivot.failed.connect(lambda text: widgets.show_message(self.message, text))
         self.interpolation.currentIndexChanged.connect(lambda *ignored: self.show_all())
         self.preview_box.toggled.connect(lambda *ignored: self.ask_preview())
+        self.live.reached.connect(self.reached)
+        self.live.clashes.connect(self.show_clash)
         self.drag_box.toggled.connect(lambda *ignored: self.show_dragger())
 
     # --- keys
@@ -290,6 +294,7 @@ class MotionPanel(KeysInView):
 
     def chosen(self, row):
         """The moving ghost, the dragger and the tangent are those of the chosen key."""
+        self.live.quiet()
         if 0 <= row < len(self.keys):
             self.player.go_to(self.keys.times[row])
         self.show_dragger()
@@ -338,7 +343,7 @@ class MotionPanel(KeysInView):
         self.preview.stop()
         if widgets.alive(self.document):
             self._show_own_path(True)
-            for drawn in (self.ghosts, self.coarse, self.dragger, self.light):
+            for drawn in (self.ghosts, self.coarse, self.dragger, self.light, self.live):
                 if drawn is not None:
                     drawn.remove()
         Gui.Control.closeDialog()

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The envelope that follows a panel: coarse while something changes, then fine; computed beside the GUI
 and drawn in the view only."""
-import threading
-
 import numpy as np
 from PySide import QtCore
 
 from .. import convert, core, runner, settings
 from ..convert import InputProblem
 from ..features import envelope
-from ..runner import Task
 from ..trajectory.poses import INTERPOLATIONS, course, shift_to, straightened
 from ..views.surface import drawn
+from .newest import NewestTask
 from .widgets import alive
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
@@ -50,54 +48,24 @@ def request_for(body, poses, base, interpolation, resolution):
     )
 
 
-class _PreviewTask(Task):
-    """Envelopes of wishes, the newest each time, until none is left; what was made waits to be taken.
+class _PreviewTask(NewestTask):
+    """Envelopes of wishes (requests for the core): (drawn, seconds) each.
 
-    compute: core.compute, or that of sessions which know the body already. rest(request, control): what
+    compute: core.compute, or that of sessions which know the body already. settle(request, control): what
     is done after each, in the same thread."""
 
-    writes = False
+    def __init__(self, document, requests, compute, settle=None):
+        super().__init__(document, "Preview", requests)
+        self.compute, self.settle = compute, settle
 
-    def __init__(self, document, requests, compute, rest=None):
-        self.title = "Preview"
-        self.document = document
-        self.compute, self.rest = compute, rest
-        self._lock, self._next, self._made, self._over = threading.Lock(), requests, None, False
+    def make(self, requests, control):
+        found = envelope.work(requests, requests[0].options, control, self.compute)
+        made = drawn(found.vertices, found.triangles, MOST_TRIANGLES)
+        return made, found.report["seconds"]["total"]
 
-    def offer(self, requests):
-        """A newer wish, from the window's thread; False if it comes too late."""
-        with self._lock:
-            if not self._over:
-                self._next = requests
-            return not self._over
-
-    def has_made(self):
-        """Whether take() has something; without waiting."""
-        return self._made is not None
-
-    def take(self):
-        """The newest of what was made since the last call: (drawn, seconds), or None."""
-        with self._lock:
-            made, self._made = self._made, None
-        return made
-
-    def work(self, control):
-        while True:
-            with self._lock:
-                requests, self._next = self._next, None
-                self._over = requests is None
-            if requests is None:
-                return
-            control.enter(0, 1)
-            found = envelope.work(requests, requests[0].options, control, self.compute)
-            made = drawn(found.vertices, found.triangles, MOST_TRIANGLES)
-            with self._lock:
-                self._made = made, found.report["seconds"]["total"]
-            for request in requests if self.rest is not None else ():
-                self.rest(request, control)
-
-    def finish(self, value):
-        pass
+    def rest(self, requests, control):
+        for request in requests if self.settle is not None else ():
+            self.settle(request, control)
 
 
 class Preview:
@@ -168,8 +136,8 @@ class Preview:
         self.fine = fine
         compute = core.compute if fine else self.sessions.compute
         try:
-            rest = self.sessions.lighten if fine else None
-            self.run = runner.start(_PreviewTask(self.document, requests, compute, rest))
+            settle = self.sessions.lighten if fine else None
+            self.run = runner.start(_PreviewTask(self.document, requests, compute, settle))
         except core.CoreMissing as problem:
             self.report(str(problem))
             return

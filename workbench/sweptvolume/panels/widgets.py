@@ -113,6 +113,10 @@ _NAMES = [
     mark("Panels", "simplify"),
     mark("Panels", "check"),
     mark("Panels", "export"),
+    mark("Panels", "straight moves"),
+    mark("Panels", "moves without turns"),
+    mark("Panels", "moves with turns"),
+    mark("Panels", "polish"),
     mark("Panels", "done"),
 ]
 

@@ -8,7 +8,7 @@ from ..convert import matrix_of
 from . import path, surface
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
-ENVELOPE_COLOUR = (0.35, 0.60, 0.90)
+ENVELOPE_COLOUR, CLASH_COLOUR = (0.35, 0.60, 0.90), (0.90, 0.10, 0.10)
 #: Triangles of the part where it moves, and at its keys, where it is drawn many times.
 MOVING_TRIANGLES, KEY_TRIANGLES = 6000, 1500
 
@@ -37,6 +37,7 @@ class Overlay:
         for node in nodes:
             part.addChild(node)
         self.root.addChild(part)
+        return material
 
     def remove(self):
         if self.root is not None:
@@ -64,6 +65,25 @@ class CoarseEnvelope(Overlay):
         self.surface.removeAllChildren()
 
 
+class MovingPart(Overlay):
+    """A part (vertices, triangles) at one placement, not drawn before the first."""
+
+    def __init__(self, document, vertices, triangles):
+        from pivy import coin
+
+        super().__init__(document)
+        drawn = surface.drawn(vertices, triangles, MOVING_TRIANGLES)
+        shape = surface.group_of(drawn, surface.is_solid(vertices, triangles))
+        self.moving, self.shown = coin.SoMatrixTransform(), coin.SoSwitch()
+        self.shown.addChild(self.moving)
+        self.shown.addChild(shape)
+        self.add(MOVING_COLOUR, 0.35, self.shown)
+
+    def show(self, placement):
+        self.moving.matrix = _matrix(placement)
+        self.shown.whichChild = -3  # all
+
+
 class Ghosts(Overlay):
     """A part (vertices, triangles) at its keys and on the way, and the way with its frames."""
 
@@ -82,7 +102,11 @@ class Ghosts(Overlay):
         seen.addChild(self.way.root)
         self.root.addChild(seen)
         self.add(KEY_COLOUR, 0.6, self.copies)
-        self.add(MOVING_COLOUR, 0.35, self.moving, shape)
+        self.paint = self.add(MOVING_COLOUR, 0.35, self.moving, shape)
+
+    def show_clash(self, on):
+        """The part on the way red, or as it was."""
+        self.paint.diffuseColor = CLASH_COLOUR if on else MOVING_COLOUR
 
     def show_keys(self, placements):
         # Coin multiplies rows: the transposes.

@@ -80,6 +80,8 @@ class MotionView(View):
             (translate("Commands", "Edit motion"), "SweptVolume_EditMotion"),
             (translate("Commands", "Settings of the source"), "SweptVolume_EditSource"),
             (translate("Commands", "Reload motion"), "SweptVolume_ReloadMotion"),
+            (translate("Commands", "Improve path"), "SweptVolume_ImprovePath"),
+            (translate("Commands", "Find path"), "SweptVolume_FindPath"),
             (translate("Commands", "Create envelope"), "SweptVolume_Envelope"),
             (translate("Commands", "Check clearance"), "SweptVolume_Clearance"),
         ):

@@ -1,0 +1,381 @@
+// A motion that exists already, made better. Pieces of it that keep the clearance are made shorter,
+// pieces that do not are searched anew between the places where they begin and end.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/number_text.h"
+#include "base/parallel.h"
+#include "clearance/pair_check.h"
+#include "motion/pivot.h"
+#include "path/guarded_path.h"
+#include "path/ladder.h"
+#include "path/task_check.h"
+#include "swept/path.h"
+
+namespace swept {
+namespace {
+
+using namespace path;
+
+constexpr int kTrials = 400;          // shortcuts that are tried
+constexpr double kLeastRaise = 1.05;  // where raising ends
+constexpr double kRaise = 1.5;        // from one clearance that is tried to the next
+constexpr double kRoom = 0.98;        // of what is free: searches begin with some room
+constexpr double kLeast = 1e-4;       // radii: shorter bits of a move are not worth a key
+constexpr double kShare = 0.25;       // of the budget for one piece that is searched anew
+
+// Keys and the moves between them; `free`: the moves keep the clearance.
+struct Piece {
+  std::vector<State> keys;
+  bool free = false;
+};
+
+// Pieces from one locked key to the next.
+using Stretch = std::vector<Piece>;
+
+class Improver {
+ public:
+  Improver(const TriMesh& part, const ImproveTask& task,
+           const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+           RunContext& run, PathReport& report)
+      : o_(options),
+        task_(task),
+        run_(run),
+        report_(report),
+        scene_(part, neighbours, options, run),
+        demand_(demandOf(neighbours, options)),
+        memory_(scene_.memory()) {}
+
+  void improve() {
+    readKeys();
+    std::vector<Stretch> now = split(demand_.apart);
+    report_.before = figuresOf(now);
+    report_.before->clearance = clearanceBefore(now);
+    std::vector<Stretch> best = mended(now, demand_.apart);
+    Demand demand = demand_;
+    auto [rows, clearance] = certify(best, demand);
+    if (task_.moreClearance && !rows.empty() && onlyReleased(best)) raise(best, demand, clearance);
+    report_.seconds.push_back({"search", timer_.lap()});
+    take(best, demand);
+    report_.seconds.push_back({"certify", timer_.lap()});
+  }
+
+  double seconds() const { return timer_.seconds(); }
+
+ private:
+  void readKeys() {
+    const std::vector<Pose>& poses = task_.motion.poses;
+    if (poses.size() < 2)
+      throw Error(Status::InvalidInput, "BadPose", "a motion of less than two poses has no way");
+    for (const Pose& pose : poses) keys_.push_back(scene_.inside(checkedPose(pose, "key")));
+    for (std::size_t i = 1; i < poses.size(); ++i)
+      if (!(poses[i].timeSeconds >= poses[i - 1].timeSeconds))
+        throw Error(Status::InvalidInput, "BadPose",
+                    "key " + std::to_string(i + 1) + " comes before the one in front of it");
+    locked_.assign(keys_.size(), 0);
+    locked_.front() = locked_.back() = 1;
+    for (const std::size_t i : task_.locked) {
+      if (i >= keys_.size())
+        throw Error(Status::InvalidInput, "BadOption",
+                    "locked key " + std::to_string(i + 1) + " of " + std::to_string(keys_.size()));
+      locked_[i] = 1;
+    }
+    space_.upright = keys_.back().pose.rotation;
+    space_.largestTurn = o_.translationOnly ? 0 : o_.largestTurn.value_or(4.0);
+    Eigen::AlignedBox3d box = scene_.box();
+    for (const State& key : keys_) box.extend(key.middle);
+    const double most = *std::max_element(demand_.apart.begin(), demand_.apart.end());
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.5 * scene_.radius() + most);
+    space_.low = box.min() - margin;
+    space_.high = box.max() + margin;
+    std::vector<char> closed;
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      closed.push_back(scene_.neighbour(i).closed() ? 1 : 0);
+    report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
+  }
+
+  // The motion in pieces that keep a rule and pieces that do not.
+  std::vector<Stretch> split(const Rule& rule) {
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
+      run_.checkpoint(Phase::Straight, i, keys_.size());
+      if (locked_[i]) stretches.emplace_back();
+      splitMove(keys_[i], keys_[i + 1], rule, stretches.back());
+    }
+    return stretches;
+  }
+
+  static void append(Stretch& stretch, const State& from, const State& to, bool free) {
+    if (stretch.empty() || stretch.back().free != free) stretch.push_back({{from}, free});
+    stretch.back().keys.push_back(to);
+  }
+
+  void splitMove(const State& a, const State& b, const Rule& rule, Stretch& stretch) {
+    const double ahead = scene_.follow(a, b, rule, memory_).fraction;
+    if (ahead >= 1) {
+      append(stretch, a, b, true);
+      return;
+    }
+    const double back = scene_.follow(b, a, rule, memory_).fraction;
+    const double least = kLeast * scene_.radius() / std::max(scene_.distance(a, b), 1e-300);
+    const double first = kRoom * ahead > least ? kRoom * ahead : 0;
+    const double last = kRoom * back > least ? 1 - kRoom * back : 1;
+    if (first >= last) {  // free but for the resolution
+      append(stretch, a, b, false);
+      return;
+    }
+    const State from = first > 0 ? scene_.stateBetween(a, b, first) : a;
+    const State to = last < 1 ? scene_.stateBetween(a, b, last) : b;
+    if (first > 0) append(stretch, a, from, true);
+    append(stretch, from, to, false);
+    if (last < 1) append(stretch, to, b, true);
+  }
+
+  // What may stay nearer than a rule asks for: what lies in the release zone of an end.
+  bool released(const Piece& piece) const {
+    for (const State& end : {keys_.front(), keys_.back()})
+      if (std::all_of(piece.keys.begin(), piece.keys.end(), [&](const State& state) {
+            return scene_.distance(state, end) <= o_.release;
+          }))
+        return true;
+    return false;
+  }
+
+  bool onlyReleased(const std::vector<Stretch>& stretches) const {
+    for (const Stretch& stretch : stretches)
+      for (const Piece& piece : stretch)
+        if (!piece.free && !released(piece)) return false;
+    return true;
+  }
+
+  // Pieces that do not keep the rule led another way where one is found; the others shorter.
+  // inTime: nothing once the time is over.
+  std::vector<Stretch> mended(const std::vector<Stretch>& before, const Rule& rule,
+                              bool inTime = false) {
+    std::vector<Stretch> after;
+    for (const Stretch& stretch : before) {
+      if (inTime && timer_.seconds() > o_.budgetSeconds) return {};
+      Stretch whole;
+      for (const Piece& piece : stretch) {
+        Piece next = piece;
+        if (!piece.free && !released(piece)) searchAnew(next, rule);
+        for (std::size_t i = 0; i + 1 < next.keys.size(); ++i)
+          append(whole, next.keys[i], next.keys[i + 1], next.free);
+      }
+      for (Piece& piece : whole) {
+        if (!piece.free) continue;
+        RandomNumbers random(o_.seed + ++shortened_);
+        shorten(scene_, rule, turnLimit(scene_, space_), kTrials, random, piece.keys, run_);
+      }
+      after.push_back(std::move(whole));
+    }
+    return after;
+  }
+
+  void searchAnew(Piece& piece, const Rule& rule) {
+    if (timer_.seconds() > o_.budgetSeconds || !scene_.isFree(piece.keys.front(), rule, memory_) ||
+        !scene_.isFree(piece.keys.back(), rule, memory_))
+      return;
+    Leg leg;
+    leg.starts = {piece.keys.front()};
+    leg.goals = {piece.keys.back()};
+    leg.space = space_;
+    leg.far = (space_.high - space_.low).norm();
+    const double until = std::min(o_.budgetSeconds, timer_.seconds() + kShare * o_.budgetSeconds);
+    const Limits limits{timer_, until, o_.seed, nullptr};
+    const Rule loose(scene_.count(), 0.1 * o_.tolerance);
+    const LegResult found = solveLeg(scenes_, rule, loose, leg, limits, run_);
+    report_.steps += found.steps;
+    if (found.keys.empty()) return;
+    piece = {found.keys, true};
+  }
+
+  // Larger and larger clearances from the motion as it was, as long as all of it keeps them.
+  void raise(std::vector<Stretch>& best, Demand& demand, double clearance) {
+    double reached = std::max(clearance, demand_.tolerance), step = kRaise;
+    while (step > kLeastRaise && timer_.seconds() < o_.budgetSeconds) {
+      Demand higher = demand_;
+      for (std::size_t k = 0; k < scene_.count(); ++k) {
+        const double more = step * reached - std::max(higher.required[k], higher.tolerance);
+        if (more <= 0) continue;
+        higher.required[k] = step * reached;
+        higher.apart[k] += more;
+      }
+      const std::vector<Stretch> next = mended(split(higher.apart), higher.apart, true);
+      if (next.empty()) return;
+      const bool kept = onlyReleased(next);
+      const auto [rows, now] = kept ? certify(next, higher) : decltype(certify(next, higher)){};
+      if (rows.empty()) {
+        step = std::sqrt(step);
+        continue;
+      }
+      best = next;
+      demand = higher;
+      reached = std::max(step * reached, now);
+    }
+  }
+
+  PathFigures figuresOf(const std::vector<Stretch>& stretches) const {
+    PathFigures figures;
+    figures.keys = std::ssize(keys_);
+    for (const Stretch& stretch : stretches)
+      for (const Piece& piece : stretch)
+        for (std::size_t i = 1; i < piece.keys.size(); ++i) {
+          const State &a = piece.keys[i - 1], &b = piece.keys[i];
+          figures.length += (b.middle - a.middle).norm();
+          figures.turn += a.pose.rotation.angularDistance(b.pose.rotation);
+        }
+    return figures;
+  }
+
+  std::vector<NeighbourClearance> rowsOf(const Piece& piece, const Demand& demand) {
+    Trajectory motion{{}, o_.interpolation};
+    for (std::size_t i = 0; i < piece.keys.size(); ++i) {
+      motion.poses.push_back(piece.keys[i].pose);
+      motion.poses.back().timeSeconds = static_cast<double>(i);
+    }
+    const clearance::MotionTree tree = scene_.motionTree(motion);
+    std::vector<NeighbourClearance> rows(scene_.count());
+    parallelFor(scene_.count(), [&](std::size_t i) {
+      rows[i] = checkNeighbour(scene_, demand, i, tree, demand.required[i], run_);
+      run_.checkpoint(Phase::Check);
+    });
+    return rows;
+  }
+
+  static double smallestOf(const std::vector<NeighbourClearance>& rows) {
+    double smallest = rows.front().guaranteed;
+    for (const NeighbourClearance& row : rows) smallest = std::min(smallest, row.guaranteed);
+    return smallest;
+  }
+
+  // The clearance engine has the last word: of each neighbour the nearest row of all pieces that
+  // are called free, and the smallest clearance. No rows: there is no such piece.
+  std::pair<std::vector<NeighbourClearance>, double> certify(const std::vector<Stretch>& stretches,
+                                                             const Demand& demand) {
+    std::vector<NeighbourClearance> nearest;
+    for (const Stretch& stretch : stretches)
+      for (const Piece& piece : stretch) {
+        if (!piece.free) continue;
+        const std::vector<NeighbourClearance> rows = rowsOf(piece, demand);
+        for (const NeighbourClearance& row : rows)
+          if (row.verdict != ClearanceVerdict::Clear)
+            throw Error(Status::InternalError, "NotCertified",
+                        "a move that was called free is not clear by the exact check; please "
+                        "report it with the parts");
+        if (nearest.empty()) nearest = rows;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          if (rows[i].guaranteed < nearest[i].guaranteed) nearest[i] = rows[i];
+      }
+    if (nearest.empty()) return {nearest, 0};
+    // As in findPath(): the engine's figure is off by up to its tolerance.
+    const double asked = *std::min_element(demand.required.begin(), demand.required.end());
+    return {nearest, std::max(smallestOf(nearest), asked)};
+  }
+
+  // Of the motion as it was: what is nearer than asked for, outside the release zones, counts.
+  double clearanceBefore(const std::vector<Stretch>& stretches) {
+    const auto [rows, free] = certify(stretches, demand_);
+    double smallest = free;
+    bool known = !rows.empty();
+    for (const Stretch& stretch : stretches)
+      for (const Piece& piece : stretch) {
+        if (piece.free || released(piece)) continue;
+        const double near = smallestOf(rowsOf(piece, demand_));
+        smallest = known ? std::min(smallest, near) : near;
+        known = true;
+      }
+    return smallest;
+  }
+
+  // Locked keys keep their times; the others come when their share of the way is done.
+  void take(const std::vector<Stretch>& stretches, const Demand& demand) {
+    auto [rows, clearance] = certify(stretches, demand);
+    report_.certificate = std::move(rows);
+    report_.clearance = clearance;
+    report_.budgetEnded = timer_.seconds() > o_.budgetSeconds;
+    if (report_.certificate.empty()) {
+      report_.escape.pose = task_.motion.poses.back();
+      report_.summary = "nothing of the motion keeps the clearance";
+      return;
+    }
+    report_.verdict = PathVerdict::Found;
+    report_.method = "improved";
+    report_.path.interpolation = o_.interpolation;
+    std::size_t first = 0;
+    for (const Stretch& stretch : stretches) {
+      std::size_t last = first + 1;
+      while (!locked_[last]) ++last;
+      takeStretch(stretch, task_.motion.poses[first], task_.motion.poses[last]);
+      first = last;
+    }
+    const PathFigures figures = figuresOf(stretches);
+    report_.length = figures.length;
+    report_.turn = figures.turn;
+    report_.summary = "path of " + std::to_string(report_.path.poses.size()) + " keys, " +
+                      numberText(report_.length, 4) + " mm and " +
+                      numberText(report_.turn * 180 / std::numbers::pi, 4) +
+                      " degrees, clearance at least " + numberText(clearance, 4) + " mm; " +
+                      std::to_string(report_.keptMoves) + " moves kept as they were";
+  }
+
+  void takeStretch(const Stretch& stretch, const Pose& from, const Pose& to) {
+    std::vector<State> keys{stretch.front().keys.front()};
+    for (const Piece& piece : stretch) {
+      keys.insert(keys.end(), piece.keys.begin() + 1, piece.keys.end());
+      if (piece.free) continue;
+      report_.keptMoves += std::ssize(piece.keys) - 1;
+      if (!released(piece)) report_.unmendedMoves += std::ssize(piece.keys) - 1;
+    }
+    const double whole = std::max(lengthOf(scene_, keys), 1e-300);
+    double gone = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (i > 0) gone += scene_.distance(keys[i - 1], keys[i]);
+      Pose pose = scene_.outside(keys[i]);
+      pose.timeSeconds = from.timeSeconds + (to.timeSeconds - from.timeSeconds) * gone / whole;
+      if (i == 0 || i + 1 == keys.size()) pose = i == 0 ? from : to;
+      if (i > 0 || report_.path.poses.empty()) report_.path.poses.push_back(pose);
+    }
+  }
+
+  const PathOptions& o_;
+  const ImproveTask& task_;
+  RunContext& run_;
+  PathReport& report_;
+  Timer timer_;
+  Scene scene_;
+  ThinnedScenes scenes_{scene_};
+  Demand demand_;
+  Memory memory_;
+  SearchSpace space_;
+  std::vector<State> keys_;
+  std::vector<char> locked_;
+  std::uint64_t shortened_ = 0;
+};
+
+}  // namespace
+
+PathReport improvePath(const TriMesh& part, const ImproveTask& task,
+                       const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+                       RunContext& run) {
+  PathOptions o = options;
+  o.interpolation = task.motion.interpolation;
+  return guardedPath(part, neighbours, o, run, [&](PathReport& report) {
+    PathTask ends;
+    ends.start = Pose{};
+    checkPathOptions(ends, neighbours, o);
+    for (const Pose& pose : task.motion.poses) checkedPose(pose, "key");
+    // Straight is straight for the pivot: there all is done in coordinates whose origin it is.
+    const Eigen::Vector3d pivot = pivotOf(task.motion);
+    const ImproveTask carried{carriedByPivot(task.motion, pivot), task.locked, task.moreClearance};
+    Improver improver(seenFromPivot(part, pivot), carried, neighbours, o, run, report);
+    improver.improve();
+    for (Pose& pose : report.path.poses) pose = backFromPivot(pose, pivot);
+    report.path.pivot = pivot;
+    return improver.seconds();
+  });
+}
+
+}  // namespace swept

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Installation paths: found, and made better."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
+
+import numpy.typing as npt
+
+from . import _core
+from ._calls import Neighbour, RunContext, _log, _neighbour
+from ._values import MeshLike, Motion, MotionLike, mesh_of, motion_of
+
+
+def find_path(
+    mesh: MeshLike,
+    goal: npt.ArrayLike,
+    neighbours: Iterable[Neighbour],
+    *,
+    start: Optional[npt.ArrayLike] = None,
+    extract: Union[float, Sequence[float], None] = None,
+    via: Iterable[npt.ArrayLike] = (),
+    clearance: float = 0.0,
+    release: float = 0.0,
+    translation_only: bool = False,
+    max_angle: Optional[float] = None,
+    interpolation: str = "linear",
+    tolerance: float = 0.01,
+    body_chord: Optional[float] = None,
+    budget: float = 60.0,
+    seed: int = 1,
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], Optional[Motion]]:
+    """A motion that brings a part to its goal and keeps the clearance (mm) from every neighbour, between
+    its keys as well. goal, start, via: matrices (4, 4); extract, instead of a start: a radius in mm or
+    a direction (x, y, z). Contact is allowed until the part is `release` mm out. max_angle in rad,
+    budget in s. Returns the report (docs/paths.md) and the motion, None where none was found."""
+    body = mesh_of(mesh)
+    report, arrays = _core.find_path(
+        body.vertices,
+        body.triangles,
+        goal,
+        [_neighbour(item) for item in neighbours],
+        start,
+        extract,
+        list(via),
+        clearance,
+        release,
+        translation_only,
+        max_angle,
+        interpolation,
+        tolerance,
+        body.chord_error if body_chord is None else body_chord,
+        budget,
+        seed,
+        run,
+    )
+    _log(report["warnings"])
+    return report, None if arrays is None else motion_of(arrays, interpolation)
+
+
+def improve_path(
+    mesh: MeshLike,
+    motion: MotionLike,
+    neighbours: Iterable[Neighbour],
+    *,
+    locked: Iterable[int] = (),
+    more_clearance: bool = False,
+    clearance: float = 0.0,
+    release: float = 0.0,
+    translation_only: bool = False,
+    max_angle: Optional[float] = None,
+    interpolation: Optional[str] = None,
+    tolerance: float = 0.01,
+    body_chord: Optional[float] = None,
+    budget: float = 60.0,
+    seed: int = 1,
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], Optional[Motion]]:
+    """A motion made better: what is nearer to a neighbour than the clearance (mm) is led another way where
+    one is found, the rest made shorter, with fewer keys; with more_clearance as far from the neighbours as
+    can be had. The ends and the keys in `locked` (indices from 0) stay; what lies within `release` mm of the
+    ends may be nearer and stays as it was. Returns the report (docs/paths.md) and the motion, None where
+    nothing keeps the clearance."""
+    body, path = mesh_of(mesh), motion_of(motion, interpolation)
+    report, arrays = _core.improve_path(
+        body.vertices,
+        body.triangles,
+        path._arrays(),
+        [_neighbour(item) for item in neighbours],
+        path.interpolation,
+        list(locked),
+        more_clearance,
+        clearance,
+        release,
+        translation_only,
+        max_angle,
+        tolerance,
+        body.chord_error if body_chord is None else body_chord,
+        budget,
+        seed,
+        run,
+    )
+    _log(report["warnings"])
+    return report, None if arrays is None else motion_of(arrays, path.interpolation)

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Find path: the way of a part to its place between others."""
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_FindPath"
+    TEXT = mark("Commands", "Find path...")
+    TIP = mark(
+        "Commands",
+        "Finds how the selected part gets to its place between the others, clear of them all the way. "
+        "More selected parts are its neighbours; a selected motion gives start and goal",
+    )
+
+    def missing(self, document):
+        from ..panels import selection
+
+        if selection.motion() is not None or selection.moving_parts(document):
+            return ""
+        return translate("Messages", "Select the part whose way is to be found.")
+
+    def run(self, document):
+        from ..panels import find_path_panel, selection
+
+        path = selection.motion()
+        if path is not None:
+            part = selection.moved_part(path)
+            find_path_panel.show(document, pairs=[part] if part else [], path=path)
+            return
+        chosen = selection.moving_parts(document)
+        find_path_panel.show(document, pairs=chosen[:1], neighbours=chosen[1:])

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Improve path: a motion shorter, with fewer keys, farther from its neighbours."""
+from ..convert import InputProblem
+from ..features.motion import Motion
+from ..texts import mark, translate
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_ImprovePath"
+    TEXT = mark("Commands", "Improve path...")
+    TIP = mark(
+        "Commands",
+        "Leads the selected motion round what it clashes with, makes it shorter with fewer keys, or gives it "
+        "more clearance. The motion stays; the better one comes beside it",
+    )
+
+    def missing(self, document):
+        from ..panels import selection
+
+        return selection.wanting_motion(document)
+
+    def run(self, document):
+        from ..panels import improve_panel, selection
+
+        obj = selection.of_kind(document, Motion.KIND)[0]
+        if obj is None:
+            raise InputProblem(translate("Messages", "Select a motion first."))
+        if len(obj.Placements) < 2:
+            raise InputProblem(
+                translate("Messages", '"{0}" has less than two keys: there is no way.').format(
+                    obj.Label
+                )
+            )
+        part = selection.moved_part(obj)
+        if part is None:
+            raise InputProblem(
+                translate("Messages", "Select the part that moves together with the motion.")
+            )
+        improve_panel.show(document, motion=obj, pairs=[part])

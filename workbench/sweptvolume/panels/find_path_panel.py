@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel: finds the way of a part to its place, shows how far the search came, makes a motion of it."""
+from PySide import QtCore
+
+from .. import convert
+from ..convert import InputProblem
+from ..features import motion, path_plan
+from ..texts import mark, translate
+from ..views.ghost import MovingPart
+from . import focus, guard, path_texts, selection, widgets
+from .path_tasks import FindPathTask
+from .place_field import PlaceField
+from .search_panel import SearchPanel
+from .widgets import QtWidgets
+
+#: ms between two looks at where the search came to.
+LOOK = 100
+
+
+class FindPathPanel(SearchPanel):
+    """path: a motion whose ends are the start and the goal."""
+
+    TITLE, ICON = mark("Panels", "Find path"), "SweptVolume_FindPath"
+    BUTTON = mark("Panels", "&Find path")
+
+    def __init__(self, document, pairs=(), neighbours=(), path=None):
+        self.ghost = None
+        self.looks = QtCore.QTimer()
+        self.looks.timeout.connect(self._look)
+        super().__init__(document, pairs)
+        if neighbours:
+            self.take_neighbours(neighbours)
+        if path is not None:
+            self._take_ends(path)
+
+    # --- building
+
+    def build_way(self):
+        rows = widgets.group(translate("Panels", "Way of the part"), self.layout)
+        self.part = QtWidgets.QLabel(self.part_text())
+        self.part.setWordWrap(True)
+        pick = QtWidgets.QPushButton(translate("Panels", "&Pick"))
+        pick.setObjectName("SweptVolumePickPart")
+        widgets.hint(
+            pick, translate("Panels", "Takes the part that is selected in the tree or in the view")
+        )
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.part, 1)
+        line.addWidget(pick)
+        self.goal = PlaceField("SweptVolumeGoal", ["Now", "Place"], self._pair)
+        kinds = ["Out", "Along", "Place"]
+        self.start_at = PlaceField("SweptVolumeStart", kinds, self._pair, self._size())
+        rows.addRow(translate("Panels", "Part"), line)
+        rows.addRow(translate("Panels", "It belongs"), self.goal)
+        rows.addRow(translate("Panels", "It comes from"), self.start_at)
+        pick.clicked.connect(lambda *ignored: self._pick())
+        for field in (self.goal, self.start_at):
+            field.failed.connect(lambda text: widgets.show_message(self.message, text))
+
+    def build_rules(self, rows):
+        self.straight = QtWidgets.QCheckBox(translate("Panels", "The part never turns"))
+        self.straight.setObjectName("SweptVolumeTranslationOnly")
+        self.turn = widgets.hint(
+            widgets.angle(path_plan.DEFAULTS["LargestTurn"], 0.0, 15.0),
+            translate("Panels", "From how the part stands where it belongs; 180: as it likes"),
+        )
+        self.turn.setObjectName("SweptVolumeLargestTurn")
+        rows.addRow(self.straight)
+        rows.addRow(translate("Panels", "Largest turn"), self.turn)
+        self.straight.toggled.connect(lambda on: self.turn.setEnabled(not on))
+
+    # --- inputs
+
+    def _pair(self):
+        return self.pairs[0] if self.pairs else None
+
+    def _size(self):
+        """Diagonal of the part, rounded: so far it is out, as a rule."""
+        try:
+            corners = convert.box_corners(self.pairs) if self.pairs else None
+        except InputProblem:
+            corners = None
+        if corners is None:
+            return 100.0
+        size = float(((corners.max(axis=0) - corners.min(axis=0)) ** 2).sum()) ** 0.5
+        return float("{:.2g}".format(size))
+
+    @guard.told
+    def _pick(self):
+        chosen = selection.parts()
+        if not chosen:
+            raise InputProblem(
+                translate("Messages", "select the part that moves in the tree or in the 3D view.")
+            )
+        self.pairs = chosen[:1]
+        self.beside.drop_moving()
+        self.start_at.distance.setProperty("rawValue", self._size())
+        self.part.setText(self.part_text())
+
+    @guard.told
+    def _take_ends(self, path):
+        poses = motion.world_poses_of(path).placements
+        if path.Frame == "Absolute" and len(poses) > 1:
+            self.start_at.show_placement(poses[0])
+            self.goal.show_placement(poses[-1])
+
+    def plan(self):
+        """What is asked for. Raises InputProblem."""
+        return path_plan.PathPlan(
+            self.document,
+            self.pairs,
+            self.beside.pairs,
+            start=self.start_at.placement(),
+            extract=self.start_at.extract(),
+            goal=self.goal.placement(),
+            clearances=self.beside.clearances(),
+            TranslationOnly=self.straight.isChecked(),
+            LargestTurn=float(self.turn.property("rawValue")),
+            **self.rules(),
+        )
+
+    # --- run
+
+    def task(self):
+        return FindPathTask(self.plan())
+
+    def start(self):
+        self._forget_ghost()
+        if not super().start():
+            return False
+        self.looks.start(LOOK)
+        return True
+
+    def _look(self):
+        """Shows where the search came to."""
+        farthest = self.run.task.seen.farthest() if self.run is not None else None
+        if farthest is not None:
+            self._show_at(self.run.task, path_plan.placement_of(farthest))
+
+    def _show_at(self, task, placement):
+        """The part where the search came to. Its triangles are there: the search has them."""
+        if self.ghost is None:
+            body = task.request.body
+            self.ghost = MovingPart(self.document, body.vertices, body.triangles)
+        self.ghost.show(placement)
+
+    def ended(self, run):
+        self.looks.stop()
+        if run.state != "ok" and widgets.alive(self.document):
+            self._forget_ghost()
+        super().ended(run)
+
+    def found(self, task):
+        report = task.outcome.report
+        widgets.show_message(self.message, path_texts.told(report))
+        if task.obj is not None:
+            self._forget_ghost()
+            return
+        self._show_at(task, task.outcome.farthest())
+        self.beside.mark(report["escape"]["blockers"])
+
+    def _forget_ghost(self):
+        if self.ghost is not None:
+            self.ghost.remove()
+            self.ghost = None
+
+    def reject(self):
+        self.looks.stop()
+        if widgets.alive(self.document):
+            self._forget_ghost()
+        return super().reject()
+
+
+def show(document, **given):
+    panel = FindPathPanel(document, **given)
+    focus.show(panel)
+    return panel

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel: makes a motion better. The motion stays; what comes out is another one beside it."""
+from PySide import QtCore
+
+from ..features.improve_plan import ImprovePlan
+from ..texts import mark, translate
+from . import focus, path_texts, widgets
+from .path_tasks import ImproveTask
+from .search_panel import SearchPanel
+from .widgets import QtWidgets
+
+
+class ImprovePanel(SearchPanel):
+    """motion: the one to be improved."""
+
+    TITLE, ICON = mark("Panels", "Improve path"), "SweptVolume_ImprovePath"
+    BUTTON = mark("Panels", "&Improve path")
+
+    def __init__(self, document, motion, pairs, neighbours=()):
+        self.motion, self.measured = motion, False
+        super().__init__(document, pairs)
+        if neighbours:
+            self.take_neighbours(neighbours)
+
+    def build_way(self):
+        rows = widgets.group(translate("Panels", "Motion"), self.layout)
+        rows.addRow(translate("Panels", "Motion"), QtWidgets.QLabel(self.motion.Label))
+        rows.addRow(translate("Panels", "Part"), QtWidgets.QLabel(self.part_text()))
+        self.keys = QtWidgets.QListWidget()
+        self.keys.setObjectName("SweptVolumeLockedKeys")
+        self.keys.setFixedHeight(96)
+        widgets.hint(self.keys, translate("Panels", "Ticked keys stay where and when they are"))
+        text = translate("Panels", "Key {0}, {1:g} s")
+        last = len(self.motion.Times) - 1
+        for k, time in enumerate(self.motion.Times):
+            item = QtWidgets.QListWidgetItem(text.format(k + 1, round(time, 3)))
+            free = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable
+            end = k in (0, last)  # they stay in any case
+            item.setFlags(free if end else free | QtCore.Qt.ItemIsUserCheckable)
+            item.setCheckState(QtCore.Qt.Checked if end else QtCore.Qt.Unchecked)
+            self.keys.addItem(item)
+        rows.addRow(translate("Panels", "Locked"), self.keys)
+
+    def build_rules(self, rows):
+        self.more = widgets.hint(
+            QtWidgets.QCheckBox(translate("Panels", "As much clearance as can be had")),
+            translate(
+                "Panels",
+                "The path may be longer then; without this it is as short as the clearance lets it",
+            ),
+        )
+        self.more.setObjectName("SweptVolumeMoreClearance")
+        rows.addRow(self.more)
+
+    def locked(self):
+        """Indices of the keys that stay."""
+        items = [self.keys.item(k) for k in range(self.keys.count())]
+        return [k for k, item in enumerate(items) if item.checkState() == QtCore.Qt.Checked]
+
+    def task(self):
+        return ImproveTask(
+            ImprovePlan(
+                self.motion,
+                self.pairs,
+                self.beside.pairs,
+                locked=self.locked(),
+                more=self.more.isChecked(),
+                clearances=self.beside.clearances(),
+                **self.rules(),
+            )
+        )
+
+    def ended(self, run):
+        """The motion as it was comes first in the table, so that they can be compared."""
+        if run.state == "ok" and not self.measured and run.task.obj is not None:
+            self.measured = True
+            self.paths.add(self.motion, run.task.outcome.report["before"])
+        super().ended(run)
+
+    def found(self, task):
+        widgets.show_message(self.message, path_texts.improved(task.outcome.report))
+
+
+def show(document, **given):
+    panel = ImprovePanel(document, **given)
+    focus.show(panel)
+    return panel

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The path editor's live clearance: how near the dragged part is to its neighbours, and whether it stops at
+them."""
+from PySide import QtCore
+
+from .. import quantities
+from ..convert import InputProblem, matrix_of
+from ..features.moving import middle_of
+from ..features.path_plan import placement_of
+from ..texts import translate
+from ..trajectory.poses import shift_to
+from ..views.live_distance import LiveDistance
+from . import widgets
+from .live_clearance import LiveClearance
+from .widgets import QtWidgets
+
+
+class LiveBox(QtCore.QObject):
+    """`reached(row, placement, last)`: where the part of a key may go that was asked for with reach(); last:
+    there is no newer question."""
+
+    reached = QtCore.Signal(int, object, bool)
+    #: Whether the part clashes where it stands now.
+    clashes = QtCore.Signal(bool)
+
+    def __init__(self, document, rows):
+        super().__init__()
+        self.document, self.live, self.drawn = document, None, None
+        self.pair, self.body, self.row, self.failed = None, None, -1, False
+        self.show_box = QtWidgets.QCheckBox(
+            translate("Panels", "Show the clearance while dragging")
+        )
+        self.show_box.setObjectName("SweptVolumeLive")
+        self.show_box.setChecked(True)
+        self.stop_box = widgets.hint(
+            QtWidgets.QCheckBox(translate("Panels", "Stop at contact")),
+            translate(
+                "Panels",
+                "The key goes no farther than the part comes without touching a neighbour; neighbours are "
+                "all visible parts",
+            ),
+        )
+        self.stop_box.setObjectName("SweptVolumeStopAtContact")
+        self.text = widgets.message_label()
+        self.text.setObjectName("SweptVolumeLiveText")
+        for widget in (self.show_box, self.stop_box, self.text):
+            rows.addRow(widget)
+            widget.setEnabled(False)
+        for box in (self.show_box, self.stop_box):
+            box.toggled.connect(lambda *ignored: self._forget())
+
+    def begin(self, pair, body):
+        """The part (convert.Body as it stands) whose keys are dragged."""
+        self.pair, self.body = pair, body
+        self.middle = shift_to(middle_of([pair], body.placement))
+        for widget in (self.show_box, self.stop_box, self.text):
+            widget.setEnabled(True)
+
+    def stops(self):
+        """Whether the part goes only where reach() answers."""
+        return self.stop_box.isEnabled() and self.stop_box.isChecked() and self._begun()
+
+    def follow(self, world, at):
+        """The part stands there now (Placement seen from the document); at: where the number is written."""
+        if self.show_box.isEnabled() and self.show_box.isChecked() and self._begun():
+            self.at = at
+            self.live.want(None, self._matrix(world))
+
+    def reach(self, row, before, world, at):
+        """Where may the part of a key go on its way from `before`?"""
+        self.row, self.at = row, at
+        self.live.want(self._matrix(before), self._matrix(world), stop=True)
+
+    def _begun(self):
+        """Whether there is something to measure; reads it from the document where that was not done."""
+        if self.live is None and self.pair is not None and not self.failed:
+            frame = matrix_of(self.body.placement.multiply(self.middle).inverse())
+            try:
+                self.live = LiveClearance(
+                    self.document, self.pair, frame, self._answered, self._failed
+                )
+            except InputProblem as problem:  # no neighbour
+                self._failed(str(problem))
+        return self.live is not None
+
+    def _matrix(self, world):
+        return matrix_of(world.multiply(self.middle))
+
+    def _answered(self, answer):
+        text = translate("Panels", "{0} to {1}")
+        clash = answer.distance <= 0
+        if clash:
+            text = translate("Panels", "Clash with {1}")
+        elif answer.distance <= self.live.scene.chord:
+            text = translate("Panels", "Contact with {1} ({0})")
+        text = text.format(quantities.quantity(answer.distance), answer.name)
+        self.clashes.emit(clash)
+        widgets.show_message(self.text, text)
+        self.text.setStyleSheet("color: #d01020; font-weight: bold;" if clash else "")
+        if self.show_box.isChecked():
+            if self.drawn is None:
+                self.drawn = LiveDistance(self.document)
+            self.drawn.show(self.at, text.split(" (")[:1], answer.points, clash)
+        if self.row >= 0:
+            place = placement_of(answer.matrix)
+            last = answer.number == self.live.number
+            self.reached.emit(self.row, place.multiply(self.middle.inverse()), last)
+
+    def _failed(self, text):
+        widgets.show_message(self.text, text)
+        self.failed = True  # asked once
+
+    def quiet(self):
+        """No key is dragged: nothing is drawn."""
+        self.row = -1
+        self.clashes.emit(False)
+        if self.drawn is not None:
+            self.drawn.hide()
+        widgets.show_message(self.text, "")
+
+    def _forget(self):
+        """Another question: what stands there is read anew."""
+        if self.live is not None:
+            self.live.stop()
+            self.live = None
+        self.failed = False
+        self.quiet()
+
+    def remove(self):
+        if self.live is not None:
+            self.live.stop()
+        if self.drawn is not None:
+            self.drawn.remove()

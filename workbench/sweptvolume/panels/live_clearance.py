@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The distance to the nearest neighbour while a part is dragged, measured beside the window."""
+import threading
+
+from PySide import QtCore
+
+from .. import convert, core_paths, runner
+from ..features import clearance_plan, path_plan
+from ..features.moving import Seen
+from .newest import NewestTask
+
+#: mm by which the triangles of solids may leave them, here.
+DEFLECTION = 0.05
+#: ms between two looks for an answer, if no wish comes meanwhile.
+LOOK = 20
+
+
+class Answer:
+    """number: of the wish; matrix: where the part may stand (4x4); distance (mm, 0: clash) and name of the
+    nearest neighbour; points: two (mm, world), both None where one part lies inside the other."""
+
+    def __init__(self, number, matrix, distance, name, points):
+        self.number = number
+        self.matrix = matrix
+        self.distance = distance
+        self.name = name
+        self.points = points
+
+
+class _Scene:
+    """What stands there, read in the window's thread; made ready for questions when the first is asked."""
+
+    def __init__(self, document, pair, matrix):
+        body = convert.body_from([pair], DEFLECTION)
+        self.body = Seen(body, matrix)
+        still, notes = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
+        self.beside = clearance_plan.Request(None, still, True, {}, None, notes)
+        #: Nearer than this cannot be told from contact.
+        self.chord = clearance_plan.chord_of([pair], DEFLECTION) + max(n.chord for n in still)
+        self.live, self.names, self._lock = None, [], threading.Lock()
+
+    def ready(self, control):
+        """Any thread. Raises CoreError, InputProblem."""
+        with self._lock:
+            if self.live is None:
+                rows = self.beside.rows()
+                self.names = [row[0] for row in rows]
+                self.live = core_paths.live_clearance(
+                    self.body.vertices, self.body.triangles, [row[:3] for row in rows], control
+                )
+        return self.live
+
+
+class _LiveTask(NewestTask):
+    """Wishes are (number, from, to, apart): from and to 4x4, apart None where the part may go anywhere."""
+
+    def __init__(self, document, scene, wish):
+        super().__init__(document, "Clearance", wish)
+        self.scene = scene
+
+    def make(self, wish, control):
+        number, before, to, apart = wish
+        live = self.scene.ready(control)
+        if apart is not None:
+            to = live.reached(before, to, apart)
+        index, distance, inside, a, b = live.at(to)
+        points = (None, None) if inside else (a, b)
+        return Answer(number, to, distance, self.scene.names[index], points)
+
+
+class LiveClearance:
+    """Keeps at most one run under way. show(answer) and report(text) are called in the window's thread.
+
+    matrix: 4x4 from the world to the coordinates that the wishes place."""
+
+    def __init__(self, document, pair, matrix, show, report):
+        self.document, self.show, self.report = document, show, report
+        self.scene = _Scene(document, pair, matrix)
+        self.run, self.again, self.number, self.answers = None, None, 0, 0
+        self.looks = QtCore.QTimer()
+        self.looks.timeout.connect(self.take)
+
+    def apart(self):
+        """mm that a part which stops at contact keeps between the triangles: the parts may then touch, and
+        no more."""
+        return self.scene.chord + 0.01
+
+    def want(self, before, to, stop=False):
+        """A question; returns its number. stop: how far the part gets on the straight way from `before`."""
+        self.number += 1
+        wish = (self.number, before, to, self.apart() if stop else None)
+        self.take()
+        if self.run is None:
+            self._start(wish)
+        elif not self.run.task.offer(wish):
+            self.again = wish
+        return self.number
+
+    def _start(self, wish):
+        self.again = None
+        self.run = runner.start(_LiveTask(self.document, self.scene, wish))
+        self.run.ended.connect(self._ended)
+        self.looks.start(LOOK)
+
+    def take(self):
+        """Shows the newest answer since the last look."""
+        made = self.run.task.take() if self.run is not None else None
+        if made is not None:
+            self.answers += 1
+            self.show(made)
+
+    def _ended(self, run):
+        self.take()
+        self.looks.stop()
+        self.run = None
+        if run.state == "failed":
+            self.report(run.message)
+        elif self.again is not None:
+            self._start(self.again)
+
+    def stop(self):
+        self.looks.stop()
+        self.again = None
+        if self.run is not None:
+            self.run.ended.disconnect(self._ended)
+            self.run.cancel()
+            self.run = None

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Searches for paths as the runner takes them."""
+from .. import core_paths
+from ..features import improve_plan, path_plan
+from ..runner import Task
+from ..texts import translate
+
+
+class FindPathTask(Task):
+    """Finds a path and makes a motion of it; one undo step. `outcome`: what was found (path_plan.Outcome),
+    `obj`: the motion, or None; seen: what a view may look at meanwhile (core_paths.watch())."""
+
+    def __init__(self, plan):
+        self.title = translate("Commands", "Find path")
+        self.document, self.plan = plan.document, plan
+        self.request = plan.request()
+        self.pivot = plan.pivot
+        self.watched = [o for o in plan.objects() if o.Document is plan.document]
+        self.seen = core_paths.watch()
+        self.outcome, self.obj = None, None
+
+    def work(self, control):
+        return path_plan.work(self.request, self.pivot, control, self.seen)
+
+    def finish(self, value):
+        self.outcome = value
+        if value.poses is not None:
+            self.obj = path_plan.make(self.document, self.plan.pairs, value.poses)
+
+
+class ImproveTask(Task):
+    """Makes a better motion beside one; one undo step. outcome, obj: as FindPathTask has them."""
+
+    def __init__(self, plan):
+        self.title = translate("Commands", "Improve path")
+        self.document, self.plan = plan.document, plan
+        self.request = plan.request()
+        self.watched = [o for o in plan.objects() if o.Document is plan.document]
+        self.outcome, self.obj = None, None
+
+    def work(self, control):
+        return improve_plan.work(self.request, control)
+
+    def finish(self, value):
+        self.outcome = value
+        if value.poses is not None:
+            self.obj = improve_plan.make(self.plan, value)

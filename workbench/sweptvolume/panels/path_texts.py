@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a search for a path says of its end, as users read it."""
+from .. import quantities
+from ..core_texts import said
+from ..texts import translate
+
+#: Neighbours that are named; those after them are only few moves' business.
+MOST_NAMES = 3
+
+
+def _names(names):
+    more = " ..." if len(names) > MOST_NAMES else ""
+    return ", ".join('"{}"'.format(name) for name in names[:MOST_NAMES]) + more
+
+
+def told(report):
+    """All that is to be said of a report (docs/paths.md)."""
+    lines = _found(report) if report["verdict"] == "found" else _not_found(report)
+    lines += [said(w["code"], w["text"]) for w in report["warnings"]]
+    return "\n".join(lines)
+
+
+def _found(report):
+    lines = [
+        translate(
+            "Messages", "Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}."
+        ).format(
+            report["keys"],
+            quantities.quantity(report["length"]),
+            quantities.number(report["turn_degrees"]),
+            quantities.quantity(report["clearance"]),
+        )
+    ]
+    if report["contacts"]:
+        text = translate(
+            "Messages", "Nearer than that, as allowed, within {0} of the ends: {1}."
+        ).format(quantities.quantity(report["release"]), _names(report["contacts"]))
+        lines.append(text)
+    return lines
+
+
+def _not_found(report):
+    escape = report["escape"]
+    if report["verdict"] == "no_translation":
+        lines = [translate("Messages", "There is no path on which the part never turns: proven.")]
+    elif report["budget_ended"]:
+        lines = [translate("Messages", "No path was found in this time.")]
+    else:
+        lines = [translate("Messages", "No path was found.")]
+    text = translate("Messages", "The part came {0} away from where it belongs; it is shown there.")
+    lines.append(text.format(quantities.quantity(escape["distance"])))
+    if escape["blockers"]:
+        text = translate("Messages", "Most often in the way: {0}.")
+        lines.append(text.format(_names(escape["blockers"])))
+    possible = report.get("possible_clearance", -1)
+    if possible > 0:
+        text = translate("Messages", "A path was found with a clearance of {0}: ask for less.")
+        lines.append(text.format(quantities.quantity(possible)))
+    elif possible == 0:
+        lines.append(translate("Messages", "A path was found without any clearance: ask for less."))
+    return lines
+
+
+def improved(report):
+    """All that is to be said of a motion that was improved."""
+    if report["verdict"] != "found":
+        lines = [
+            translate(
+                "Messages",
+                "Nothing of the motion keeps the clearance: ask for less, or find a path.",
+            )
+        ]
+    else:
+        text = translate(
+            "Messages", "{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}."
+        )
+        before = report["before"]
+        lines = [
+            text.format(
+                report["keys"],
+                before["keys"],
+                quantities.quantity(report["length"]),
+                quantities.quantity(before["length"]),
+                quantities.quantity(report["clearance"]),
+                quantities.quantity(before["clearance"]),
+            )
+        ]
+        released = report["kept_moves"] - report["unmended_moves"]
+        if report["unmended_moves"]:
+            text = translate(
+                "Messages",
+                "Moves that stay nearer than asked for, as no other way was found there: {0}.",
+            )
+            lines.append(text.format(report["unmended_moves"]))
+        if released:
+            text = translate(
+                "Messages",
+                "Moves at the ends that are nearer, as allowed, and stay as they were: {0}.",
+            )
+            lines.append(text.format(released))
+    lines += [said(w["code"], w["text"]) for w in report["warnings"]]
+    return "\n".join(lines)

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the panels share that search for a way between neighbours: neighbours, rules, run, the paths that were
+found. Each path is a motion and one step of Undo; nothing else is written."""
+import FreeCADGui as Gui
+
+from .. import convert
+from ..features import path_plan
+from ..texts import translate
+from . import guard, paths_table, widgets
+from .neighbours_box import NeighboursBox
+from .run_panel import StartPanel
+from .widgets import QtWidgets
+
+
+class SearchPanel(StartPanel):
+    """Subclasses give TITLE, ICON, BUTTON (texts and names), build_way(), build_rules(rows), task(), and
+    found(task), what else is done with what was found."""
+
+    def __init__(self, document, pairs):
+        self.document, self.pairs, self.run = document, list(pairs), None
+        self.form, self.layout = widgets.window(translate("Panels", self.TITLE), self.ICON)
+        self.box, self.message = widgets.RunBox(), widgets.message_label()
+        self.begins = QtWidgets.QPushButton(translate("Panels", self.BUTTON))
+        self.begins.setObjectName("SweptVolumeFind")
+        self.begins.setDefault(True)  # Enter
+        self.begins.clicked.connect(lambda *ignored: self.start())
+        for widget in (self.begins, self.box, self.message):  # seen without scrolling
+            self.layout.addWidget(widget)
+        self.paths = paths_table.PathsTable(document, self.layout)
+        self.build_way()
+        self.beside = NeighboursBox(document, lambda: self.pairs, self.layout)
+        self._build_rules()
+        self.layout.addStretch(1)
+        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.beside.take_visible()
+
+    def _build_rules(self):
+        rows = widgets.group(translate("Panels", "Rules"), self.layout)
+        now = path_plan.DEFAULTS
+        self.required = widgets.length(now["Required"], 0.0, 0.5)
+        self.required.setObjectName("SweptVolumePathClearance")
+        self.release = widgets.hint(
+            widgets.length(now["Release"], 0.0, 5.0),
+            translate(
+                "Panels",
+                "Parts that touch, or are nearer than the clearance, where the way begins or ends may do "
+                "so until no point of the part is farther than this from there",
+            ),
+        )
+        self.release.setObjectName("SweptVolumeRelease")
+        rows.addRow(translate("Panels", "Clearance"), self.required)
+        rows.addRow(translate("Panels", "Contact allowed for"), self.release)
+        self.build_rules(rows)
+        self.budget = QtWidgets.QDoubleSpinBox()
+        self.budget.setObjectName("SweptVolumeBudget")
+        self.budget.setRange(0.0, 86400.0)
+        self.budget.setDecimals(1)
+        self.budget.setSuffix(" s")
+        self.budget.setValue(now["Budget"])
+        self.seed = widgets.hint(
+            QtWidgets.QSpinBox(), translate("Panels", "Another number may find another path")
+        )
+        self.seed.setObjectName("SweptVolumeSeed")
+        self.seed.setRange(1, 1000000)
+        self.deflection = widgets.length(now["Deflection"], 1e-4, 0.01)
+        rows.addRow(translate("Panels", "Time at most"), self.budget)
+        rows.addRow(translate("Panels", "Seed"), self.seed)
+        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
+
+    def rules(self):
+        """What the fields say that all searches have."""
+        return {
+            "Required": float(self.required.property("rawValue")),
+            "Release": float(self.release.property("rawValue")),
+            "Budget": self.budget.value(),
+            "Seed": self.seed.value(),
+            "Deflection": float(self.deflection.property("rawValue")),
+        }
+
+    def part_text(self):
+        none = translate("Panels", "none: select it, then press Pick")
+        return ", ".join(convert.label_of(*p) for p in self.pairs) or none
+
+    @guard.told
+    def take_neighbours(self, pairs):
+        self.beside.take(pairs)
+
+    def start(self):
+        self.beside.mark([])
+        if not self.begin(self.task, self.ended):
+            return False
+        self.begins.setEnabled(False)
+        return True
+
+    def ended(self, run):
+        self.run = None
+        if not widgets.alive(self.document):
+            return
+        self.begins.setEnabled(True)
+        self.box.leave(self.form)
+        if run.state != "ok":
+            widgets.show_failure(self.message, run)
+            return
+        if run.task.obj is not None:
+            self.paths.add(run.task.obj, run.task.outcome.report)
+        self.found(run.task)
+
+    # --- task panel
+
+    def getStandardButtons(self):
+        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
+
+    def modifyStandardButtons(self, box):
+        """The button that starts is one of the form."""
+        widgets.forget_with(box)
+
+    def reject(self):
+        """Close: stops what still runs; the paths that were found stay."""
+        self.watch.stop()
+        if self.run is not None:
+            self.run.ended.disconnect(self.ended)
+            self.run.cancel()
+            self.run = None
+        Gui.Control.closeDialog()
+        return True

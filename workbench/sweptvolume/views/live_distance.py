@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shortest line from a part to its nearest neighbour, with the distance beside the dragger."""
+import numpy as np
+
+from .ghost import Overlay
+from .surface import fill
+
+#: Where parts are apart, and where they clash: line and text.
+APART, CLASH = ((0.85, 0.0, 0.6), (1.0, 0.95, 0.45)), ((0.95, 0.05, 0.1), (1.0, 1.0, 1.0))
+#: Pixels: of the text and of the line. Blanks keep the text off the dragger.
+TEXT, LINE, BESIDE = 17, 3.0, "     "
+
+
+class LiveDistance(Overlay):
+    """Not drawn before the first show()."""
+
+    def __init__(self, document):
+        from pivy import coin
+
+        super().__init__(document)
+        self.shown, seen = coin.SoSwitch(), coin.SoAnnotation()  # seen through the parts
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        self.line_colour, self.text_colour = coin.SoBaseColor(), coin.SoBaseColor()
+        style, font = coin.SoDrawStyle(), coin.SoFont()
+        style.lineWidth = LINE
+        font.size, font.name = TEXT, "Arial:Bold"
+        self.ends, self.lines = coin.SoCoordinate3(), coin.SoLineSet()
+        self.place, self.text = coin.SoTranslation(), coin.SoText2()
+        line, text = coin.SoSeparator(), coin.SoSeparator()
+        for node in (self.line_colour, style, self.ends, self.lines):
+            line.addChild(node)
+        for node in (self.text_colour, font, self.place, self.text):
+            text.addChild(node)
+        for node in (light, line, text):
+            seen.addChild(node)
+        self.shown.addChild(seen)
+        self.root.addChild(self.shown)
+
+    def show(self, at, text, points, clash):
+        """text (lines) at a point; a line between two points (None: none)."""
+        line, letters = CLASH if clash else APART
+        self.line_colour.rgb, self.text_colour.rgb = line, letters
+        self.place.translation = tuple(at)
+        self.text.string.setValues(0, len(text), [BESIDE + part for part in text])
+        drawn = points[0] is not None
+        fill(self.ends.point, np.array(points if drawn else np.zeros((0, 3)), np.float32))
+        fill(self.lines.numVertices, np.array([2] if drawn else [0], np.int32))
+        self.shown.whichChild = -3  # all
+
+    def hide(self):
+        self.shown.whichChild = -1
