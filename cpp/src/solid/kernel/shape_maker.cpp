@@ -7,11 +7,13 @@
 
 #include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
+#include "solid/kernel/interference.h"
 #include "solid/kernel/read_check.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
+#include "solid/model/gaps.h"
 #include "solid/recognise/facets_saved.h"
 #include "solid/recognise/recognise.h"
 
@@ -136,6 +138,15 @@ std::int64_t countFaces(const Partition& partition) {
                        [](const Patch& patch) { return !patch.triangles.empty(); });
 }
 
+std::vector<std::int32_t> facesOf(const std::vector<std::int32_t>& patches, const Model& model) {
+  std::vector<std::int32_t> faces;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    if (std::binary_search(patches.begin(), patches.end(), model.faces[f].patch))
+      faces.push_back(static_cast<std::int32_t>(f));
+  }
+  return faces;
+}
+
 class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
@@ -190,6 +201,10 @@ class ShapeMaker {
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
     }
+    for (const std::int32_t patch : findLoosePatches(model, known_, options_.tolerance)) {
+      if (patch < known_) bad.push_back(patch);
+    }
+    sortUnique(bad);
     forgetPatches(bad, dense_, first, left);
     return left;
   }
@@ -201,8 +216,17 @@ class ShapeMaker {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
       brep = buildBrep(model, run_);
       std::vector<std::int32_t> bad = brep.failed;
-      if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-      if (bad.empty()) bad = reader_.findUnreadable(model);
+      if (bad.empty() && options_.tolerance > 0) bad = facesOf(findLoosePatches(model, known_, options_.tolerance), model);
+      const auto note = [&](const char* what) {
+        if (bad.empty() || getenv("DBG") == nullptr) return;
+        fprintf(stderr, "%s:", what);
+        for (auto f : bad) fprintf(stderr, " %d(%s %d)", model.faces[f].patch, surfaceKindName(model.faces[f].surface.kind), int(model.faces[f].patch < known_));
+        fprintf(stderr, "\n");
+      };
+      note("loose");
+      if (bad.empty()) { bad = findBadFaces(brep.faces, run_, 0.1, 0.3); note("bad"); }
+      if (bad.empty()) { bad = reader_.findUnreadable(model); note("unread"); }
+      if (bad.empty() && options_.tolerance > 0) { bad = findInterfering(model, brep, run_); note("interfering"); }
       if (bad.empty()) return true;
       if (!withdraw(bad, model, known_, small, refused_) || !refused_.empty()) break;
     }
