@@ -55,6 +55,14 @@ def motion_rows(path, size):
     return rows
 
 
+def box_of(mesh):
+    """Sides (3) of the box of a binary PLY file of the program, mm."""
+    data = mesh.read_bytes()
+    header, rest = data.split(b"end_header\n", 1)
+    count = int(header.split(b"element vertex ")[1].split()[0])
+    return np.ptp(np.frombuffer(rest, "<f8", 3 * count).reshape(-1, 3), axis=0)
+
+
 def run(words):
     """CPU seconds of a program, and its result."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
@@ -70,29 +78,26 @@ def report_of(words, folder):
 
 def judged(part, folder, options):
     """One row of the table. Everything stays in `folder`."""
-    import _swept
-
     program = options.build / "bin" / "swept"
-    bodies = [folder / (part.stem + ".stl"), folder / (part.stem + ".csv")]
     # The moving part itself tells the size: swept once without a motion.
-    still = folder / "still.csv"
-    still.write_text("0,0,0,0,0,0,0,1\n")
+    motion, envelope = folder / (part.stem + ".csv"), folder / (part.stem + ".ply")
+    motion.write_text("0,0,0,0,0,0,0,1\n")
     _, found = report_of(
-        [program, "envelope", part, "--motion", still, "--resolution", "32", "-o", bodies[0]], folder
+        [program, "envelope", part, "--motion", motion, "--resolution", "32", "-o", envelope],
+        folder,
     )
     if found["status"] != "Ok":
         return [part.stem, found["code"]]
-    size = np.ptp(np.asarray(_swept.read_mesh(str(bodies[0])).vertices), axis=0).max()
-    np.savetxt(bodies[1], motion_rows(options.path, size), fmt="%.17g", delimiter=",")
-    envelope = folder / (part.stem + ".ply")
+    size = box_of(envelope).max()
+    np.savetxt(motion, motion_rows(options.path, size), fmt="%.17g", delimiter=",")
     _, found = report_of(
-        [program, "envelope", part, "--motion", bodies[1], "-o", envelope]
+        [program, "envelope", part, "--motion", motion, "-o", envelope]
         + ["--resolution", options.resolution],
         folder,
     )
     if found["status"] != "Ok":
         return [part.stem, found["code"]]
-    diagonal = np.linalg.norm(np.ptp(np.asarray(_swept.read_mesh(str(envelope)).vertices), 0))
+    diagonal = np.linalg.norm(box_of(envelope))
     solid = folder / (part.stem + ".step")
     seconds, report = report_of(
         [program, "solid", envelope, "-o", solid, "--solid-tolerance", repr(SHARE * diagonal)]
@@ -139,7 +144,6 @@ def main():
     parser.add_argument("--facets", action="store_true")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for the files")
     options = parser.parse_intermixed_args()
-    sys.path.insert(0, str(options.build / "python"))
     if not options.parts.exists():
         print("no parts in {}".format(options.parts))
         return 0
@@ -147,7 +151,9 @@ def main():
     with open(options.table, "w", newline="") as file:
         table = csv.writer(file)
         table.writerow(COLUMNS)
-        for part in sorted(options.parts.glob("*.st*p"), key=lambda p: p.stat().st_size):
+        for part in sorted(options.parts.iterdir(), key=lambda p: p.stat().st_size):
+            if part.suffix.lower() not in (".step", ".stp", ".stl", ".ply"):
+                continue
             if options.words and not any(word in part.name for word in options.words):
                 continue
             with tempfile.TemporaryDirectory() as name:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swept::step {
 namespace {
@@ -69,6 +70,53 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
   return tangents;
 }
 
+// A plane cuts an extrusion in an affine image of its profile, piece by piece.
+std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
+                                const Carrier& plane) {
+  constexpr double kLeastCosine = 0.05;  // 3 degrees from cutting along the direction
+  const double slope = extrusion.axis.dot(plane.axis);
+  const Profile& profile = *extrusion.profile;
+  if (std::abs(slope) < kLeastCosine || profile.isClosed()) return std::nullopt;
+  const Vector3d &x = extrusion.xdir, y = extrusion.axis.cross(x);
+  const auto onPlane = [&](const Vector3d& direction) {
+    return Vector3d(direction - direction.dot(plane.axis) / slope * extrusion.axis);
+  };
+  const double from = profile.foot(extrusion.inProfile(along.front())).t;
+  const double to = profile.foot(extrusion.inProfile(along.back())).t;
+  const double way = to > from ? 1 : -1;
+  std::vector<double> at;
+  for (const Profile::Node& node : profile.nodes()) {
+    if (way * (node.knot - from) > kOnCarrier && way * (to - node.knot) > kOnCarrier)
+      at.push_back(node.knot);
+  }
+  at.push_back(from);
+  at.push_back(to);
+  std::sort(at.begin(), at.end(), [&](double s, double t) { return way * s < way * t; });
+  Curve curve;
+  curve.kind = CurveKind::Spline;
+  curve.last = 1;
+  std::vector<Vector3d> points, slopes;
+  for (const double t : at) {
+    Eigen::Vector2d first, second;
+    profile.derivatives(t, first, second);
+    const Eigen::Vector2d q = profile.at(t);
+    const Vector3d p = extrusion.point + q.x() * x + q.y() * y;
+    points.push_back(p - plane.distance(p) / slope * extrusion.axis);
+    slopes.push_back(onPlane(first.x() * x + first.y() * y));
+    curve.knots.push_back((t - from) / (to - from));
+  }
+  points.front() = along.front();
+  points.back() = along.back();
+  curve.poles.push_back(points.front());
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    const double third = (at[i + 1] - at[i]) / 3;
+    curve.poles.push_back(points[i] + third * slopes[i]);
+    curve.poles.push_back(points[i + 1] - third * slopes[i + 1]);
+  }
+  curve.poles.push_back(points.back());
+  return curve;
+}
+
 }  // namespace
 
 double largestGap(const Curve& curve, const Carrier& carrier) {
@@ -86,6 +134,13 @@ double largestGap(const Curve& curve, const Carrier& carrier) {
 
 std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, const Carrier& a,
                                   const Carrier& b, double strays) {
+  for (const auto& [extrusion, plane] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    if (closed || extrusion->kind != CarrierKind::Extrusion || !plane->isPlanar()) continue;
+    const Curve line = lineThrough(along.front(), along.back());
+    if (isOnBoth(line, a, b)) return line;
+    const auto curve = cutProfile(along, *extrusion, *plane);
+    if (curve && isOnBoth(*curve, a, b)) return curve;
+  }
   for (std::size_t spans = kFewestSpans; spans <= kMostSpans; spans *= 2) {
     std::vector<Vector3d> points = spaced(along, spans);
     for (std::size_t i = 0; i <= spans; ++i) {

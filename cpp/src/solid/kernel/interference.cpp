@@ -5,7 +5,8 @@
 #include <BOPAlgo_CheckResult.hxx>
 #include <BOPTools_AlgoTools.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Edge.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -117,15 +118,39 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
   return found;
 }
 
-bool holdsItsEdges(const TopoDS_Face& face) {
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-    double distance = 0, at = 0;
-    if (BOPTools_AlgoTools::ComputeTolerance(face, edge, distance, at) &&
-        distance > BRep_Tool::Tolerance(edge))
-      return false;
+std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
+  std::vector<std::vector<std::int32_t>> faces(model.edges.size());
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    if (model.faces[f].surface.isPlanar()) continue;
+    for (const auto& loop : model.faces[f].loops) {
+      for (const ModelUse& use : loop) faces[use.edge].push_back(static_cast<std::int32_t>(f));
+    }
   }
-  return true;
+  std::vector<EdgeCut> unheld;
+  for (std::size_t e = 0; e < faces.size(); ++e) {
+    if (faces[e].empty() || brep.edges[e].IsNull()) continue;
+    const TopoDS_Edge& edge = brep.edges[e];
+    double seen = 0, largest = 0, at = 0;
+    ShapeAnalysis_Edge().CheckSameParameter(edge, seen);
+    for (const std::int32_t f : faces[e]) {
+      double distance = 0, where = 0;
+      if (!BOPTools_AlgoTools::ComputeTolerance(TopoDS::Face(brep.faces[f]), edge, distance, where) ||
+          distance <= largest)
+        continue;
+      largest = distance;
+      at = where;
+    }
+    if (largest > std::max(seen, Precision::Confusion()))
+      {
+      if (getenv("DBG2") != nullptr) {
+        fprintf(stderr, "   unheld %d kind %d gap %g seen %g largest %g at %g of %g length %g faces", int(e), int(model.edges[e].curve.kind), model.edges[e].tolerance, seen, largest, at, model.edges[e].curve.last, (model.edges[e].curve.at(0)-model.edges[e].curve.at(model.edges[e].curve.last)).norm());
+        for (auto f : faces[e]) fprintf(stderr, " %s", surfaceKindName(model.faces[f].surface.kind));
+        fprintf(stderr, "\n");
+      }
+      unheld.push_back({static_cast<std::int32_t>(e), at});
+      }
+  }
+  return unheld;
 }
 
 }  // namespace swept::step

@@ -5,19 +5,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <TopoDS_Face.hxx>
 #include <cstdint>
 #include <vector>
 
 #include "solid/kernel/brep.h"
 #include "solid/model/model.h"
+#include "solid/model/split_edges.h"
 #include "swept/run_context.h"
 
 namespace swept::step {
 
 std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, RunContext& run);
 
-/// Whether every edge of the face lies on it within its tolerance, measured along the whole edge.
-bool holdsItsEdges(const TopoDS_Face& face);
+/// Edges of curved faces whose tolerance, as a reader of the file sets it from points along the
+/// edge, is smaller than the largest distance from a face, with the parameter of that distance.
+std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep);
 
 }  // namespace swept::step

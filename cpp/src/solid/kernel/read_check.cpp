@@ -2,14 +2,11 @@
 #include "solid/kernel/read_check.h"
 
 #include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <sstream>
 #include <utility>
 
-#include "base/sort_unique.h"
-#include "solid/kernel/interference.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_text.h"
@@ -78,12 +75,7 @@ std::vector<std::int32_t> ReadCheck::read(const std::string& text, std::size_t c
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
   // If the reader split faces, the check of the whole file decides.
   if (faces.size() != count) return {};
-  std::vector<std::int32_t> bad = findBadFaces(faces, run_, 0.3, 0.3);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (!holdsItsEdges(TopoDS::Face(faces[f]))) bad.push_back(static_cast<std::int32_t>(f));
-  }
-  sortUnique(bad);
-  return bad;
+  return findBadFaces(faces, run_, 0.3, 0.3);
 }
 
 }  // namespace swept::step

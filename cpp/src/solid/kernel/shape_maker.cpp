@@ -7,6 +7,7 @@
 
 #include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
+#include "solid/carrier/section.h"
 #include "solid/kernel/interference.h"
 #include "solid/kernel/read_check.h"
 #include "solid/kernel/shape_check.h"
@@ -14,6 +15,7 @@
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
 #include "solid/model/gaps.h"
+#include "solid/model/split_edges.h"
 #include "solid/recognise/facets_saved.h"
 #include "solid/recognise/recognise.h"
 
@@ -147,6 +149,18 @@ std::vector<std::int32_t> facesOf(const std::vector<std::int32_t>& patches, cons
   return faces;
 }
 
+// Where a curve is best cut in halves: at a knot, since a profile may bend unevenly there.
+double middleOf(const Curve& curve) {
+  double middle = 0.5 * curve.last;
+  if (curve.knots.size() > 2) {
+    middle = *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1,
+                               [&](double a, double b) {
+                                 return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
+                               });
+  }
+  return middle;
+}
+
 class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
@@ -209,14 +223,35 @@ class ShapeMaker {
     return left;
   }
 
+  // A reader looks at some points of each edge to find its tolerance, and passes through some points
+  // on the surface between them. Edges where that is not enough are cut: where the distance is
+  // largest if it is a gap, else in the middle.
+  Brep buildHeld(Model& model) {
+    constexpr int kCuts = 6;
+    Brep brep = buildBrep(model, run_);
+    for (int round = 0; round < kCuts && options_.tolerance > 0 && brep.failed.empty(); ++round) {
+      std::vector<EdgeCut> cuts = findUnheldEdges(model, brep);
+      if (getenv("DBG") != nullptr) fprintf(stderr, "round %d: %zu unheld\n", round, cuts.size());
+      if (cuts.empty()) break;
+      for (EdgeCut& cut : cuts) {
+        const ModelEdge& edge = model.edges[cut.edge];
+        const double part = cut.at / edge.curve.last;
+        if (edge.tolerance <= kOnCarrier || part < 0.1 || part > 0.9)
+          cut.at = middleOf(edge.curve);
+      }
+      splitEdges(cuts, model);
+      brep = buildBrep(model, run_);
+    }
+    return brep;
+  }
+
   // Splits patches into facets if the kernel does not accept their faces, or does not read them
   // back. Returns false if a patch has to lose its surface, so that everything starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
     for (int trial = 0; trial < 3; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
-      brep = buildBrep(model, run_);
-      std::vector<std::int32_t> bad = brep.failed;
-      if (bad.empty() && options_.tolerance > 0) bad = facesOf(findLoosePatches(model, known_, options_.tolerance), model);
+      std::vector<std::int32_t> bad;
+      if (options_.tolerance > 0) bad = facesOf(findLoosePatches(model, known_, options_.tolerance), model);
       const auto note = [&](const char* what) {
         if (bad.empty() || getenv("DBG") == nullptr) return;
         fprintf(stderr, "%s:", what);
@@ -224,6 +259,7 @@ class ShapeMaker {
         fprintf(stderr, "\n");
       };
       note("loose");
+      if (bad.empty()) { brep = buildHeld(model); bad = brep.failed; note("failed"); }
       if (bad.empty()) { bad = findBadFaces(brep.faces, run_, 0.1, 0.3); note("bad"); }
       if (bad.empty()) { bad = reader_.findUnreadable(model); note("unread"); }
       if (bad.empty() && options_.tolerance > 0) { bad = findInterfering(model, brep, run_); note("interfering"); }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/model/gaps.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "base/sort_unique.h"
 #include "solid/carrier/section.h"
@@ -11,6 +13,7 @@ namespace {
 
 /// Mm. A kernel starts from this tolerance; an edge within it needs no larger one.
 constexpr double kHeld = 1e-7;
+double facetGap(double tolerance) { const char* t = getenv("GAP"); return t == nullptr ? kHeld : std::max(kHeld, std::min(0.01, atof(t) * tolerance)); }
 
 }  // namespace
 
@@ -32,7 +35,7 @@ std::vector<std::int32_t> findLoosePatches(const Model& model, std::int32_t know
         const double gap = largestGap(edge.curve, face.surface);
         const auto [one, two] = patches[use.edge];
         const bool bothKnown = one >= 0 && two >= 0 && one < known && two < known;
-        if (gap > (bothKnown ? kTouchingGap * tolerance : kHeld)) {
+        if (gap > (bothKnown ? tolerance : facetGap(tolerance))) {
           loose.push_back(face.patch);
           if (getenv("DBG") != nullptr) {
             const double a = face.surface.distance(edge.curve.at(0)), b = face.surface.distance(edge.curve.at(edge.curve.last));

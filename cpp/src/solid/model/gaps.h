@@ -11,11 +11,8 @@
 
 namespace swept::step {
 
-/// Largest gap of an edge between two recognised surfaces that touch without crossing, of the
-/// tolerance of the solid: such an edge lies between them, since the surfaces were fitted one by
-/// one.
-constexpr double kTouchingGap = 0.1;
-
+/// A face may lie off an edge that it shares with a facet by nothing, and off one that it shares with
+/// another recognised face by the tolerance (mm): two surfaces that touch were fitted one by one.
 /// Sorted, without doubles.
 std::vector<std::int32_t> findLoosePatches(const Model& model, std::int32_t known,
                                            double tolerance);
