@@ -60,8 +60,8 @@ const char* nameOf(BOPAlgo_CheckStatus status) {
 
 std::string describe(const TopoDS_Shape& shape) {
   constexpr std::array<const char*, 11> kSurfaces{
-      "plane",      "cylinder",  "cone",           "sphere", "torus", "bezier",
-      "b-spline",   "revolution", "extrusion", "offset", "other surface"};
+      "plane",    "cylinder",   "cone",      "sphere", "torus",        "bezier",
+      "b-spline", "revolution", "extrusion", "offset", "other surface"};
   constexpr std::array<const char*, 9> kCurves{"line",      "circle",   "ellipse",
                                                "hyperbola", "parabola", "bezier",
                                                "b-spline",  "offset",   "other curve"};
@@ -136,8 +136,8 @@ double blockError(const TopoDS_Shape& shape) {
                              low.Z() - 0.053 * size[2]},
       to{high.X() + 0.037 * size[0], high.Y() + 0.041 * size[1], high.Z() + 0.059 * size[2]};
   to[longest] -= 0.5213 * size[longest];
-  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(from[0], from[1], from[2]),
-                                                 gp_Pnt(to[0], to[1], to[2]));
+  const TopoDS_Shape block =
+      BRepPrimAPI_MakeBox(gp_Pnt(from[0], from[1], from[2]), gp_Pnt(to[0], to[1], to[2]));
   TopTools_ListOfShape blocks, tools;
   blocks.Append(block);
   tools.Append(shape);

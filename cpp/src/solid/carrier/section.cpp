@@ -53,7 +53,8 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
   return largestGap(curve, a) <= kOnCarrier && largestGap(curve, b) <= kOnCarrier;
 }
 
-// Unit tangents of the intersection, in the order of the points; nothing where the points turn back.
+// Unit tangents of the intersection, in the order of the points; nothing where the points turn
+// back.
 std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& points, bool closed,
                                                 const Carrier& a, const Carrier& b) {
   std::vector<Vector3d> tangents;

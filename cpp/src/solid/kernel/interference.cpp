@@ -67,8 +67,7 @@ std::vector<std::int32_t> facesNearPatches(const Model& model) {
     points.push_back(pointsOf(model, face));
     Box box;
     for (const Vector3d& p : points.back()) box.extend(p);
-    const double slack =
-        face.surface.isPlanar() ? kNear : 0.3 * box.diagonal().norm() + kNear;
+    const double slack = face.surface.isPlanar() ? kNear : 0.3 * box.diagonal().norm() + kNear;
     box.min().array() -= slack;
     box.max().array() += slack;
     boxes.push_back(box);
@@ -134,21 +133,15 @@ std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
     ShapeAnalysis_Edge().CheckSameParameter(edge, seen);
     for (const std::int32_t f : faces[e]) {
       double distance = 0, where = 0;
-      if (!BOPTools_AlgoTools::ComputeTolerance(TopoDS::Face(brep.faces[f]), edge, distance, where) ||
+      if (!BOPTools_AlgoTools::ComputeTolerance(TopoDS::Face(brep.faces[f]), edge, distance,
+                                                where) ||
           distance <= largest)
         continue;
       largest = distance;
       at = where;
     }
     if (largest > std::max(seen, Precision::Confusion()))
-      {
-      if (getenv("DBG2") != nullptr) {
-        fprintf(stderr, "   unheld %d kind %d gap %g seen %g largest %g at %g of %g length %g faces", int(e), int(model.edges[e].curve.kind), model.edges[e].tolerance, seen, largest, at, model.edges[e].curve.last, (model.edges[e].curve.at(0)-model.edges[e].curve.at(model.edges[e].curve.last)).norm());
-        for (auto f : faces[e]) fprintf(stderr, " %s", surfaceKindName(model.faces[f].surface.kind));
-        fprintf(stderr, "\n");
-      }
       unheld.push_back({static_cast<std::int32_t>(e), at});
-      }
   }
   return unheld;
 }

@@ -1,7 +1,8 @@
 // Faces that meet where they share nothing, as the kernel's own test for Boolean operations finds
 // them.
 // In: a Model and its kernel faces. Only faces near one that is no facet are tested: facets do not
-// meet one another as the simplifier leaves them. Out: indices into Model::faces. The caller holds a KernelSession. Cost: about 2 ms a tested face.
+// meet one another as the simplifier leaves them. Out: indices into Model::faces. The caller holds
+// a KernelSession. Cost: about 2 ms a tested face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -140,23 +140,14 @@ std::int64_t countFaces(const Partition& partition) {
                        [](const Patch& patch) { return !patch.triangles.empty(); });
 }
 
-std::vector<std::int32_t> facesOf(const std::vector<std::int32_t>& patches, const Model& model) {
-  std::vector<std::int32_t> faces;
-  for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    if (std::binary_search(patches.begin(), patches.end(), model.faces[f].patch))
-      faces.push_back(static_cast<std::int32_t>(f));
-  }
-  return faces;
-}
-
 // Where a curve is best cut in halves: at a knot, since a profile may bend unevenly there.
 double middleOf(const Curve& curve) {
   double middle = 0.5 * curve.last;
   if (curve.knots.size() > 2) {
-    middle = *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1,
-                               [&](double a, double b) {
-                                 return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
-                               });
+    middle =
+        *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1, [&](double a, double b) {
+          return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
+        });
   }
   return middle;
 }
@@ -212,32 +203,29 @@ class ShapeMaker {
     if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
     faces.insert(faces.end(), unread.begin(), unread.end());
+    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+    faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
-    }
-    for (const std::int32_t patch : findLoosePatches(model, known_, options_.tolerance)) {
-      if (patch < known_) bad.push_back(patch);
     }
     sortUnique(bad);
     forgetPatches(bad, dense_, first, left);
     return left;
   }
 
-  // A reader looks at some points of each edge to find its tolerance, and passes through some points
-  // on the surface between them. Edges where that is not enough are cut: where the distance is
-  // largest if it is a gap, else in the middle.
+  // A reader looks at some points of each edge to find its tolerance, and passes through some
+  // points on the surface between them. Edges where that is not enough are cut: where the distance
+  // is largest if it is a gap, else in the middle.
   Brep buildHeld(Model& model) {
     constexpr int kCuts = 6;
     Brep brep = buildBrep(model, run_);
     for (int round = 0; round < kCuts && options_.tolerance > 0 && brep.failed.empty(); ++round) {
       std::vector<EdgeCut> cuts = findUnheldEdges(model, brep);
-      if (getenv("DBG") != nullptr) fprintf(stderr, "round %d: %zu unheld\n", round, cuts.size());
       if (cuts.empty()) break;
       for (EdgeCut& cut : cuts) {
         const ModelEdge& edge = model.edges[cut.edge];
         const double part = cut.at / edge.curve.last;
-        if (edge.tolerance <= kOnCarrier || part < 0.1 || part > 0.9)
-          cut.at = middleOf(edge.curve);
+        if (edge.tolerance <= kOnCarrier || part < 0.1 || part > 0.9) cut.at = middleOf(edge.curve);
       }
       splitEdges(cuts, model);
       brep = buildBrep(model, run_);
@@ -251,18 +239,15 @@ class ShapeMaker {
     for (int trial = 0; trial < 3; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
       std::vector<std::int32_t> bad;
-      if (options_.tolerance > 0) bad = facesOf(findLoosePatches(model, known_, options_.tolerance), model);
-      const auto note = [&](const char* what) {
-        if (bad.empty() || getenv("DBG") == nullptr) return;
-        fprintf(stderr, "%s:", what);
-        for (auto f : bad) fprintf(stderr, " %d(%s %d)", model.faces[f].patch, surfaceKindName(model.faces[f].surface.kind), int(model.faces[f].patch < known_));
-        fprintf(stderr, "\n");
-      };
-      note("loose");
-      if (bad.empty()) { brep = buildHeld(model); bad = brep.failed; note("failed"); }
-      if (bad.empty()) { bad = findBadFaces(brep.faces, run_, 0.1, 0.3); note("bad"); }
-      if (bad.empty()) { bad = reader_.findUnreadable(model); note("unread"); }
-      if (bad.empty() && options_.tolerance > 0) { bad = findInterfering(model, brep, run_); note("interfering"); }
+      const bool exact = options_.tolerance <= 0;
+      if (!exact) bad = findLooseFaces(model, known_, options_.tolerance);
+      if (bad.empty()) {
+        brep = buildHeld(model);
+        bad = brep.failed;
+      }
+      if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
+      if (bad.empty()) bad = reader_.findUnreadable(model);
+      if (bad.empty() && !exact) bad = findInterfering(model, brep, run_);
       if (bad.empty()) return true;
       if (!withdraw(bad, model, known_, small, refused_) || !refused_.empty()) break;
     }

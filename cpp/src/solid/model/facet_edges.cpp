@@ -28,7 +28,8 @@ bool keepsClear(const Curve& curve, const Vector3d& a, const Vector3d& b, const 
                 const Vector3d& into) {
   constexpr int kSteps = 16;
   const Vector3d along = (b - a).normalized();
-  const double atA = kMaxIntoCorner * angleAt(a, b, apex), atB = kMaxIntoCorner * angleAt(b, a, apex);
+  const double atA = kMaxIntoCorner * angleAt(a, b, apex),
+               atB = kMaxIntoCorner * angleAt(b, a, apex);
   for (int i = 1; i < kSteps; ++i) {
     const Vector3d p = curve.at(curve.last * i / kSteps);
     const double height = (p - a).dot(into);

@@ -1,5 +1,5 @@
-// Patches that cannot be faces of a solid that others cut: an edge lies off their surface.
-// In: a Model; patches below `known` were recognised. Out: patches of faces with such an edge.
+// Faces that cannot be faces of a solid that others cut: an edge lies off their surface.
+// In: a Model; patches below `known` were recognised. Out: indices into Model::faces, in order.
 // Units: mm. Cost: O(edges).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -11,10 +11,9 @@
 
 namespace swept::step {
 
-/// A face may lie off an edge that it shares with a facet by nothing, and off one that it shares with
-/// another recognised face by the tolerance (mm): two surfaces that touch were fitted one by one.
-/// Sorted, without doubles.
-std::vector<std::int32_t> findLoosePatches(const Model& model, std::int32_t known,
-                                           double tolerance);
+/// An edge between a facet and another face lies on both, or the other face is loose. An edge
+/// between two recognised faces lies within `tolerance` (mm) of both: surfaces that touch were
+/// fitted one by one, so that no edge is on both.
+std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance);
 
 }  // namespace swept::step

@@ -54,7 +54,8 @@ std::pair<Curve, Curve> splitSpline(const Curve& whole, double at) {
 std::pair<Curve, Curve> split(const Curve& curve, double at) {
   if (curve.kind == CurveKind::Spline) return splitSpline(curve, at);
   if (curve.kind == CurveKind::Line)
-    return {lineThrough(curve.at(0), curve.at(at)), lineThrough(curve.at(at), curve.at(curve.last))};
+    return {lineThrough(curve.at(0), curve.at(at)),
+            lineThrough(curve.at(at), curve.at(curve.last))};
   Curve low = curve, high = curve;
   low.last = at;
   high.xdir = (curve.at(at) - curve.start).normalized();
