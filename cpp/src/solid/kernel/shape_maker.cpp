@@ -2,6 +2,7 @@
 #include "solid/kernel/shape_maker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -233,23 +234,33 @@ class ShapeMaker {
     return brep;
   }
 
-  // Splits patches into facets if the kernel does not accept their faces, or does not read them
-  // back. Returns false if a patch has to lose its surface, so that everything starts again.
+  // Faces that are loose or that the kernel refuses. Those that are sound are made into `brep`.
+  std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
+    if (options_.tolerance > 0) {
+      std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+      if (!loose.empty()) return loose;
+    }
+    brep = buildHeld(model);
+    if (!brep.failed.empty()) return brep.failed;
+    std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
+    return bad.empty() ? reader_.findUnreadable(model) : bad;
+  }
+
+  // Splits patches into facets if the kernel does not accept their faces, does not read them back,
+  // or finds that they meet others. Returns false if a patch has to lose its surface, so that
+  // everything starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
-    for (int trial = 0; trial < 3; ++trial) {
+    constexpr int kTrials = 4;
+    for (int trial = 0; trial < kTrials; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
-      std::vector<std::int32_t> bad;
-      const bool exact = options_.tolerance <= 0;
-      if (!exact) bad = findLooseFaces(model, known_, options_.tolerance);
-      if (bad.empty()) {
-        brep = buildHeld(model);
-        bad = brep.failed;
-      }
-      if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-      if (bad.empty()) bad = reader_.findUnreadable(model);
-      if (bad.empty() && !exact) bad = findInterfering(model, brep, run_);
+      std::vector<std::int32_t> bad = findUnsound(model, brep);
+      const bool sound = bad.empty();
+      if (sound && options_.tolerance > 0) bad = findInterfering(model, brep, run_);
       if (bad.empty()) return true;
-      if (!withdraw(bad, model, known_, small, refused_) || !refused_.empty()) break;
+      const bool changed = withdraw(bad, model, known_, small, refused_);
+      if (!refused_.empty()) return false;
+      // Facets that meet one another where nothing is left to withdraw stay: each of them is sound.
+      if (!changed || trial + 1 == kTrials) return sound;
     }
     return false;
   }
