@@ -153,6 +153,27 @@ double middleOf(const Curve& curve) {
   return middle;
 }
 
+bool hasFacets(const Model& model) {
+  return std::any_of(model.faces.begin(), model.faces.end(),
+                     [](const ModelFace& face) { return face.surface.kind == CarrierKind::Facet; });
+}
+
+std::vector<std::int32_t> curvedFacesOf(const std::vector<EdgeCut>& edges, const Model& model) {
+  std::vector<char> isOne(model.edges.size(), 0);
+  for (const EdgeCut& cut : edges) isOne[cut.edge] = 1;
+  std::vector<std::int32_t> faces;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    if (model.faces[f].surface.isPlanar()) continue;
+    for (const auto& loop : model.faces[f].loops) {
+      for (const ModelUse& use : loop) {
+        if (isOne[use.edge]) faces.push_back(static_cast<std::int32_t>(f));
+      }
+    }
+  }
+  sortUnique(faces);
+  return faces;
+}
+
 class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
@@ -216,22 +237,21 @@ class ShapeMaker {
 
   // A reader looks at some points of each edge to find its tolerance, and passes through some
   // points on the surface between them. Edges where that is not enough are cut: where the distance
-  // is largest if it is a gap, else in the middle.
-  Brep buildHeld(Model& model) {
+  // is largest if it is a gap, else in the middle. `left`: the edges for which no cut was enough.
+  Brep buildHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
-    Brep brep = buildBrep(model, run_);
-    for (int round = 0; round < kCuts && options_.tolerance > 0 && brep.failed.empty(); ++round) {
-      std::vector<EdgeCut> cuts = findUnheldEdges(model, brep);
-      if (cuts.empty()) break;
-      for (EdgeCut& cut : cuts) {
+    for (int round = 0;; ++round) {
+      Brep brep = buildBrep(model, run_);
+      if (options_.tolerance <= 0 || !brep.failed.empty()) return brep;
+      left = findUnheldEdges(model, brep);
+      if (left.empty() || round == kCuts) return brep;
+      for (EdgeCut& cut : left) {
         const ModelEdge& edge = model.edges[cut.edge];
         const double part = cut.at / edge.curve.last;
         if (edge.tolerance <= kOnCarrier || part < 0.1 || part > 0.9) cut.at = middleOf(edge.curve);
       }
-      splitEdges(cuts, model);
-      brep = buildBrep(model, run_);
+      splitEdges(left, model);
     }
-    return brep;
   }
 
   // Faces that are loose or that the kernel refuses. Those that are sound are made into `brep`.
@@ -240,8 +260,11 @@ class ShapeMaker {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
       if (!loose.empty()) return loose;
     }
-    brep = buildHeld(model);
+    std::vector<EdgeCut> unheld;
+    brep = buildHeld(model, unheld);
     if (!brep.failed.empty()) return brep.failed;
+    // Among facets some more do no harm; a solid of surfaces alone would become hundreds of facets.
+    if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
     std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
     return bad.empty() ? reader_.findUnreadable(model) : bad;
   }
