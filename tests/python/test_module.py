@@ -308,6 +308,7 @@ def test_solid_within_a_tolerance_as_large_as_the_body(box, tmp_path):
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_solid_of_a_box(tmp_path, box):
     report = _swept.write_solid(tmp_path / "box.step", *box)
+    assert 0 < report["edge_tolerance"] <= 1e-6, "edges lie on their faces"
     assert report["valid"] and report["solids"] == 1 and report["faces"] == 6
     assert report["volume"] == pytest.approx(6000)
     assert (tmp_path / "box.step").stat().st_size == report["file_bytes"]

@@ -54,9 +54,12 @@ struct StepReport {
       facesByKind;       ///< "plane", "cylinder", ..., "facet"
   double tolerance = 0;  ///< mm: the one given, or the one that the limits asked for
   double deviation = 0;  ///< mm: largest distance of a mesh vertex from the face that stands for it
-  std::string note;      ///< what was given up to get a valid solid; empty: nothing
-  bool valid = false;    ///< the kernel's check of what was read back
-  double volume = 0;     ///< mm^3 of what was read back
+  /// mm: largest tolerance of an edge or vertex in what was read back, at most `tolerance` of a
+  /// simplified solid
+  double edgeTolerance = 0;
+  std::string note;       ///< what was given up to get a valid solid; empty: nothing
+  bool valid = false;     ///< the kernel's check of what was read back
+  double volume = 0;      ///< mm^3 of what was read back
   double meshVolume = 0;  ///< mm^3
   std::uint64_t fileBytes = 0;
   double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;
@@ -99,9 +102,10 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
 /// What the kernel finds in a STEP or BREP file.
 struct SolidCheck {
   std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
-  bool valid = false;     ///< at least one solid; faces valid, shells closed and oriented
-  std::string complaint;  ///< empty when valid
-  double volume = 0;      ///< mm^3
+  bool valid = false;        ///< at least one solid; faces valid, shells closed and oriented
+  std::string complaint;     ///< empty when valid
+  double volume = 0;         ///< mm^3
+  double edgeTolerance = 0;  ///< mm: largest tolerance of an edge or vertex
 };
 
 /// Throws Error(InvalidInput, "BadFile"), Error(Cancelled).

@@ -45,6 +45,7 @@ std::string toJson(const StepReport& solid) {
                   {"closed", solid.valid},
                   {"tolerance", solid.tolerance},
                   {"deviation", solid.deviation},
+                  {"edge_tolerance", solid.edgeTolerance},
                   {"volume", solid.volume},
                   {"mesh_volume", solid.meshVolume},
                   {"file_bytes", solid.fileBytes},

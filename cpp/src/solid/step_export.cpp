@@ -208,6 +208,10 @@ void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOption
   } else if (!(std::abs(check.volume - mesh.volume) <= allowed)) {
     what = "volume " + numberText(check.volume, 9) + " mm^3 instead of " +
            numberText(mesh.volume, 9) + " mm^3 (allowed difference " + numberText(allowed, 3) + ")";
+  } else if (options.tolerance > 0 && options.recognise &&
+             check.edgeTolerance > options.tolerance) {
+    what = "an edge or vertex with a tolerance of " + numberText(check.edgeTolerance, 3) +
+           " mm, more than the solid's of " + numberText(options.tolerance, 3) + " mm";
   }
   if (!what.empty()) {
     throw Error(Status::ExportFailed, "RereadDiffers",
@@ -281,6 +285,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
     report.tolerance = options.tolerance;
+    report.edgeTolerance = check.edgeTolerance;
     if (options.strict && report.tolerance > 0 && report.deviation > report.tolerance) {
       throw Error(Status::ExportFailed, "SolidInaccurate",
                   "the solid would leave the mesh by " + numberText(report.deviation, 3) +

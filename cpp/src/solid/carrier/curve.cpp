@@ -47,6 +47,8 @@ Eigen::VectorXd equations(const Vector3d& p, const std::vector<const Carrier*>& 
   return value;
 }
 
+}  // namespace
+
 std::optional<Curve> circleThrough(const std::vector<Vector3d>& points, bool closed, double eps) {
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& p : points) mean += p / static_cast<double>(points.size());
@@ -96,6 +98,26 @@ std::optional<Curve> circleThrough(const std::vector<Vector3d>& points, bool clo
   return curve;
 }
 
+Curve splineAlong(const std::vector<Vector3d>& points, const std::vector<Vector3d>& tangents) {
+  Curve curve;
+  curve.kind = CurveKind::Spline;
+  curve.last = 1;
+  curve.knots.push_back(0);
+  curve.poles.push_back(points.front());
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double length = (points[i + 1] - points[i]).norm();
+    curve.knots.push_back(curve.knots.back() + length);
+    curve.poles.push_back(points[i] + length / 3 * tangents[i]);
+    curve.poles.push_back(points[i + 1] - length / 3 * tangents[i + 1]);
+  }
+  curve.poles.push_back(points.back());
+  const double total = curve.knots.back();
+  for (double& k : curve.knots) k /= total;
+  return curve;
+}
+
+namespace {
+
 // Drops points that fold back or are too close to the one before; the two ends stay.
 std::vector<Vector3d> inOrder(const std::vector<Vector3d>& points) {
   double length = 0;
@@ -117,17 +139,7 @@ std::vector<Vector3d> inOrder(const std::vector<Vector3d>& points) {
 
 Curve splineThrough(const std::vector<Vector3d>& points, bool closed,
                     const std::vector<const Carrier*>& surfaces) {
-  Curve curve;
-  curve.kind = CurveKind::Spline;
   const std::size_t count = points.size();
-  double total = 0;
-  curve.knots.push_back(0);
-  for (std::size_t i = 1; i < count; ++i) {
-    total += (points[i] - points[i - 1]).norm();
-    curve.knots.push_back(total);
-  }
-  for (double& k : curve.knots) k /= total;
-  curve.last = 1;
   std::vector<Vector3d> tangent(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3d before = i > 0    ? Vector3d(points[i] - points[i - 1])
@@ -149,14 +161,7 @@ Curve splineThrough(const std::vector<Vector3d>& points, bool closed,
     }
     tangent[i] = chord;
   }
-  curve.poles.push_back(points.front());
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    const double third = (points[i + 1] - points[i]).norm() / 3;
-    curve.poles.push_back(points[i] + third * tangent[i]);
-    curve.poles.push_back(points[i + 1] - third * tangent[i + 1]);
-  }
-  curve.poles.push_back(points.back());
-  return curve;
+  return splineAlong(points, tangent);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,14 @@ struct Curve {
 };
 
 Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// The arc or circle that passes through the ordered points within eps, if there is one.
+std::optional<Curve> circleThrough(const std::vector<Eigen::Vector3d>& points, bool closed,
+                                   double eps);
+
+/// The spline through these points with these unit tangents.
+Curve splineAlong(const std::vector<Eigen::Vector3d>& points,
+                  const std::vector<Eigen::Vector3d>& tangents);
 
 /// The profile of an extrusion or a revolution as a curve in space.
 Curve profileOf(const Carrier& surface);

@@ -71,6 +71,7 @@ class BrepBuilder {
       result.faces.push_back(made);
     }
     result.shape = makeSolids(shells);
+    result.edges = std::move(edges_);
     return result;
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdint>
 #include <string>
@@ -15,6 +16,7 @@ namespace swept::step {
 struct Brep {
   TopoDS_Shape shape;               ///< one solid, or a compound of solids
   std::vector<TopoDS_Shape> faces;  ///< in the order of Model::faces
+  std::vector<TopoDS_Edge> edges;   ///< in the order of Model::edges
   std::vector<std::int32_t>
       failed;  ///< faces for which the kernel could not even make what they need
 };

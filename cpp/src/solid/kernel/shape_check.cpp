@@ -21,6 +21,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <gp_Pln.hxx>
@@ -192,9 +193,18 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
     check.complaint = "no shape";
     return check;
   }
-  TopTools_IndexedMapOfShape faceMap, edgeMap;
+  TopTools_IndexedMapOfShape faceMap, edgeMap, vertexMap;
   TopExp::MapShapes(shape, TopAbs_FACE, faceMap);
   TopExp::MapShapes(shape, TopAbs_EDGE, edgeMap);
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertexMap);
+  for (int i = 1; i <= edgeMap.Extent(); ++i) {
+    check.edgeTolerance =
+        std::max(check.edgeTolerance, BRep_Tool::Tolerance(TopoDS::Edge(edgeMap(i))));
+  }
+  for (int i = 1; i <= vertexMap.Extent(); ++i) {
+    check.edgeTolerance =
+        std::max(check.edgeTolerance, BRep_Tool::Tolerance(TopoDS::Vertex(vertexMap(i))));
+  }
   check.faces = faceMap.Extent();
   check.edges = edgeMap.Extent();
   for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) ++check.solids;

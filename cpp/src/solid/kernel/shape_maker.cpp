@@ -2,16 +2,21 @@
 #include "solid/kernel/shape_maker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
+#include "solid/carrier/section.h"
+#include "solid/kernel/interference.h"
 #include "solid/kernel/read_check.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
+#include "solid/model/gaps.h"
+#include "solid/model/split_edges.h"
 #include "solid/recognise/facets_saved.h"
 #include "solid/recognise/recognise.h"
 
@@ -136,6 +141,39 @@ std::int64_t countFaces(const Partition& partition) {
                        [](const Patch& patch) { return !patch.triangles.empty(); });
 }
 
+// Where a curve is best cut in halves: at a knot, since a profile may bend unevenly there.
+double middleOf(const Curve& curve) {
+  double middle = 0.5 * curve.last;
+  if (curve.knots.size() > 2) {
+    middle =
+        *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1, [&](double a, double b) {
+          return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
+        });
+  }
+  return middle;
+}
+
+bool hasFacets(const Model& model) {
+  return std::any_of(model.faces.begin(), model.faces.end(),
+                     [](const ModelFace& face) { return face.surface.kind == CarrierKind::Facet; });
+}
+
+std::vector<std::int32_t> curvedFacesOf(const std::vector<EdgeCut>& edges, const Model& model) {
+  std::vector<char> isOne(model.edges.size(), 0);
+  for (const EdgeCut& cut : edges) isOne[cut.edge] = 1;
+  std::vector<std::int32_t> faces;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    if (model.faces[f].surface.isPlanar()) continue;
+    for (const auto& loop : model.faces[f].loops) {
+      for (const ModelUse& use : loop) {
+        if (isOne[use.edge]) faces.push_back(static_cast<std::int32_t>(f));
+      }
+    }
+  }
+  sortUnique(faces);
+  return faces;
+}
+
 class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
@@ -187,24 +225,65 @@ class ShapeMaker {
     if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
     faces.insert(faces.end(), unread.begin(), unread.end());
+    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+    faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
     }
+    sortUnique(bad);
     forgetPatches(bad, dense_, first, left);
     return left;
   }
 
-  // Splits patches into facets if the kernel does not accept their faces, or does not read them
-  // back. Returns false if a patch has to lose its surface, so that everything starts again.
+  // A reader looks at some points of each edge to find its tolerance, and passes through some
+  // points on the surface between them. Edges where that is not enough are cut: where the distance
+  // is largest if it is a gap, else in the middle. `left`: the edges for which no cut was enough.
+  Brep buildHeld(Model& model, std::vector<EdgeCut>& left) {
+    constexpr int kCuts = 6;
+    for (int round = 0;; ++round) {
+      Brep brep = buildBrep(model, run_);
+      if (options_.tolerance <= 0 || !brep.failed.empty()) return brep;
+      left = findUnheldEdges(model, brep);
+      if (left.empty() || round == kCuts) return brep;
+      for (EdgeCut& cut : left) {
+        const ModelEdge& edge = model.edges[cut.edge];
+        const double part = cut.at / edge.curve.last;
+        if (edge.tolerance <= kOnCarrier || part < 0.1 || part > 0.9) cut.at = middleOf(edge.curve);
+      }
+      splitEdges(left, model);
+    }
+  }
+
+  // Faces that are loose or that the kernel refuses. Those that are sound are made into `brep`.
+  std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
+    if (options_.tolerance > 0) {
+      std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+      if (!loose.empty()) return loose;
+    }
+    std::vector<EdgeCut> unheld;
+    brep = buildHeld(model, unheld);
+    if (!brep.failed.empty()) return brep.failed;
+    // Among facets some more do no harm; a solid of surfaces alone would become hundreds of facets.
+    if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
+    std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
+    return bad.empty() ? reader_.findUnreadable(model) : bad;
+  }
+
+  // Splits patches into facets if the kernel does not accept their faces, does not read them back,
+  // or finds that they meet others. Returns false if a patch has to lose its surface, so that
+  // everything starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
-    for (int trial = 0; trial < 3; ++trial) {
+    constexpr int kTrials = 4;
+    for (int trial = 0; trial < kTrials; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
-      brep = buildBrep(model, run_);
-      std::vector<std::int32_t> bad = brep.failed;
-      if (bad.empty()) bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-      if (bad.empty()) bad = reader_.findUnreadable(model);
+      std::vector<std::int32_t> bad = findUnsound(model, brep);
+      const bool sound = bad.empty();
+      if (sound && options_.tolerance > 0) bad = findInterfering(model, brep, run_);
       if (bad.empty()) return true;
-      if (!withdraw(bad, model, known_, small, refused_) || !refused_.empty()) break;
+      const bool changed = withdraw(bad, model, known_, small, refused_);
+      if (!refused_.empty()) return false;
+      // Facets that meet one another where nothing is left to withdraw stay: each of them is sound.
+      if (!changed || trial + 1 == kTrials) return sound;
     }
     return false;
   }

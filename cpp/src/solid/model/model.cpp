@@ -6,7 +6,9 @@
 #include <unordered_map>
 
 #include "base/union_find.h"
+#include "solid/carrier/section.h"
 #include "solid/model/chains.h"
+#include "solid/model/facet_edges.h"
 
 namespace swept::step {
 namespace {
@@ -36,6 +38,7 @@ class Builder {
     run_.checkpoint(Phase::Export);
     makeFaces();
     fitFacets();
+    curveFacetEdges(model_);
     setTolerances();
     model_.positions = std::move(position_);
     return std::move(model_);
@@ -130,12 +133,33 @@ class Builder {
     return vertexId_[v];
   }
 
+  // The curve in which the two surfaces of a chain intersect, where its ends lie on both.
+  std::optional<Curve> exactCurveOf(const Chain& chain, const Vector3d& first,
+                                    const Vector3d& last) const {
+    for (const Carrier* surface : chain.surfaces) {
+      for (const Vector3d& end : {first, last}) {
+        if (std::abs(surface->distance(end)) > kOnCarrier) return std::nullopt;
+      }
+    }
+    std::vector<Vector3d> along{first};
+    double reach = 0;
+    for (std::size_t i = 1; i <= chain.halfEdges.size(); ++i) {
+      along.push_back(i == chain.halfEdges.size() ? last : mesh_.points[vertexAt(chain, i)]);
+      reach = std::max(reach, (along[i] - along[i - 1]).norm());
+    }
+    const double strays = 3 * tolerance_ + 2 * reach;
+    const auto curve =
+        sectionCurve(along, chain.closed, *chain.surfaces[0], *chain.surfaces[1], strays);
+    return curve && isNear(*curve, along, chain, strays) ? curve : std::nullopt;
+  }
+
   // The curve of intersection of the chain's surfaces; where these are too nearly parallel for
   // that, a curve along the mesh.
   Curve curveOf(const Chain& chain) {
     const std::size_t count = chain.halfEdges.size();
     const Vector3d first = position_[root(vertexAt(chain, 0))],
                    last = position_[root(vertexAt(chain, count))];
+    if (const auto exact = exactCurveOf(chain, first, last)) return *exact;
     std::vector<Vector3d> along{first}, points{first};
     const bool profiled = std::any_of(chain.surfaces.begin(), chain.surfaces.end(),
                                       [](const Carrier* s) { return s->hasProfile(); });
@@ -288,12 +312,7 @@ class Builder {
       for (const auto& loop : face.loops) {
         for (const ModelUse& use : loop) {
           ModelEdge& edge = model_.edges[use.edge];
-          // A straight edge is farthest from a plane at its ends.
-          const int steps = edge.curve.kind == CurveKind::Line && face.surface.isPlanar() ? 1 : 16;
-          for (int i = 0; i <= steps; ++i) {
-            const Vector3d p = edge.curve.at(edge.curve.last * i / steps);
-            edge.tolerance = std::max(edge.tolerance, std::abs(face.surface.distance(p)));
-          }
+          edge.tolerance = std::max(edge.tolerance, largestGap(edge.curve, face.surface));
         }
       }
     }

@@ -231,8 +231,8 @@ bool isFaceted(const Model& model) {
 
 double statedAccuracy(const Model& model) {
   // Readers compute the gaps between surfaces themselves; a large value would let them drop short
-  // edges.
-  if (!isFlat(model)) return 1e-6;
+  // edges, and take curves on surfaces that are off by as much.
+  if (!isFlat(model)) return 1e-7;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
   // A little more than was measured, because the file rounds points and directions.

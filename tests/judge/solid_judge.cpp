@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "judge/solid_judge.h"
+
+#include <BOPAlgo_ArgumentAnalyzer.hxx>
+#include <BOPAlgo_CheckResult.hxx>
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace swept::test {
+namespace {
+
+const char* nameOf(BOPAlgo_CheckStatus status) {
+  switch (status) {
+    case BOPAlgo_BadType:
+      return "BadType";
+    case BOPAlgo_SelfIntersect:
+      return "SelfIntersect";
+    case BOPAlgo_TooSmallEdge:
+      return "TooSmallEdge";
+    case BOPAlgo_NonRecoverableFace:
+      return "NonRecoverableFace";
+    case BOPAlgo_IncompatibilityOfVertex:
+      return "IncompatibilityOfVertex";
+    case BOPAlgo_IncompatibilityOfEdge:
+      return "IncompatibilityOfEdge";
+    case BOPAlgo_IncompatibilityOfFace:
+      return "IncompatibilityOfFace";
+    case BOPAlgo_OperationAborted:
+      return "OperationAborted";
+    case BOPAlgo_GeomAbs_C0:
+      return "Continuity";
+    case BOPAlgo_InvalidCurveOnSurface:
+      return "InvalidCurveOnSurface";
+    default:
+      return "Unknown";
+  }
+}
+
+std::string describe(const TopoDS_Shape& shape) {
+  constexpr std::array<const char*, 11> kSurfaces{
+      "plane",    "cylinder",   "cone",      "sphere", "torus",        "bezier",
+      "b-spline", "revolution", "extrusion", "offset", "other surface"};
+  constexpr std::array<const char*, 9> kCurves{"line",      "circle",   "ellipse",
+                                               "hyperbola", "parabola", "bezier",
+                                               "b-spline",  "offset",   "other curve"};
+  std::ostringstream text;
+  if (shape.ShapeType() == TopAbs_FACE) {
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    text << kSurfaces[BRepAdaptor_Surface(TopoDS::Face(shape)).GetType()] << " of "
+         << edges.Extent() << " edges";
+  } else if (shape.ShapeType() == TopAbs_EDGE) {
+    const TopoDS_Edge& edge = TopoDS::Edge(shape);
+    text << kCurves[BRepAdaptor_Curve(edge).GetType()] << " (tolerance "
+         << BRep_Tool::Tolerance(edge) << ")";
+  } else if (shape.ShapeType() == TopAbs_VERTEX) {
+    text << "vertex (tolerance " << BRep_Tool::Tolerance(TopoDS::Vertex(shape)) << ")";
+  } else {
+    text << "shape";
+  }
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  if (!box.IsVoid()) {
+    const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+    text << " at " << (low.X() + high.X()) / 2 << " " << (low.Y() + high.Y()) / 2 << " "
+         << (low.Z() + high.Z()) / 2 << " size " << low.Distance(high);
+  }
+  return text.str();
+}
+
+// The settings of FreeCAD's check, TaskCheckGeometry and TopoShape::analyze.
+void findFaults(const TopoDS_Shape& shape, std::size_t detailCount, JudgedSolid& judged) {
+  BOPAlgo_ArgumentAnalyzer analyzer;
+  analyzer.SetShape1(BRepBuilderAPI_Copy(shape).Shape());
+  analyzer.ArgumentTypeMode() = true;
+  analyzer.SelfInterMode() = true;
+  analyzer.SmallEdgeMode() = true;
+  analyzer.RebuildFaceMode() = true;
+  analyzer.ContinuityMode() = true;
+  analyzer.TangentMode() = true;
+  analyzer.MergeVertexMode() = true;
+  analyzer.MergeEdgeMode() = true;
+  analyzer.CurveOnSurfaceMode() = true;
+  analyzer.SetRunParallel(true);
+  analyzer.Perform();
+  std::map<std::string, TopTools_IndexedMapOfShape> taking;
+  for (const BOPAlgo_CheckResult& result : analyzer.GetCheckResult()) {
+    const char* name = nameOf(result.GetCheckStatus());
+    std::string words = name;
+    for (const TopoDS_Shape& part : result.GetFaultyShapes1()) {
+      taking[name].Add(part);
+      words += "; " + describe(part);
+    }
+    if (result.GetFaultyShapes1().IsEmpty()) taking[name].Add(shape);
+    if (judged.details.size() < detailCount) judged.details.push_back(words);
+  }
+  for (const auto& [name, parts] : taking) judged.faults[name] = parts.Extent();
+}
+
+double volumeOf(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties, 1e-9);
+  return properties.Mass();
+}
+
+double blockError(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+  // The block ends in the middle of the solid along its longest side, and at odd places around it.
+  const std::array<double, 3> size{high.X() - low.X(), high.Y() - low.Y(), high.Z() - low.Z()};
+  const auto longest = std::max_element(size.begin(), size.end()) - size.begin();
+  std::array<double, 3> from{low.X() - 0.031 * size[0], low.Y() - 0.047 * size[1],
+                             low.Z() - 0.053 * size[2]},
+      to{high.X() + 0.037 * size[0], high.Y() + 0.041 * size[1], high.Z() + 0.059 * size[2]};
+  to[longest] -= 0.5213 * size[longest];
+  const TopoDS_Shape block =
+      BRepPrimAPI_MakeBox(gp_Pnt(from[0], from[1], from[2]), gp_Pnt(to[0], to[1], to[2]));
+  TopTools_ListOfShape blocks, tools;
+  blocks.Append(block);
+  tools.Append(shape);
+  double sum = 0;
+  BRepAlgoAPI_Cut cut;
+  BRepAlgoAPI_Common common;
+  for (BRepAlgoAPI_BooleanOperation* operation :
+       std::initializer_list<BRepAlgoAPI_BooleanOperation*>{&cut, &common}) {
+    operation->SetArguments(blocks);
+    operation->SetTools(tools);
+    operation->SetRunParallel(true);
+    operation->Build();
+    if (operation->HasErrors() || operation->Shape().IsNull()) return -1;
+    sum += volumeOf(operation->Shape());
+  }
+  return std::abs(sum / volumeOf(block) - 1);
+}
+
+}  // namespace
+
+TopoDS_Shape readShape(const std::string& path) {
+  TopoDS_Shape shape;
+  if (path.ends_with(".brep") || path.ends_with(".brp")) {
+    BRepTools::Read(shape, path.c_str(), BRep_Builder());
+  } else {
+    STEPControl_Reader reader;
+    if (reader.ReadFile(path.c_str()) == IFSelect_RetDone) {
+      reader.TransferRoots();
+      shape = reader.OneShape();
+    }
+  }
+  if (shape.IsNull()) throw std::runtime_error("the kernel reads no shape from " + path);
+  return shape;
+}
+
+JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock) {
+  JudgedSolid judged;
+  judged.valid = BRepCheck_Analyzer(shape).IsValid();
+  TopTools_IndexedMapOfShape solids, faces, edges, vertices;
+  TopExp::MapShapes(shape, TopAbs_SOLID, solids);
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  judged.solids = solids.Extent();
+  judged.faces = faces.Extent();
+  judged.edges = edges.Extent();
+  for (int i = 1; i <= edges.Extent(); ++i)
+    judged.edgeTolerance =
+        std::max(judged.edgeTolerance, BRep_Tool::Tolerance(TopoDS::Edge(edges(i))));
+  for (int i = 1; i <= vertices.Extent(); ++i)
+    judged.vertexTolerance =
+        std::max(judged.vertexTolerance, BRep_Tool::Tolerance(TopoDS::Vertex(vertices(i))));
+  judged.volume = volumeOf(shape);
+  findFaults(shape, detailCount, judged);
+  if (withBlock) judged.blockError = blockError(shape);
+  return judged;
+}
+
+}  // namespace swept::test

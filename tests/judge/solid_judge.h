@@ -1,0 +1,36 @@
+// Whether a solid can be used: what FreeCAD's *Check geometry* finds with its BOP test, the largest
+// tolerances, and whether the solid can be cut out of a block.
+// In: a STEP or BREP file, or a shape of the kernel. Out: faults by kind. Units: mm. Cost: the BOP
+// test compares all faces with one another, some milliseconds a face.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace swept::test {
+
+struct JudgedSolid {
+  bool valid = false;  ///< BRepCheck_Analyzer
+  int solids = 0, faces = 0, edges = 0;
+  /// Shapes that take part in a fault of the BOP test, by kind: "SelfIntersect",
+  /// "InvalidCurveOnSurface", "TooSmallEdge", ... Empty: the test is clean.
+  std::map<std::string, int> faults;
+  /// The first faults in words: kind, shapes with their surface or curve, middle of their box.
+  std::vector<std::string> details;
+  double edgeTolerance = 0, vertexTolerance = 0;  ///< mm: the largest ones
+  double volume = 0;                              ///< mm^3
+  /// Volume of cut and common with a block through half of the solid, against the block's:
+  /// relative. Negative: the kernel gave no result.
+  double blockError = -1;
+};
+
+/// Throws std::runtime_error where the file cannot be read.
+TopoDS_Shape readShape(const std::string& path);
+
+/// detailCount: at most as many faults are described. withBlock: also cut (takes longer).
+JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock);
+
+}  // namespace swept::test
