@@ -489,12 +489,12 @@
    <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
-   <source>the shape gave no triangles.</source>
-   <translation>Die Form ergab keine Dreiecke.</translation>
-  </message>
-  <message>
    <source>the moving part is empty.</source>
    <translation>Das bewegte Teil ist leer.</translation>
+  </message>
+  <message>
+   <source>the shape gave no triangles.</source>
+   <translation>Die Form ergab keine Dreiecke.</translation>
   </message>
   <message>
    <source>the shape has no solid (faces: {0}). Sweep a solid or a closed mesh; Part &gt; Convert to solid or Part &gt; Shape builder close a shape.</source>
@@ -521,6 +521,12 @@ Einmal bauen, im Ordner {1}:
 README.md nennt die nötigen Pakete. Liegt der Kern woanders, nennt ihn die Umgebungsvariable SWEPT_CORE.
 Versucht:
   {2}</translation>
+  </message>
+  <message>
+   <source>The compiled core of Swept Volume in {0} is of version {1}, the workbench of version {2}: install both of the same version, or build the core again in the folder {3}:
+    cmake --preset release &amp;&amp; cmake --build build</source>
+   <translation>Der kompilierte Kern von Swept Volume in {0} hat die Version {1}, die Arbeitsumgebung die Version {2}: Installieren Sie beide in derselben Version, oder bauen Sie den Kern im Ordner {3} neu:
+    cmake --preset release &amp;&amp; cmake --build build</translation>
   </message>
   <message>
    <source>Neighbours</source>
@@ -623,6 +629,10 @@ Versucht:
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
   <message>
+   <source>Left out: {0}</source>
+   <translation>Ausgelassen: {0}</translation>
+  </message>
+  <message>
    <source>Left out: {0} (envelopes and their solids are checked where they are chosen as neighbours).</source>
    <translation>Ausgelassen: {0} (Hüllen und ihre Volumenkörper werden geprüft, wenn sie als Nachbarn gewählt sind).</translation>
   </message>
@@ -637,10 +647,6 @@ Versucht:
   <message>
    <source>"{0}" is chosen as a neighbour and is a moving part itself: choose another one.</source>
    <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
-  </message>
-  <message>
-   <source>Left out: {0}</source>
-   <translation>Ausgelassen: {0}</translation>
   </message>
   <message>
    <source>smallest {0} at t = {1} s ({2})</source>
