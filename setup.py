@@ -4,10 +4,13 @@
     python3 -m pip wheel --no-build-isolation --no-deps --wheel-dir out .
 
 CMake does the build; the wheel needs the system libraries that README.md names (TBB, OpenMesh, FCL)
-where it is installed, and numpy.
+where it is installed, and numpy. `.ci/wheel` makes wheels that need no library but the C library. CMAKE_ARGS
+in the environment is handed on to CMake.
 """
+import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
@@ -21,10 +24,12 @@ ROOT = pathlib.Path(__file__).resolve().parent
 class CMakeBuild(build_ext):
     def build_extension(self, extension):
         folder = ROOT / "build-wheel"
+        # The libraries of the core are the same for every Python: only the module is built again.
         subprocess.check_call(
-            ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja"]
+            ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", "-U", "*[Pp]ython*"]
             + ["-DCMAKE_BUILD_TYPE=Release", "-DSWEPT_STEP=OFF", "-DSWEPT_TESTS=OFF"]
             + [f"-DPython3_EXECUTABLE={sys.executable}"]
+            + shlex.split(os.environ.get("CMAKE_ARGS", ""))
         )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "_swept"])
         target = pathlib.Path(self.get_ext_fullpath(extension.name))

@@ -587,6 +587,12 @@ Versucht:
   {2}</translation>
   </message>
   <message>
+   <source>The compiled core of Swept Volume in {0} is of version {1}, the workbench of version {2}: install both of the same version, or build the core again in the folder {3}:
+    cmake --preset release &amp;&amp; cmake --build build</source>
+   <translation>Der kompilierte Kern von Swept Volume in {0} hat die Version {1}, die Arbeitsumgebung die Version {2}: Installieren Sie beide in derselben Version, oder bauen Sie den Kern im Ordner {3} neu:
+    cmake --preset release &amp;&amp; cmake --build build</translation>
+  </message>
+  <message>
    <source>Neighbours</source>
    <translation>Nachbarn</translation>
   </message>

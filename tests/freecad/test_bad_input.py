@@ -12,7 +12,7 @@ import Part
 
 from bad_case import BadCase
 from case import shift, turn
-from sweptvolume import core, export, runner
+from sweptvolume import __version__, core, export, runner
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, motion
 from sweptvolume.panels import tasks
@@ -208,6 +208,33 @@ print("fine")
             text=True,
         )
         self.assertIn("fine", done.stdout, done.stdout + done.stderr)
+
+    def test_a_core_of_another_version_is_refused_by_name(self):
+        there, folder = core.module().__file__, tempfile.mkdtemp(dir=self.folder)
+        with open(there, "rb") as file:
+            data = file.read()
+        mine, other = (b"\0%s\0" % text.encode() for text in (__version__, "9" + __version__[1:]))
+        self.assertIn(mine, data)
+        with open(os.path.join(folder, os.path.basename(there)), "wb") as file:
+            file.write(data.replace(mine, other))
+        script = f"""
+import sys
+for folder in {[p for p in sys.path if "freecad" in p.lower()]!r}: sys.path.append(folder)
+from sweptvolume import core
+for attempt in range(2):
+    try:
+        core.module()
+    except core.CoreMissing as error:
+        assert "9{__version__[1:]}" in str(error) and "of version {__version__}" in str(error), error
+        print("refused")
+"""
+        done = subprocess.run(
+            [sys.executable, "-c", script],
+            env={**os.environ, "SWEPT_CORE": folder},
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(done.stdout.count("refused"), 2, done.stdout + done.stderr)
 
     def test_bad_input_44_old_document_gains_properties(self):
         name, facets, path = self.saved()

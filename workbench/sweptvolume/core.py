@@ -15,7 +15,7 @@ import threading
 import FreeCAD as App
 import numpy as np
 
-from . import ROOT, settings
+from . import ROOT, __version__, settings
 from .core_texts import said
 from .texts import translate
 
@@ -78,13 +78,27 @@ def _missing_text(tried):
     ).format(python, ROOT, "\n  ".join(tried))
 
 
+def _other_version_text(found):
+    return translate(
+        "Messages",
+        "The compiled core of Swept Volume in {0} is of version {1}, the workbench of version {2}: install "
+        "both of the same version, or build the core again in the folder {3}:\n"
+        "    cmake --preset release && cmake --build build",
+    ).format(found.__file__, found.__version__, __version__, ROOT)
+
+
 def module():
     """The compiled module; raises CoreMissing with a text for users."""
     global _module, _problem
     if _module is None:
-        _module, tried = _find()
-        if _module is None:
+        found, tried = _find()
+        if found is None:
             _problem = _missing_text(tried)
+        elif found.__version__ != __version__:
+            _problem = _other_version_text(found)
+        else:
+            _module, _problem = found, None
+        if _problem:
             raise CoreMissing(_problem)
         if App.GuiUp:
             _module.stand_back()  # the window answers first

@@ -1,0 +1,46 @@
+# Toolchain: zig as a C and C++ compiler for a system that may be older than this one, or another one.
+#   -DCMAKE_TOOLCHAIN_FILE=cmake/zig.cmake -DSWEPT_ZIG_TARGET=x86_64-linux-gnu.2.28
+# The Python whose package `ziglang` is used: -DSWEPT_ZIG_PYTHON=...; both may stand in the environment.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+foreach(name SWEPT_ZIG_TARGET SWEPT_ZIG_PYTHON)
+  if(NOT DEFINED ${name})
+    set(${name} $ENV{${name}})
+  endif()
+  if(NOT ${name})
+    message(FATAL_ERROR "${name} is not set")
+  endif()
+endforeach()
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SWEPT_ZIG_TARGET SWEPT_ZIG_PYTHON)
+
+# CMake takes a tool without arguments: each gets a script of its own.
+set(tools ${CMAKE_BINARY_DIR}/zig)
+foreach(tool cc c++ ar ranlib rc)
+  set(words ${tool})
+  if(tool MATCHES "^c")
+    string(APPEND words " -target ${SWEPT_ZIG_TARGET}")
+  endif()
+  if(NOT EXISTS ${tools}/${tool})
+    file(WRITE ${tools}/${tool} "#!/bin/sh\nexec '${SWEPT_ZIG_PYTHON}' -m ziglang ${words} \"$@\"\n")
+    file(CHMOD ${tools}/${tool} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  endif()
+endforeach()
+set(CMAKE_C_COMPILER ${tools}/cc)
+set(CMAKE_CXX_COMPILER ${tools}/c++)
+set(CMAKE_AR ${tools}/ar)
+set(CMAKE_RANLIB ${tools}/ranlib)
+set(CMAKE_RC_COMPILER ${tools}/rc)
+
+if(SWEPT_ZIG_TARGET MATCHES "windows")
+  set(CMAKE_SYSTEM_NAME Windows)
+elseif(SWEPT_ZIG_TARGET MATCHES "macos")
+  set(CMAKE_SYSTEM_NAME Darwin)
+else()
+  set(CMAKE_SYSTEM_NAME Linux)
+endif()
+string(REGEX MATCH "^[^-]+" CMAKE_SYSTEM_PROCESSOR ${SWEPT_ZIG_TARGET})
+# Nothing of this system: its headers and libraries are of another age.
+set(CMAKE_FIND_ROOT_PATH ${CMAKE_PREFIX_PATH})
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
