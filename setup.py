@@ -13,6 +13,7 @@ import re
 import shlex
 import subprocess
 import sys
+import sysconfig
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -29,6 +30,7 @@ class CMakeBuild(build_ext):
             ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", "-U", "*[Pp]ython*"]
             + ["-DCMAKE_BUILD_TYPE=Release", "-DSWEPT_STEP=OFF", "-DSWEPT_TESTS=OFF"]
             + [f"-DPython3_EXECUTABLE={sys.executable}"]
+            + [f"-DPython3_INCLUDE_DIR={sysconfig.get_path('include')}"]
             + shlex.split(os.environ.get("CMAKE_ARGS", ""))
         )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "_swept"])

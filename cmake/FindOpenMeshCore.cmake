@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The target OpenMesh::Core; Debian's package of OpenMesh has no CMake files. Installed with the library,
 # since a static library passes on what it links to.
-find_library(OpenMeshCore_LIBRARY OpenMeshCore)
+find_library(OpenMeshCore_LIBRARY NAMES OpenMeshCore openmesh)
 mark_as_advanced(OpenMeshCore_LIBRARY)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenMeshCore REQUIRED_VARS OpenMeshCore_LIBRARY)
