@@ -61,7 +61,7 @@ def run(build, mesh, motion, resolution):
         solid = found["solid"]
         kinds = solid["faces_by_kind"]
         curved = sum(n for kind, n in kinds.items() if kind not in ("facet", "plane"))
-        seconds = sum(solid["seconds_" + part] for part in ("build", "write", "reread"))
+        seconds = sum(solid["seconds"][part] for part in ("build", "write", "reread"))
         return [
             "valid" if solid["valid"] else "INVALID", triangles, solid["faces"], curved,
             round(solid["file_bytes"] / 1e6, 3), round(solid["deviation"] / tolerance, 3),
