@@ -1,37 +1,54 @@
 // Walks a continuous motion placement by placement over the faces and side patches that culling
-// keeps, in one fixed order: all samplers that use it number the same elements alike.
+// keeps, in one fixed order: all samplers that use it number the same elements alike. Which
+// clusters and borders are looked at may be narrowed beforehand (step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "sampling/culling/swept_elements.h"
 
 namespace swept {
+
+/// The clusters and borders (indices, rising) that a placement and the step after it can need.
+struct LivePieces {
+  std::vector<std::uint32_t> clusters, borders;
+
+  static LivePieces all(const FaceClusters& clusters) {
+    LivePieces live;
+    live.clusters.resize(clusters.clusters.size());
+    live.borders.resize(clusters.borders.size());
+    std::iota(live.clusters.begin(), live.clusters.end(), 0u);
+    std::iota(live.borders.begin(), live.borders.end(), 0u);
+    return live;
+  }
+  bool empty() const { return clusters.empty() && borders.empty(); }
+};
 
 class KeptElements {
  public:
   KeptElements(const SamplerInput& input, const FaceClusters& clusters)
       : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
 
-  void start(std::size_t placement) {
+  /// Goes to a placement; to the next one is cheapest.
+  void goTo(std::size_t placement) {
+    if (placement > 0 && placement == placement_ + 1) {
+      std::swap(before_, after_);
+    } else if (placement > 0) {
+      before_.setStep(placement - 1);
+    }
     placement_ = placement;
-    if (placement > 0) before_.compute(placement - 1);
-    if (hasAfter()) after_.compute(placement);
-  }
-  /// Goes to the next placement; not beyond the last.
-  void advance() {
-    std::swap(before_, after_);
-    ++placement_;
-    if (hasAfter()) after_.compute(placement_);
+    if (hasAfter()) after_.setStep(placement);
   }
 
   /// Calls use(face) for the faces kept at this placement.
   template <class Use>
-  void forFaces(const Use& use) const {
+  void forFaces(const LivePieces& live, const Use& use) const {
     const bool hasBefore = placement_ > 0;
-    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+    for (const std::uint32_t c : live.clusters) {
       const FaceCluster& cluster = clusters_.clusters[c];
       if (enclosed(hasBefore ? before_.ofCluster(c) : 0, hasAfter() ? after_.ofCluster(c) : 0)) {
         continue;
@@ -47,8 +64,8 @@ class KeptElements {
   /// Calls use(edge, ends) for the side patches kept in the step that starts here; there must be
   /// such a step.
   template <class Use>
-  void forPatches(const Use& use) const {
-    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+  void forPatches(const LivePieces& live, const Use& use) const {
+    for (const std::uint32_t c : live.clusters) {
       if (input_.cull && after_.ofCluster(c) != 0) continue;
       const FaceCluster& cluster = clusters_.clusters[c];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
@@ -56,7 +73,8 @@ class KeptElements {
           use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
       }
     }
-    for (const FaceClusters::Border& border : clusters_.borders) {
+    for (const std::uint32_t b : live.borders) {
+      const FaceClusters::Border& border = clusters_.borders[b];
       const bool mayDrop = input_.cull && border.right >= 0;
       if (mayDrop) {
         const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
@@ -72,6 +90,7 @@ class KeptElements {
   }
 
  private:
+  static constexpr std::size_t kNowhere = ~std::size_t{0} - 1;
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
   /// Whether the two faces of an edge move in the same direction, so that its side patch is
   /// enclosed.
@@ -87,7 +106,7 @@ class KeptElements {
   const SamplerInput& input_;
   const FaceClusters& clusters_;
   FaceDirections before_, after_;
-  std::size_t placement_ = 0;
+  std::size_t placement_ = kNowhere;
 };
 
 }  // namespace swept

@@ -5,33 +5,15 @@
 #include <cmath>
 
 namespace swept {
-namespace {
 
-constexpr double kSnapCells = 0x1p-17;
-/// Fraction of the displacement: the normals are 32-bit floats, with room to spare.
-constexpr double kRounding = 1e-6;
-
-/// Snapping the corners turns the normal of a triangle of this height by at most about this angle.
 double snapAngle(double height, double cell) {
   return 4 * kSnapCells * cell / std::max(height, 1e-300);
 }
 
-}  // namespace
-
-/// A motion step as seen from the body at its start: a point p moves by bend * p + shift.
-struct FaceDirections::Step {
-  Eigen::Matrix3d bend, turnBack;
-  Eigen::Vector3d shift;
-  double angle = 0;  // rad, at least the turn of the step
-  double snap = 0;   // mm
-  Eigen::Matrix3f bendFloat, turnBackFloat;
-  Eigen::Vector3f shiftFloat;
-  float rounding = 0;  // mm: rounding of a displacement in float
-};
-
 FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& clusters)
     : input_(&input),
       clusters_(&clusters),
+      decidedAt_(clusters.clusters.size(), 0),
       clusterDirection_(clusters.clusters.size()),
       faceDirection_(input.body.triangles.size()) {
   for (const FaceCluster& c : clusters.clusters) {
@@ -44,7 +26,7 @@ int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) 
   const double length = d.norm(), spread = step.angle * cluster.radius;
   const double travel = length + spread;
   const double margin = spread +
-                        travel * (step.angle * step.angle + kRounding +
+                        travel * (step.angle * step.angle + kNormalRounding +
                                   snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
   // The smallest n . d over the cone, on the side that the axis points to, at either end of the
@@ -86,41 +68,43 @@ int FaceDirections::decideFace(std::size_t face, const Step& step) const {
   }
   const double margin =
       std::sqrt(travel2) * (snapAngle(input_->topology.heights[face], input_->grid.cell) +
-                            step.angle * step.angle + kRounding) +
+                            step.angle * step.angle + kNormalRounding) +
       step.snap;
   return (low > margin) - (high < -margin);
 }
 
-void FaceDirections::compute(std::size_t k) {
+void FaceDirections::setStep(std::size_t k) {
   const Placement& p = input_->motion.placements[k];
   const Placement& q = input_->motion.placements[k + 1];
-  Step step;
   const Eigen::Matrix3d turn = p.rotation.transpose() * q.rotation;
-  step.bend = turn - Eigen::Matrix3d::Identity();
-  step.turnBack = turn.transpose();
-  step.shift = p.rotation.transpose() * (q.translation - p.translation);
+  step_.bend = turn - Eigen::Matrix3d::Identity();
+  step_.turnBack = turn.transpose();
+  step_.shift = p.rotation.transpose() * (q.translation - p.translation);
   // No vector changes by more than twice the sine of half the turn; with a little room for
   // rounding.
-  step.angle = step.bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
-  step.snap = 4 * kSnapCells * input_->grid.cell;
-  step.bendFloat = step.bend.cast<float>();
-  step.turnBackFloat = step.turnBack.cast<float>();
-  step.shiftFloat = step.shift.cast<float>();
-  step.rounding = 1e-6f * static_cast<float>(step.shift.norm() + step.angle * farthest_);
-  for (std::size_t c = 0; c < clusterDirection_.size(); ++c) {
-    const FaceCluster& cluster = clusters_->clusters[c];
-    const auto whole = static_cast<std::int8_t>(decideCluster(cluster, step));
-    clusterDirection_[c] = whole;
-    const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
-    if (whole != 0) {
-      std::fill(faceDirection_.begin() + first, faceDirection_.begin() + end, whole);
-      continue;
-    }
-    for (std::uint32_t at = first; at < end; ++at) {
-      const int direction = decideBall(clusters_->balls[at], step);
-      faceDirection_[at] = static_cast<std::int8_t>(
-          direction != 0 ? direction : decideFace(clusters_->faces[at], step));
-    }
+  step_.angle = step_.bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
+  step_.snap = 4 * kSnapCells * input_->grid.cell;
+  step_.bendFloat = step_.bend.cast<float>();
+  step_.turnBackFloat = step_.turnBack.cast<float>();
+  step_.shiftFloat = step_.shift.cast<float>();
+  step_.rounding = 1e-6f * static_cast<float>(step_.shift.norm() + step_.angle * farthest_);
+  ++stamp_;
+}
+
+void FaceDirections::decide(std::size_t c) const {
+  const FaceCluster& cluster = clusters_->clusters[c];
+  const auto whole = static_cast<std::int8_t>(decideCluster(cluster, step_));
+  decidedAt_[c] = stamp_;
+  clusterDirection_[c] = whole;
+  const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
+  if (whole != 0) {
+    std::fill(faceDirection_.begin() + first, faceDirection_.begin() + end, whole);
+    return;
+  }
+  for (std::uint32_t at = first; at < end; ++at) {
+    const int direction = decideBall(clusters_->balls[at], step_);
+    faceDirection_[at] = static_cast<std::int8_t>(
+        direction != 0 ? direction : decideFace(clusters_->faces[at], step_));
   }
 }
 
