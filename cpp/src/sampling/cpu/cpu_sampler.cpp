@@ -123,7 +123,7 @@ class ItemSampler {
     const SnappedPoint &a = posed[t[0]], &b = posed[t[1]], &c = posed[t[2]];
     if (isHidden({&a, &b, &c})) return;
     out_.add({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(placement)},
-             [&](const auto& emit) { rasteriseAllAxes(a, b, c, emit); });
+             [&](const auto& emit) { rasteriseAllAxes(a, b, c, unlessHidden(emit)); });
   }
   void sidePatch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
                  PosedVertices& now, PosedVertices& next) {
@@ -131,8 +131,8 @@ class ItemSampler {
     if (isHidden({&a, &b, &c, &d})) return;
     const auto code = static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit;
     out_.add({code, static_cast<std::uint32_t>(step)}, [&](const auto& emit) {
-      rasteriseAllAxes(a, b, c, emit);
-      rasteriseAllAxes(a, c, d, emit);
+      rasteriseAllAxes(a, b, c, unlessHidden(emit));
+      rasteriseAllAxes(a, c, d, unlessHidden(emit));
     });
   }
   /// Faces that slide within themselves cross the same lattice edges at every placement. When there
@@ -145,6 +145,15 @@ class ItemSampler {
   }
 
  private:
+  template <class Emit>
+  auto unlessHidden(const Emit& emit) const {
+    return [&emit, inside = input_.inside](int axis, std::int32_t i, std::int32_t j, std::int32_t k,
+                                           double fraction) {
+      if (inside == nullptr || !inside->hides(axis, i, j, k, fraction)) {
+        emit(axis, i, j, k, fraction);
+      }
+    };
+  }
   bool isHidden(std::initializer_list<const SnappedPoint*> corners) const {
     if (input_.inside == nullptr) return false;
     SnappedPoint low = **corners.begin(), high = low;
@@ -199,10 +208,11 @@ class UnionSampler {
 /// Samples one work item of a continuous motion.
 class SweepSampler {
  public:
-  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out,
-               CrossingBudget& budget)
+  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
+               RecordChunk& out, CrossingBudget& budget)
       : input_(input),
         clusters_(clusters),
+        groups_(groups),
         steps_(input.motion.steps()),
         kept_(input, clusters),
         sampler_(input, out),
@@ -212,7 +222,7 @@ class SweepSampler {
         next_(input) {}
 
   void sample(const WorkItem& item, RunContext& run) {
-    StepBlocks blocks(input_, clusters_, item.begin, item.end);
+    StepBlocks blocks(input_, clusters_, groups_, item.begin, item.end);
     std::size_t before = 0;
     const auto count = [&] {
       budget_.add(out_.records.size() - before);
@@ -221,15 +231,15 @@ class SweepSampler {
     const bool thins = item.end - item.begin >= kMinThinPlacements;
     blocks.forPlacements(
         [&](std::size_t k) { run.checkpoint(Phase::Sampling, k, steps_); },
-        [&](std::size_t k, const LivePieces& live) {
+        [&](std::size_t k, const ShownClusters& shown) {
           run.checkpoint(Phase::Sampling, k, steps_);
           if (next_.placement() == k) std::swap(now_, next_);
           now_.goTo(k);
           kept_.goTo(k);
-          kept_.forFaces(live, [&](std::uint32_t f) { sampler_.face(f, k, now_); });
+          kept_.forFaces(shown, [&](std::uint32_t f) { sampler_.face(f, k, now_); });
           if (k < steps_) {
             next_.goTo(k + 1);
-            kept_.forPatches(live, [&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
+            kept_.forPatches(shown, [&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
               sampler_.sidePatch(e, ends, k, now_, next_);
             });
           }
@@ -243,6 +253,7 @@ class SweepSampler {
  private:
   const SamplerInput& input_;
   const FaceClusters& clusters_;
+  const PlaceGroups& groups_;
   std::size_t steps_;
   KeptElements kept_;
   ItemSampler sampler_;
@@ -271,6 +282,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
       if (known[i] != 0) input.cache->countHit();
     }
   }
+  const PlaceGroups groups(input, clusters, run);
   CrossingBudget budget(run, input.grid.cell);
   // One buffer per thread, which grows once.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
@@ -279,7 +291,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     std::vector<CrossingRecord>& room = rooms.local();
     chunks[i].records.swap(room);
     if (input.motion.continuous) {
-      SweepSampler(input, clusters, chunks[i], budget).sample(items[i], run);
+      SweepSampler(input, clusters, groups, chunks[i], budget).sample(items[i], run);
     } else {
       UnionSampler(input, chunks[i], budget).sample(items[i], run);
     }

@@ -104,7 +104,7 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   }
   const Places places(input);
   std::vector<std::size_t> chosen;
-  if (count >= kMost) places.addExtreme(chosen);
+  places.addExtreme(chosen);
   places.addSpread(chosen, count);
   Motion copies;
   for (const std::size_t k : chosen) copies.placements.push_back(input.motion.placements[k]);

@@ -72,6 +72,11 @@ void groupBorders(const BodyTopology& topology, FaceClusters& out) {
     }
     ++out.borders.back().edgeCount;
   }
+  out.firstBorder.assign(out.clusters.size() + 1, 0);
+  for (const FaceClusters::Border& border : out.borders) {
+    if (border.right >= 0) ++out.firstBorder[static_cast<std::size_t>(border.left)];
+  }
+  exclusiveScan(out.firstBorder);
 }
 
 std::vector<FaceClusters::EdgeEnds> endsOf(const BodyTopology& topology, const FaceClusters& all,

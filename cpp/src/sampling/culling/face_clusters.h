@@ -47,6 +47,9 @@ struct FaceClusters {
     bool opposed = false;
   };
   std::vector<Border> borders;
+  /// Per cluster the first border that has it on its left, and one entry behind the last: from
+  /// there on come those with no cluster on their right.
+  std::vector<std::uint32_t> firstBorder;
 
   /// What a first test of a face needs, in the order of `faces`.
   struct FaceBall {

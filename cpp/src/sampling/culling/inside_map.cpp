@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sampling/culling/inside_map.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "base/parallel.h"
@@ -143,28 +144,61 @@ void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, con
   });
 }
 
-bool InsideMap::behindFronts(const Eigen::Array3d& low, const Eigen::Array3d& high,
-                             const std::array<std::int32_t, 3>& first,
-                             const std::array<std::int32_t, 3>& last) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    std::array<std::int32_t, 3> p;
-    // Lattice lines in the box: those at whole numbers. A corner never lies on one.
-    for (p[u] = first[u] + 1; p[u] <= last[u]; ++p[u]) {
-      for (p[v] = first[v] + 1; p[v] <= last[v]; ++p[v]) {
-        for (p[axis] = first[axis]; p[axis] <= last[axis]; ++p[axis]) {
-          const Front front = fronts_[axis][(static_cast<std::size_t>(p[0]) * blocks_[1] +
-                                             static_cast<std::size_t>(p[1])) *
-                                                blocks_[2] +
-                                            static_cast<std::size_t>(p[2])];
-          const double from = std::max(low[axis] - p[axis], 0.0) * kParts,
-                       to = std::min(high[axis] - p[axis], 1.0) * kParts;
-          if (from < front.from || to > front.to) return false;
+/// Lines along the axis W that the triangle can meet, each with the range where it does.
+template <int W>
+bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
+                           const Eigen::Vector3d& normal, const Eigen::Array3d& low,
+                           const Eigen::Array3d& high, double reach) const {
+  constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
+  /// Steeper planes tell nothing about where a line meets the triangle.
+  constexpr double kLeastSlope = 1e-3;
+  const double across = std::abs(normal[W]);
+  const bool steep = across < kLeastSlope * normal.norm();
+  const double slack =
+      steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + 1e-9;
+  // The triangle turns with the normal about W, against it where U x V points the other way.
+  const double turn = (normal[W] > 0) == (W != 1) ? 1 : -1;
+  std::array<std::int32_t, 3> p;
+  for (p[U] = static_cast<std::int32_t>(low[U]) + 1; p[U] <= high[U]; ++p[U]) {
+    for (p[V] = static_cast<std::int32_t>(low[V]) + 1; p[V] <= high[V]; ++p[V]) {
+      double from = low[W], to = high[W];
+      if (!steep) {
+        bool beside = false;
+        for (std::size_t n = 0; n < 3 && !beside; ++n) {
+          const Eigen::Vector3d &a = corner[n], &b = corner[(n + 1) % 3];
+          const double du = b[U] - a[U], dv = b[V] - a[V];
+          beside = turn * (du * (p[V] - a[V]) - dv * (p[U] - a[U])) <
+                   -(reach + 1e-9) * (std::abs(du) + std::abs(dv));
+        }
+        if (beside) continue;
+        const Eigen::Vector3d& a = corner[0];
+        const double plane =
+            a[W] - (normal[U] * (p[U] - a[U]) + normal[V] * (p[V] - a[V])) / normal[W];
+        from = std::max(from, plane - slack);
+        to = std::min(to, plane + slack);
+      }
+      for (p[W] = static_cast<std::int32_t>(from); p[W] <= to; ++p[W]) {
+        const Front front = fronts_[W][pointOf(p[0], p[1], p[2])];
+        if (std::max(from - p[W], 0.0) * kParts < front.from ||
+            std::min(to - p[W], 1.0) * kParts > front.to) {
+          return false;
         }
       }
     }
   }
   return true;
+}
+
+bool InsideMap::hides(const std::array<Eigen::Vector3d, 3>& corner, double reach) const {
+  const auto& [a, b, c] = corner;
+  const Eigen::Array3d low = a.cwiseMin(b).cwiseMin(c).array() - reach,
+                       high = a.cwiseMax(b).cwiseMax(c).array() + reach;
+  if (hides(low, high)) return true;
+  if (!hasFronts() || (low < 0).any() || (high >= limit_).any()) return false;
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  return hidesAlong<0>(corner, normal, low, high, reach) &&
+         hidesAlong<1>(corner, normal, low, high, reach) &&
+         hidesAlong<2>(corner, normal, low, high, reach);
 }
 
 }  // namespace swept

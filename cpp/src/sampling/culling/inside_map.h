@@ -36,22 +36,28 @@ class InsideMap {
   bool hides(const Eigen::Array3d& low, const Eigen::Array3d& high) const {
     std::size_t at = 0;
     std::int32_t reach = 0;
-    std::array<std::int32_t, 3> first, last;
     for (int axis = 0; axis < 3; ++axis) {
       if (!(low[axis] >= 0) || !(high[axis] < limit_[axis])) return false;
-      first[axis] = static_cast<std::int32_t>(low[axis]);
-      last[axis] = static_cast<std::int32_t>(high[axis]);
-      const std::int32_t a = first[axis] >> shift_, b = last[axis] >> shift_;
+      const std::int32_t a = static_cast<std::int32_t>(low[axis]) >> shift_,
+                         b = static_cast<std::int32_t>(high[axis]) >> shift_;
       reach = std::max(reach, (b - a + 1) / 2);
       at = at * blocks_[axis] + static_cast<std::size_t>((a + b) / 2);
     }
-    if (depth_[at] > reach) return true;
-    return hasFronts() && depth_[at] + kFrontCells >= reach && behindFronts(low, high, first, last);
+    return depth_[at] > reach;
+  }
+
+  /// Whether no crossing of the triangle can matter, wherever its points move by at most `reach`
+  /// along each axis (grid coordinates, cells).
+  bool hides(const std::array<Eigen::Vector3d, 3>& corner, double reach) const;
+
+  /// Whether a crossing of the edge that leaves the lattice point (i, j, k) cannot matter.
+  bool hides(int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) const {
+    if (!hasFronts()) return false;
+    const Front front = fronts_[axis][pointOf(i, j, k)];
+    return fraction * kParts >= front.from && fraction * kParts <= front.to;
   }
 
  private:
-  /// Larger boxes are only compared with what is deep inside.
-  static constexpr std::int32_t kFrontCells = 3;
   /// Crossings of an edge in [from, to] / kParts of its length are hidden.
   struct Front {
     std::uint8_t from = kParts, to = 0;
@@ -59,9 +65,13 @@ class InsideMap {
   static constexpr std::uint8_t kParts = 255;
 
   bool hasFronts() const { return !fronts_[0].empty(); }
-  bool behindFronts(const Eigen::Array3d& low, const Eigen::Array3d& high,
-                    const std::array<std::int32_t, 3>& first,
-                    const std::array<std::int32_t, 3>& last) const;
+  std::size_t pointOf(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    return (static_cast<std::size_t>(i) * blocks_[1] + static_cast<std::size_t>(j)) * blocks_[2] +
+           static_cast<std::size_t>(k);
+  }
+  template <int W>
+  bool hidesAlong(const std::array<Eigen::Vector3d, 3>& corner, const Eigen::Vector3d& normal,
+                  const Eigen::Array3d& low, const Eigen::Array3d& high, double reach) const;
   void findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid);
 
   int shift_ = 0;  // blocks have 2^shift_ cells along each axis

@@ -13,20 +13,14 @@
 
 namespace swept {
 
-/// The clusters and borders (indices, rising) that a placement and the step after it can need.
-struct LivePieces {
-  std::vector<std::uint32_t> clusters, borders;
+/// Clusters, rising: those that a placement and the step after it can need.
+using ShownClusters = std::vector<std::uint32_t>;
 
-  static LivePieces all(const FaceClusters& clusters) {
-    LivePieces live;
-    live.clusters.resize(clusters.clusters.size());
-    live.borders.resize(clusters.borders.size());
-    std::iota(live.clusters.begin(), live.clusters.end(), 0u);
-    std::iota(live.borders.begin(), live.borders.end(), 0u);
-    return live;
-  }
-  bool empty() const { return clusters.empty() && borders.empty(); }
-};
+inline ShownClusters allClusters(const FaceClusters& clusters) {
+  ShownClusters all(clusters.clusters.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
 
 class KeptElements {
  public:
@@ -46,9 +40,9 @@ class KeptElements {
 
   /// Calls use(face) for the faces kept at this placement.
   template <class Use>
-  void forFaces(const LivePieces& live, const Use& use) const {
+  void forFaces(const ShownClusters& shown, const Use& use) const {
     const bool hasBefore = placement_ > 0;
-    for (const std::uint32_t c : live.clusters) {
+    for (const std::uint32_t c : shown) {
       const FaceCluster& cluster = clusters_.clusters[c];
       if (enclosed(hasBefore ? before_.ofCluster(c) : 0, hasAfter() ? after_.ofCluster(c) : 0)) {
         continue;
@@ -64,8 +58,8 @@ class KeptElements {
   /// Calls use(edge, ends) for the side patches kept in the step that starts here; there must be
   /// such a step.
   template <class Use>
-  void forPatches(const LivePieces& live, const Use& use) const {
-    for (const std::uint32_t c : live.clusters) {
+  void forPatches(const ShownClusters& shown, const Use& use) const {
+    for (const std::uint32_t c : shown) {
       if (input_.cull && after_.ofCluster(c) != 0) continue;
       const FaceCluster& cluster = clusters_.clusters[c];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
@@ -73,23 +67,31 @@ class KeptElements {
           use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
       }
     }
-    for (const std::uint32_t b : live.borders) {
-      const FaceClusters::Border& border = clusters_.borders[b];
-      const bool mayDrop = input_.cull && border.right >= 0;
-      if (mayDrop) {
-        const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
-        const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
-        if (left != 0 && left == (border.opposed ? -right : right)) continue;
+    for (const std::uint32_t c : shown) {
+      for (std::uint32_t b = clusters_.firstBorder[c]; b < clusters_.firstBorder[c + 1]; ++b) {
+        borderPatches(clusters_.borders[b], use);
       }
-      for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
-        if (!mayDrop || !inSameDirection(clusters_.borderEnds[n], border.opposed)) {
-          use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
-        }
-      }
+    }
+    for (std::size_t b = clusters_.firstBorder.back(); b < clusters_.borders.size(); ++b) {
+      borderPatches(clusters_.borders[b], use);
     }
   }
 
  private:
+  template <class Use>
+  void borderPatches(const FaceClusters::Border& border, const Use& use) const {
+    const bool mayDrop = input_.cull && border.right >= 0;
+    if (mayDrop) {
+      const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
+      const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
+      if (left != 0 && left == (border.opposed ? -right : right)) return;
+    }
+    for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
+      if (!mayDrop || !inSameDirection(clusters_.borderEnds[n], border.opposed)) {
+        use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
+      }
+    }
+  }
   static constexpr std::size_t kNowhere = ~std::size_t{0} - 1;
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
   /// Whether the two faces of an edge move in the same direction, so that its side patch is

@@ -13,7 +13,7 @@ constexpr std::uint64_t kPlacementBytes = 12 * sizeof(double);
 
 std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
   const FaceClusters clusters = buildClusters(input.body, input.topology);
-  const LivePieces all = LivePieces::all(clusters);
+  const ShownClusters all = allClusters(clusters);
   const std::size_t placements = input.motion.placements.size();
   const std::size_t group = std::max<std::size_t>(1, placements / 128);
   const std::size_t items = (placements + group - 1) / group;
