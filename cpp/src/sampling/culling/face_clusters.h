@@ -23,6 +23,9 @@ struct FaceCluster {
 };
 
 struct FaceClusters {
+  /// Faces of a cluster: larger clusters have wider cones, and more of them would be mixed.
+  static constexpr std::uint32_t kMaxFaces = 24;
+
   std::vector<FaceCluster> clusters;
   std::vector<std::uint32_t> faces;        ///< the faces in the order of the clusters
   std::vector<std::uint32_t> clusterOf;    ///< per face

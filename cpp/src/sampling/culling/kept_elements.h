@@ -13,12 +13,22 @@
 
 namespace swept {
 
-/// Clusters, rising: those that a placement and the step after it can need.
-using ShownClusters = std::vector<std::uint32_t>;
+/// A cluster that a placement and the step after it can need, and a bit for each of its faces that
+/// they can need.
+struct ShownCluster {
+  std::uint32_t cluster, faces;
+
+  static_assert(FaceClusters::kMaxFaces <= 32);
+  static constexpr std::uint32_t kAll = 0xffffffffu;
+  bool shows(std::uint32_t number) const { return (faces >> number & 1u) != 0; }
+};
+using ShownClusters = std::vector<ShownCluster>;  // clusters rise
 
 inline ShownClusters allClusters(const FaceClusters& clusters) {
-  ShownClusters all(clusters.clusters.size());
-  std::iota(all.begin(), all.end(), 0u);
+  ShownClusters all;
+  for (std::uint32_t c = 0; c < clusters.clusters.size(); ++c) {
+    all.push_back({c, ShownCluster::kAll});
+  }
   return all;
 }
 
@@ -42,13 +52,16 @@ class KeptElements {
   template <class Use>
   void forFaces(const ShownClusters& shown, const Use& use) const {
     const bool hasBefore = placement_ > 0;
-    for (const std::uint32_t c : shown) {
+    for (const ShownCluster& s : shown) {
+      const std::uint32_t c = s.cluster;
       const FaceCluster& cluster = clusters_.clusters[c];
       if (enclosed(hasBefore ? before_.ofCluster(c) : 0, hasAfter() ? after_.ofCluster(c) : 0)) {
         continue;
       }
-      for (std::uint32_t at = cluster.firstFace; at < cluster.firstFace + cluster.faceCount; ++at) {
-        if (!enclosed(hasBefore ? before_.ofIndex(at) : 0, hasAfter() ? after_.ofIndex(at) : 0)) {
+      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
+        const std::uint32_t at = cluster.firstFace + n;
+        if (s.shows(n) &&
+            !enclosed(hasBefore ? before_.ofIndex(at) : 0, hasAfter() ? after_.ofIndex(at) : 0)) {
           use(clusters_.faces[at]);
         }
       }
@@ -59,27 +72,35 @@ class KeptElements {
   /// such a step.
   template <class Use>
   void forPatches(const ShownClusters& shown, const Use& use) const {
-    for (const std::uint32_t c : shown) {
-      if (input_.cull && after_.ofCluster(c) != 0) continue;
-      const FaceCluster& cluster = clusters_.clusters[c];
+    for (const ShownCluster& s : shown) {
+      if (input_.cull && after_.ofCluster(s.cluster) != 0) continue;
+      const FaceCluster& cluster = clusters_.clusters[s.cluster];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
-        if (!input_.cull || !inSameDirection(clusters_.innerEnds[n], false))
-          use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
+        const FaceClusters::EdgeEnds& ends = clusters_.innerEnds[n];
+        // An edge lies in both of its faces: it is hidden with either.
+        if (!s.shows(ends.left - cluster.firstFace) || !s.shows(ends.right - cluster.firstFace)) {
+          continue;
+        }
+        if (!input_.cull || !inSameDirection(ends, false)) use(clusters_.innerEdges[n], ends);
       }
     }
-    for (const std::uint32_t c : shown) {
-      for (std::uint32_t b = clusters_.firstBorder[c]; b < clusters_.firstBorder[c + 1]; ++b) {
-        borderPatches(clusters_.borders[b], use);
+    for (const ShownCluster& s : shown) {
+      const std::uint32_t first = clusters_.clusters[s.cluster].firstFace;
+      for (std::uint32_t b = clusters_.firstBorder[s.cluster];
+           b < clusters_.firstBorder[s.cluster + 1]; ++b) {
+        borderPatches(clusters_.borders[b], first, s, use);
       }
     }
     for (std::size_t b = clusters_.firstBorder.back(); b < clusters_.borders.size(); ++b) {
-      borderPatches(clusters_.borders[b], use);
+      borderPatches(clusters_.borders[b], 0, {0, ShownCluster::kAll}, use);
     }
   }
 
  private:
+  /// s: the cluster on the left, or one without a first face that shows all.
   template <class Use>
-  void borderPatches(const FaceClusters::Border& border, const Use& use) const {
+  void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
+                     const ShownCluster& s, const Use& use) const {
     const bool mayDrop = input_.cull && border.right >= 0;
     if (mayDrop) {
       const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
@@ -87,7 +108,9 @@ class KeptElements {
       if (left != 0 && left == (border.opposed ? -right : right)) return;
     }
     for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
-      if (!mayDrop || !inSameDirection(clusters_.borderEnds[n], border.opposed)) {
+      const FaceClusters::EdgeEnds& ends = clusters_.borderEnds[n];
+      if (s.faces != ShownCluster::kAll && !s.shows(ends.left - firstFace)) continue;
+      if (!mayDrop || !inSameDirection(ends, border.opposed)) {
         use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
       }
     }

@@ -103,11 +103,11 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
     for (std::uint32_t c = 0; c < clusters.clusters.size(); ++c) {
       const FaceCluster& cluster = clusters.clusters[c];
       if (!bounds.shows(block, cluster)) continue;
-      for (std::uint32_t n = cluster.firstFace; n < cluster.firstFace + cluster.faceCount; ++n) {
-        if (!bounds.shows(block, clusters.faces[n])) continue;
-        shown_[g].push_back(c);
-        break;
+      std::uint32_t faces = 0;
+      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
+        if (bounds.shows(block, clusters.faces[cluster.firstFace + n])) faces |= 1u << n;
       }
+      if (faces != 0) shown_[g].push_back({c, faces});
     }
   });
 }
@@ -180,19 +180,19 @@ const ShownClusters& StepBlocks::narrow(std::size_t at, const ShownClusters& abo
   if (!narrows_) return above;
   ShownClusters& shown = below_[0];
   shown.clear();
-  const auto test = [&](std::uint32_t c) {
-    if (bounds_.shows(single_[at], clusters_.clusters[c])) shown.push_back(c);
+  const auto test = [&](const ShownCluster& s) {
+    if (bounds_.shows(single_[at], clusters_.clusters[s.cluster])) shown.push_back(s);
   };
   if (groups_.empty()) {
-    for (const std::uint32_t c : above) test(c);
+    for (const ShownCluster& s : above) test(s);
     return shown;
   }
   const ShownClusters& known = groups_.shownAt(begin_ + at);
   auto next = known.begin();
-  for (const std::uint32_t c : above) {
-    while (next != known.end() && *next < c) ++next;
+  for (const ShownCluster& s : above) {
+    while (next != known.end() && next->cluster < s.cluster) ++next;
     if (next == known.end()) break;
-    if (*next == c) test(c);
+    if (next->cluster == s.cluster) test(*next);
   }
   return shown;
 }

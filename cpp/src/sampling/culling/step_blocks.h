@@ -110,8 +110,8 @@ class StepBlocks {
     }
     ShownClusters& shown = below_[level];
     shown.clear();
-    for (const std::uint32_t c : above) {
-      if (bounds_.shows(levels_[level - 1][at], clusters_.clusters[c])) shown.push_back(c);
+    for (const ShownCluster& s : above) {
+      if (bounds_.shows(levels_[level - 1][at], clusters_.clusters[s.cluster])) shown.push_back(s);
     }
     const std::size_t count = level == 1 ? end_ - begin_ : levels_[level - 2].size();
     const std::size_t end = std::min((at + 1) << kShift, count);
