@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sampling/culling/swept_elements.h"
+
 namespace swept {
 namespace {
 
@@ -204,6 +206,28 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
   }
 }
 
+/// Whether the pieces on both sides of this one in the motion cover it: a face that moves the same
+/// way before and after its placement, a side patch between two faces that move the same way.
+bool ElementProbe::isPassed(const SweptElement& element) const {
+  const std::size_t k = element.placement;
+  if (!input_.cull || !input_.motion.continuous) return false;
+  const auto directionIn = [&](std::size_t step, std::size_t face) {
+    return directionOf(input_, MotionStep(input_, step), face);
+  };
+  if (!element.isSidePatch()) {
+    if (k == 0 || k == input_.motion.steps()) return false;
+    const int before = directionIn(k - 1, element.index());
+    return before != 0 && before == directionIn(k, element.index());
+  }
+  const BodyEdge& edge = input_.topology.edges[element.index()];
+  if (edge.right < 0) return false;
+  const MotionStep step(input_, k);
+  const int left = directionOf(input_, step, static_cast<std::size_t>(edge.left));
+  if (left == 0) return false;
+  const int right = directionOf(input_, step, static_cast<std::size_t>(edge.right));
+  return left == (edge.opposed ? -right : right);
+}
+
 std::vector<ElementProbe::Piece> ElementProbe::gather(
     const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
   const Eigen::Vector3d centre = region.center();
@@ -219,6 +243,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
         (!piece.isSidePatch || !intersectsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
+    if (isPassed(element)) return;
     waiting.emplace_back(element, pieces.size());
     pieces.push_back(piece);
   };

@@ -26,6 +26,21 @@
 
 namespace swept {
 
+/// The step placements[k] -> placements[k + 1] as seen from the body at its start: a point p moves
+/// by bend * p + shift.
+struct MotionStep {
+  MotionStep() = default;
+  MotionStep(const SamplerInput& input, std::size_t k);
+
+  Eigen::Matrix3d bend, turnBack;
+  Eigen::Vector3d shift;
+  double angle = 0;  ///< rad, at least the turn of the step
+  double snap = 0;   ///< mm
+};
+
+/// The direction of one face during a step.
+int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);
+
 /// Directions of faces during one step, each cluster decided when it is first asked for; the
 /// buffers are reused from step to step. Not for several threads at a time.
 class FaceDirections {
@@ -47,25 +62,17 @@ class FaceDirections {
   int ofIndex(std::size_t index) const { return faceDirection_[index]; }
 
  private:
-  /// A motion step as seen from the body at its start: a point p moves by bend * p + shift.
-  struct Step {
-    Eigen::Matrix3d bend, turnBack;
-    Eigen::Vector3d shift;
-    double angle = 0;  // rad, at least the turn of the step
-    double snap = 0;   // mm
-    Eigen::Matrix3f bendFloat, turnBackFloat;
-    Eigen::Vector3f shiftFloat;
-    float rounding = 0;  // mm: rounding of a displacement in float
-  };
   void decide(std::size_t cluster) const;
-  int decideCluster(const FaceCluster& cluster, const Step& step) const;
-  int decideBall(const FaceClusters::FaceBall& ball, const Step& step) const;
-  int decideFace(std::size_t face, const Step& step) const;
+  int decideCluster(const FaceCluster& cluster) const;
+  int decideBall(const FaceClusters::FaceBall& ball) const;
 
   const SamplerInput* input_;
   const FaceClusters* clusters_;
   double farthest_ = 0;  // mm, farthest point of the body from its origin
-  Step step_;
+  MotionStep step_;
+  Eigen::Matrix3f bendFloat_, turnBackFloat_;
+  Eigen::Vector3f shiftFloat_;
+  float rounding_ = 0;                            // mm: rounding of a displacement in float
   std::uint32_t stamp_ = 0;                       // number of the step, in the order of setStep()
   mutable std::vector<std::uint32_t> decidedAt_;  // per cluster: stamp of the step it is known for
   mutable std::vector<std::int8_t> clusterDirection_, faceDirection_;
