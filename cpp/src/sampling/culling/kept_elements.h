@@ -101,15 +101,22 @@ class KeptElements {
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {
+    const auto shows = [&](std::uint32_t n) {
+      return s.faces == ShownCluster::kAll || s.shows(clusters_.borderEnds[n].left - firstFace);
+    };
+    const std::uint32_t end = border.firstEdge + border.edgeCount;
+    std::uint32_t first = border.firstEdge;
+    while (first < end && !shows(first)) ++first;
+    if (first == end) return;
     const bool mayDrop = input_.cull && border.right >= 0;
     if (mayDrop) {
       const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
       const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
       if (left != 0 && left == (border.opposed ? -right : right)) return;
     }
-    for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
+    for (std::uint32_t n = first; n < end; ++n) {
+      if (!shows(n)) continue;
       const FaceClusters::EdgeEnds& ends = clusters_.borderEnds[n];
-      if (s.faces != ShownCluster::kAll && !s.shows(ends.left - firstFace)) continue;
       if (!mayDrop || !inSameDirection(ends, border.opposed)) {
         use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
       }

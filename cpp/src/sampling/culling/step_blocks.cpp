@@ -14,9 +14,10 @@ namespace {
 constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
 constexpr double kSnapReach = 1e-4;  ///< cells: more than snapping moves a corner
 /// Cells: sizes of a group of placements.
-constexpr double kLargestGroup = 0.25, kSmallestGroup = 1e-3;
+constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
+constexpr double kFaceGroup = 0.5;  ///< from this size down faces are looked at one by one
 /// Placements in a group, in the mean, from which groups are worth their tests.
-constexpr std::size_t kWorthGroup = 32;
+constexpr std::size_t kWorthGroup = 8;
 
 /// A triangle or a flat quad meets a line along an axis only where its box holds whole numbers
 /// along both others.
@@ -89,31 +90,39 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
   parallelBlocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) boxes[k] = bounds.boxOf(k);
   });
-  // Smaller groups are hidden more often, and take more tests.
-  std::vector<PlaceBounds::Box> groups;
+  // Smaller groups hide more and are more; each looks only at what the larger one round it shows.
   for (double cells = kLargestGroup; cells > kSmallestGroup; cells /= 2) {
-    auto finer = group(boxes, cells, bounds.radius());
-    if (finer.empty()) break;
-    groups = std::move(finer);
-  }
-  shown_.resize(groups.size());
-  parallelFor(groups.size(), [&](std::size_t g) {
-    run.checkpoint(Phase::Sampling);
-    const PlaceBlock block = PlaceBounds::blockOf(groups[g]);
-    for (std::uint32_t c = 0; c < clusters.clusters.size(); ++c) {
-      const FaceCluster& cluster = clusters.clusters[c];
-      if (!bounds.shows(block, cluster)) continue;
-      std::uint32_t faces = 0;
-      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
-        if (bounds.shows(block, clusters.faces[cluster.firstFace + n])) faces |= 1u << n;
+    std::vector<std::uint32_t> groupOf;
+    const auto groups = group(boxes, cells, bounds.radius(), groupOf);
+    if (groups.size() * kWorthGroup > boxes.size()) break;
+    std::vector<std::uint32_t> around(groups.size());
+    for (std::size_t k = 0; k < groupOf_.size(); ++k) around[groupOf[k]] = groupOf_[k];
+    if (shown_.empty()) shown_.push_back(allClusters(clusters));
+    std::vector<ShownClusters> shown(groups.size());
+    parallelFor(groups.size(), [&](std::size_t g) {
+      run.checkpoint(Phase::Sampling);
+      const PlaceBlock block = PlaceBounds::blockOf(groups[g]);
+      for (const ShownCluster& s : shown_[around[g]]) {
+        const FaceCluster& cluster = clusters.clusters[s.cluster];
+        if (!bounds.shows(block, cluster)) continue;
+        std::uint32_t faces = s.faces;
+        for (std::uint32_t n = 0; n < cluster.faceCount && cells <= kFaceGroup; ++n) {
+          if (s.shows(n) && !bounds.shows(block, clusters.faces[cluster.firstFace + n])) {
+            faces &= ~(1u << n);
+          }
+        }
+        if (cells <= kFaceGroup && cluster.faceCount < 32) faces &= (1u << cluster.faceCount) - 1;
+        if (faces != 0) shown[g].push_back({s.cluster, faces});
       }
-      if (faces != 0) shown_[g].push_back({c, faces});
-    }
-  });
+    });
+    shown_ = std::move(shown);
+    groupOf_ = std::move(groupOf);
+  }
 }
 
 std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::Box>& boxes,
-                                                 double cells, double radius) {
+                                                 double cells, double radius,
+                                                 std::vector<std::uint32_t>& groupOf) {
   using Key = std::array<std::int32_t, 12>;
   struct KeyHash {
     std::size_t operator()(const Key& key) const {
@@ -127,7 +136,7 @@ std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::
   };
   std::unordered_map<Key, std::uint32_t, KeyHash> numbers;
   std::vector<PlaceBounds::Box> groups;
-  std::vector<std::uint32_t> groupOf(boxes.size());
+  groupOf.resize(boxes.size());
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     Key key;
     for (int n = 0; n < 12; ++n) {
@@ -138,9 +147,8 @@ std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::
     if (isNew) groups.emplace_back();
     groups[at->second].add(boxes[k]);
     groupOf[k] = at->second;
-    if (groups.size() * kWorthGroup > boxes.size()) return {};
+    if (groups.size() * kWorthGroup > boxes.size()) break;
   }
-  groupOf_ = std::move(groupOf);
   return groups;
 }
 
@@ -151,6 +159,7 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
     narrows_ |= bounds_.hasInside() || c.radius < 0.5 * input.grid.cell;
   }
   below_.resize(1 + kMostLevels);
+  if (!groups.empty()) narrows_ = false;  // each group has been decided face by face
   if (!narrows_) return;
   std::vector<PlaceBounds::Box> boxes;
   boxes.reserve(end - begin);
@@ -177,22 +186,12 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
 }
 
 const ShownClusters& StepBlocks::narrow(std::size_t at, const ShownClusters& above) {
+  if (!groups_.empty()) return groups_.shownAt(begin_ + at);
   if (!narrows_) return above;
   ShownClusters& shown = below_[0];
   shown.clear();
-  const auto test = [&](const ShownCluster& s) {
-    if (bounds_.shows(single_[at], clusters_.clusters[s.cluster])) shown.push_back(s);
-  };
-  if (groups_.empty()) {
-    for (const ShownCluster& s : above) test(s);
-    return shown;
-  }
-  const ShownClusters& known = groups_.shownAt(begin_ + at);
-  auto next = known.begin();
   for (const ShownCluster& s : above) {
-    while (next != known.end() && next->cluster < s.cluster) ++next;
-    if (next == known.end()) break;
-    if (next->cluster == s.cluster) test(*next);
+    if (bounds_.shows(single_[at], clusters_.clusters[s.cluster])) shown.push_back(s);
   }
   return shown;
 }

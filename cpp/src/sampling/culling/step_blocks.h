@@ -70,9 +70,11 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Boxes of the groups of this size, and groupOf_; none and nothing if there are too many.
-  std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes, double cells,
-                                      double radius);
+  /// Boxes of the groups of this size, and the group of each placement; ends early if there are too
+  /// many to be worth it.
+  static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
+                                             double cells, double radius,
+                                             std::vector<std::uint32_t>& groupOf);
 
   std::vector<std::uint32_t> groupOf_;  // per placement
   std::vector<ShownClusters> shown_;    // per group

@@ -102,16 +102,14 @@ void FaceDirections::decide(std::size_t c) const {
   const auto whole = static_cast<std::int8_t>(decideCluster(cluster));
   decidedAt_[c] = stamp_;
   clusterDirection_[c] = whole;
-  const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
-  if (whole != 0) {
-    std::fill(faceDirection_.begin() + first, faceDirection_.begin() + end, whole);
-    return;
-  }
-  for (std::uint32_t at = first; at < end; ++at) {
-    const int direction = decideBall(clusters_->balls[at]);
-    faceDirection_[at] = static_cast<std::int8_t>(
-        direction != 0 ? direction : directionOf(*input_, step_, clusters_->faces[at]));
-  }
+  std::fill_n(faceDirection_.begin() + cluster.firstFace, cluster.faceCount,
+              whole != 0 ? whole : kNotDecided);
+}
+
+void FaceDirections::decideFace(std::size_t index) const {
+  const int direction = decideBall(clusters_->balls[index]);
+  faceDirection_[index] = static_cast<std::int8_t>(
+      direction != 0 ? direction : directionOf(*input_, step_, clusters_->faces[index]));
 }
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,

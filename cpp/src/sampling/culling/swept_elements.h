@@ -41,8 +41,8 @@ struct MotionStep {
 /// The direction of one face during a step.
 int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);
 
-/// Directions of faces during one step, each cluster decided when it is first asked for; the
-/// buffers are reused from step to step. Not for several threads at a time.
+/// Directions of faces during one step, each cluster and each face decided when it is first asked
+/// for; the buffers are reused from step to step. Not for several threads at a time.
 class FaceDirections {
  public:
   FaceDirections(const SamplerInput& input, const FaceClusters& clusters);
@@ -59,10 +59,15 @@ class FaceDirections {
     return ofIndex(clusters_->indexOf[face]);
   }
   /// The same for a face, by its index in FaceClusters::faces; its cluster has been asked for.
-  int ofIndex(std::size_t index) const { return faceDirection_[index]; }
+  int ofIndex(std::size_t index) const {
+    if (faceDirection_[index] == kNotDecided) decideFace(index);
+    return faceDirection_[index];
+  }
 
  private:
+  static constexpr std::int8_t kNotDecided = 2;
   void decide(std::size_t cluster) const;
+  void decideFace(std::size_t index) const;
   int decideCluster(const FaceCluster& cluster) const;
   int decideBall(const FaceClusters::FaceBall& ball) const;
 
