@@ -7,13 +7,35 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "sampling/exact_element.h"
 
 namespace swept {
 namespace {
 
 /// One placement in so many is sampled as a whole copy at most, and at least so many copies or
-/// none.
-constexpr std::size_t kPlacementsPerCopy = 64, kFewest = 16, kMost = 256;
+/// none; from the second number on, those farthest along many directions are among them.
+constexpr std::size_t kPlacementsPerCopy = 64, kFewest = 16, kWithExtreme = 176, kMost = 256;
+/// The map is used where it hides at least this part of the crossings of a few other copies: thin
+/// parts on long ways hide little, and asking takes time.
+constexpr double kLeastHidden = 0.5;
+constexpr std::size_t kTrials = 8;
+
+bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
+  const std::size_t placements = input.motion.placements.size();
+  std::size_t all = 0, hidden = 0;
+  for (std::size_t n = 0; n < kTrials; ++n) {
+    const auto k = static_cast<std::uint32_t>((2 * n + 1) * placements / (2 * kTrials));
+    for (std::uint32_t f = 0; f < input.body.triangles.size(); ++f) {
+      elementCrossings(
+          input, {f, k},
+          [&](int axis, std::int32_t i, std::int32_t j, std::int32_t at, double fraction) {
+            ++all;
+            hidden += inside.hides(axis, i, j, at, fraction);
+          });
+    }
+  }
+  return static_cast<double>(hidden) >= kLeastHidden * static_cast<double>(all);
+}
 
 /// Where the placements carry four points of the body: enough to tell placements apart.
 class Places {
@@ -104,13 +126,15 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   }
   const Places places(input);
   std::vector<std::size_t> chosen;
-  places.addExtreme(chosen);
+  if (count >= kWithExtreme) places.addExtreme(chosen);
   places.addSpread(chosen, count);
   Motion copies;
   for (const std::size_t k : chosen) copies.placements.push_back(input.motion.placements[k]);
   SamplerInput some{input.body, input.topology, copies, input.grid, false, input.orientable};
   const MarkedEdges marked = sampleCpu(some, run);
-  return InsideMap(marked, findOutside(marked, input.grid, run), input.grid);
+  InsideMap inside(marked, findOutside(marked, input.grid, run), input.grid);
+  if (!inside.hasFronts() || hidesEnough(input, inside)) return inside;
+  return std::nullopt;
 }
 
 }  // namespace swept

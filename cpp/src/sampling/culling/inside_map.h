@@ -57,6 +57,9 @@ class InsideMap {
     return fraction * kParts >= front.from && fraction * kParts <= front.to;
   }
 
+  /// Whether single crossings can be told: not on grids of more than kMaxBlocks points.
+  bool hasFronts() const { return !fronts_[0].empty(); }
+
  private:
   /// Crossings of an edge in [from, to] / kParts of its length are hidden.
   struct Front {
@@ -64,7 +67,6 @@ class InsideMap {
   };
   static constexpr std::uint8_t kParts = 255;
 
-  bool hasFronts() const { return !fronts_[0].empty(); }
   std::size_t pointOf(std::int32_t i, std::int32_t j, std::int32_t k) const {
     return (static_cast<std::size_t>(i) * blocks_[1] + static_cast<std::size_t>(j)) * blocks_[2] +
            static_cast<std::size_t>(k);
