@@ -14,7 +14,7 @@ namespace {
 
 /// One placement in so many is sampled as a whole copy at most, and at least so many copies or
 /// none; from the second number on, those farthest along many directions are among them.
-constexpr std::size_t kPlacementsPerCopy = 64, kFewest = 16, kWithExtreme = 176, kMost = 256;
+constexpr std::size_t kPlacementsPerCopy = 128, kFewest = 8, kWithExtreme = 176, kMost = 256;
 /// The map is used where it hides at least this part of the crossings of a few other copies: thin
 /// parts on long ways hide little, and asking takes time.
 constexpr double kLeastHidden = 0.5;
