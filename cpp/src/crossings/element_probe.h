@@ -38,10 +38,11 @@ class ElementProbe : public SurfaceProbe {
     bool isSidePatch = false;
     double start = 0, end = 0;  // seconds
   };
+  bool mayPass() const { return input_.cull && input_.motion.continuous; }
   bool isPassed(const SweptElement& element) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
-                            const std::vector<std::uint32_t>& crossings) const;
+                            const std::vector<std::uint32_t>& crossings, bool withPassed) const;
   /// Calls use(other) for the elements that share an edge or the path of a vertex with this one, if
   /// inside(p, q) is true for the shared segment, and for the copies of a face at the placements
   /// before and after.
