@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "sampling/culling/swept_elements.h"
+
 namespace swept {
 namespace {
 
 /// A cell that more pieces than this pass through does not show a single wall any more, and is not
 /// worth the time.
 constexpr std::size_t kMaxPieces = 20000;
+/// From so many pieces on, those that others cover on both sides are left out.
+constexpr std::size_t kManyPieces = 1000;
 /// Cells: pieces this close to the cell count as touching it, so that the search can go round its
 /// corners.
 constexpr double kSearchMargin = 0.05;
@@ -204,8 +208,31 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
   }
 }
 
-std::vector<ElementProbe::Piece> ElementProbe::gather(
-    const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
+/// Whether the pieces on both sides of this one in the motion cover it: a face that moves the same
+/// way before and after its placement, a side patch between two faces that move the same way.
+bool ElementProbe::isPassed(const SweptElement& element) const {
+  const std::size_t k = element.placement;
+  const auto directionIn = [&](std::size_t step, std::size_t face) {
+    return directionOf(input_, MotionStep(input_, step), face);
+  };
+  if (!element.isSidePatch()) {
+    if (k == 0 || k == input_.motion.steps()) return false;
+    const int before = directionIn(k - 1, element.index());
+    return before != 0 && before == directionIn(k, element.index());
+  }
+  const BodyEdge& edge = input_.topology.edges[element.index()];
+  if (edge.right < 0) return false;
+  const MotionStep step(input_, k);
+  const int left = directionOf(input_, step, static_cast<std::size_t>(edge.left));
+  if (left == 0) return false;
+  const int right = directionOf(input_, step, static_cast<std::size_t>(edge.right));
+  return left == (edge.opposed ? -right : right);
+}
+
+std::vector<ElementProbe::Piece> ElementProbe::gather(const Eigen::AlignedBox3d& region,
+                                                      const std::vector<std::uint32_t>& crossings,
+                                                      bool withPassed) const {
+  const std::size_t most = withPassed && mayPass() ? kManyPieces : kMaxPieces;
   const Eigen::Vector3d centre = region.center();
   const Eigen::Vector3d half = region.sizes().array() / 2 + kSearchMargin;
   std::vector<std::pair<SweptElement, std::size_t>> waiting;  // with the number of its piece
@@ -219,6 +246,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
         (!piece.isSidePatch || !intersectsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
+    if (!withPassed && isPassed(element)) return;
     waiting.emplace_back(element, pieces.size());
     pieces.push_back(piece);
   };
@@ -226,13 +254,14 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
   const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     return intersectsBox(p - centre, q - centre, half);
   };
-  while (!waiting.empty() && pieces.size() <= kMaxPieces) {
+  while (!waiting.empty() && pieces.size() <= most) {
     const auto [element, at] = waiting.back();
     waiting.pop_back();
     const Piece piece = pieces[at];
     forNeighbours(element, piece, inside, visit);
   }
-  if (pieces.size() > kMaxPieces) pieces.clear();
+  if (pieces.size() > most && most < kMaxPieces) return gather(region, crossings, false);
+  if (pieces.size() > most) pieces.clear();
   return pieces;
 }
 
@@ -259,7 +288,7 @@ void ElementProbe::cast(const Eigen::AlignedBox3d& region,
                         const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
   std::vector<double> first(lines.size(), 2);  // fraction along each line
-  for (const Piece& piece : gather(region, crossings)) {
+  for (const Piece& piece : gather(region, crossings, true)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // Sides of the plane of the first triangle. A side patch reaches beyond that plane by its

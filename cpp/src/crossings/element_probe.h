@@ -4,8 +4,10 @@
 // coordinates, seconds. Cost: proportional to the elements that pass through the cell.
 // The search starts at these elements and continues to their neighbours (across shared edges and
 // paths of vertices, and to the steps before and after) as long as what they share passes through
-// the cell. It looks nowhere else, so it does not matter which sampler found the crossings.
-// Source: own method; docs/contouring.md, "Rims".
+// the cell. Pieces that others cover on both sides are left out: in a cell that many placements
+// pass through they are nearly all, and the rest is connected without them. It looks nowhere else,
+// so it does not matter which sampler found the crossings. Source: own method; docs/contouring.md,
+// "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -36,9 +38,11 @@ class ElementProbe : public SurfaceProbe {
     bool isSidePatch = false;
     double start = 0, end = 0;  // seconds
   };
+  bool mayPass() const { return input_.cull && input_.motion.continuous; }
+  bool isPassed(const SweptElement& element) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
-                            const std::vector<std::uint32_t>& crossings) const;
+                            const std::vector<std::uint32_t>& crossings, bool withPassed) const;
   /// Calls use(other) for the elements that share an edge or the path of a vertex with this one, if
   /// inside(p, q) is true for the shared segment, and for the copies of a face at the placements
   /// before and after.

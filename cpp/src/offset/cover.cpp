@@ -31,13 +31,13 @@ class MotionCover {
   void cover(std::size_t begin, std::size_t end, std::vector<CoverTriangle>& out, RunContext& run) {
     const std::size_t steps = input_.motion.steps();
     if (begin > 0) {
-      before_.compute(begin - 1);
+      before_.setStep(begin - 1);
       stepBefore_ = step(begin - 1);
     }
     for (std::size_t k = begin; k < end; ++k) {
       run.checkpoint(Phase::Sampling, k, steps + 1);
       if (k < steps) {
-        after_.compute(k);
+        after_.setStep(k);
         stepAfter_ = step(k);
       }
       faces(k, out);

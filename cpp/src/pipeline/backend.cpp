@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/backend.h"
 
+#include <optional>
 #include <utility>
 
+#include "sampling/cpu/deep_inside.h"
 #include "sampling/dense/dense_sampler.h"
 
 #ifdef SWEPT_WITH_GL
@@ -14,7 +16,10 @@ namespace {
 
 SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns, RunContext& run) {
   SampledSurface out;
-  out.marked = sampleCpu(input, run);
+  SamplerInput seen = input;
+  const std::optional<InsideMap> inside = findDeepInside(input, run);
+  if (inside) seen.inside = &*inside;
+  out.marked = sampleCpu(seen, run);
   out.signs = findSigns(out.marked);
   return out;
 }

@@ -165,7 +165,9 @@ SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) 
           cull,
           prepared_.body.orientable,
           warm_ != nullptr ? &warm_->clusters : nullptr,
-          warm_ != nullptr ? &warm_->cache : nullptr};
+          warm_ != nullptr ? &warm_->cache : nullptr,
+          nullptr,
+          !options_.keepCavities};
 }
 
 void EnvelopeRun::envelope(const BodyTopology& topology) {

@@ -15,6 +15,7 @@
 namespace swept {
 
 struct FaceClusters;
+class InsideMap;
 class SampleCache;
 
 struct SamplerInput {
@@ -29,6 +30,9 @@ struct SamplerInput {
   SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
   /// Receives the number of crossings that the CPU sampler sorts, which is what its memory holds.
   std::uint64_t* crossings = nullptr;
+  /// Enclosed spaces count as inside, whatever they are: what lies deep inside may be left out.
+  bool fillsHollows = false;
+  const InsideMap* inside = nullptr;  ///< what is known to lie inside, for the CPU sampler
 };
 
 /// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of

@@ -11,6 +11,7 @@
 #include "input/body_check.h"
 #include "input/trajectory_check.h"
 #include "motion/refine_motion.h"
+#include "sampling/cpu/deep_inside.h"
 #include "sampling/sampler.h"
 #include "signs/contributing_edges.h"
 #include "signs/signs.h"
@@ -89,6 +90,84 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
     }
   }
   EXPECT_GT(inCopies, 3000);
+}
+
+/// The crossings that count, in words: edge, sides, and for each side fraction and element.
+std::vector<std::array<double, 9>> counting(const SamplerInput& input) {
+  RunContext run;
+  const MarkedEdges marked = sampleCpu(input, run);
+  const SignRuns signs = findOutside(marked, input.grid, run);
+  std::vector<std::array<double, 9>> out;
+  for (std::int32_t i = 0; i < input.grid.points[0]; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      forContributing(marked, signs, input.grid, i, axis,
+                      [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t sides) {
+                        std::array<double, 9> row{};
+                        row = {1.0 * i, 1.0 * axis, 1.0 * j, 1.0 * edge.k, 1.0 * sides};
+                        const SweptElement &low = marked.elements[edge.lowElement],
+                                           &high = marked.elements[edge.highElement];
+                        if (sides & HermiteEdge::kLow) {
+                          row[5] = edge.lowFraction;
+                          row[6] = low.code + 4294967296.0 * low.placement;
+                        }
+                        if (sides & HermiteEdge::kHigh) {
+                          row[7] = edge.highFraction;
+                          row[8] = high.code + 4294967296.0 * high.placement;
+                        }
+                        out.push_back(row);
+                      });
+    }
+  }
+  return out;
+}
+
+TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
+  std::mt19937 random(77);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int hiding = 0;
+  for (int n = 0; n < 24; ++n) {
+    SCOPED_TRACE("case " + std::to_string(n));
+    Case scene(random, 20);
+    if (!scene.body.orientable) continue;
+    Eigen::AlignedBox3d box;
+    for (const auto& v : scene.body.mesh.vertices) box.extend(v);
+    const double size = box.diagonal().norm();
+    // To and fro in all directions, with and without turning, from tiny to as large as the body.
+    const double travel = size * std::pow(10, -2 + n % 3),
+                 turn = n % 2 == 0 ? 0 : 0.3 * unit(random);
+    const Eigen::Vector3d waves = 40 * Eigen::Vector3d(unit(random), unit(random), unit(random));
+    const Eigen::Vector3d axis = Eigen::Vector3d(unit(random), unit(random), 1).normalized();
+    scene.motion = Motion();
+    scene.motion.continuous = n % 4 != 3;
+    constexpr int kPlacements = 1500;
+    for (int k = 0; k < kPlacements; ++k) {
+      const double s = static_cast<double>(k) / kPlacements;
+      const Eigen::Array3d way = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
+      scene.motion.placements.push_back(
+          {Eigen::AngleAxisd(turn * way[0], axis).toRotationMatrix(), travel * way.matrix(), s});
+    }
+    RunContext run;
+    Options options;
+    options.resolution = 20;
+    const Eigen::AlignedBox3d swept = sweptBox(scene.body.mesh, scene.motion, run);
+    options.cellSize = plannedCell(swept, options);
+    scene.grid = planGrid(swept, box, options);
+    SamplerInput input{scene.body.mesh, scene.topology, scene.motion, scene.grid, true, true};
+    const auto all = counting(input);
+    input.fillsHollows = true;
+    const auto inside = findDeepInside(input, run);
+    if (!inside) continue;  // too little is hidden
+    input.inside = &*inside;
+    std::uint64_t sampled = 0;
+    input.crossings = &sampled;
+    EXPECT_EQ(counting(input), all);
+    input.inside = nullptr;
+    std::uint64_t before = 0;
+    input.crossings = &before;
+    counting(input);
+    hiding += sampled < before / 2;
+  }
+  EXPECT_GT(hiding, 5);  // otherwise nothing was compared
 }
 
 }  // namespace

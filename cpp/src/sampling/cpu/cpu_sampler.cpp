@@ -11,7 +11,8 @@
 #include "grid/rasterise.h"
 #include "grid/snap.h"
 #include "sampling/cpu/sample_cache.h"
-#include "sampling/culling/kept_elements.h"
+#include "sampling/culling/inside_map.h"
+#include "sampling/culling/step_blocks.h"
 #include "sampling/sampler.h"
 
 namespace swept {
@@ -80,26 +81,59 @@ class CrossingBudget {
   std::atomic<std::uint64_t> taken_{0};
 };
 
+/// The vertices of the body at one placement, each computed when it is first asked for.
+class PosedVertices {
+ public:
+  explicit PosedVertices(const SamplerInput& input)
+      : input_(&input),
+        points_(input.body.vertices.size()),
+        knownAt_(input.body.vertices.size(), kNowhere) {}
+
+  void goTo(std::size_t placement) {
+    if (placement == placement_) return;
+    placement_ = static_cast<std::uint32_t>(placement);
+    pose_ = input_->grid.toGrid(input_->motion.placements[placement]);
+  }
+  std::size_t placement() const { return placement_; }
+  const SnappedPoint& operator[](std::int32_t v) {
+    const auto at = static_cast<std::size_t>(v);
+    if (knownAt_[at] != placement_) {
+      points_[at] = snap(pose_, input_->body.vertices[at]);
+      knownAt_[at] = placement_;
+    }
+    return points_[at];
+  }
+
+ private:
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
+  const SamplerInput* input_;
+  std::uint32_t placement_ = kNowhere;
+  Placement pose_;
+  std::vector<SnappedPoint> points_;
+  std::vector<std::uint32_t> knownAt_;  // placement
+};
+
 /// Rasterises the elements of one work item along all three axes.
 class ItemSampler {
  public:
   ItemSampler(const SamplerInput& input, RecordChunk& out) : input_(input), out_(out) {}
 
-  void pose(std::size_t placement, std::vector<SnappedPoint>& points) const {
-    const Placement p = input_.grid.toGrid(input_.motion.placements[placement]);
-    points.resize(input_.body.vertices.size());
-    for (std::size_t v = 0; v < points.size(); ++v) points[v] = snap(p, input_.body.vertices[v]);
-  }
-
-  void faces(const WorkItem& item, std::size_t placement, const std::vector<SnappedPoint>& points) {
-    for (std::size_t f = item.faceBegin; f < item.faceEnd; ++f) face(f, placement, points);
-  }
-  void face(std::size_t f, std::size_t placement, const std::vector<SnappedPoint>& points) {
+  void face(std::size_t f, std::size_t placement, PosedVertices& posed) {
     const auto& t = input_.body.triangles[f];
+    const SnappedPoint &a = posed[t[0]], &b = posed[t[1]], &c = posed[t[2]];
+    if (isHidden({&a, &b, &c})) return;
     out_.add({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(placement)},
-             [&](const auto& emit) {
-               rasteriseAllAxes(points[t[0]], points[t[1]], points[t[2]], emit);
-             });
+             [&](const auto& emit) { rasteriseAllAxes(a, b, c, unlessHidden(emit)); });
+  }
+  void sidePatch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
+                 PosedVertices& now, PosedVertices& next) {
+    const SnappedPoint &a = now[e.a], &b = now[e.b], &c = next[e.b], &d = next[e.a];
+    if (isHidden({&a, &b, &c, &d})) return;
+    const auto code = static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit;
+    out_.add({code, static_cast<std::uint32_t>(step)}, [&](const auto& emit) {
+      rasteriseAllAxes(a, b, c, unlessHidden(emit));
+      rasteriseAllAxes(a, c, d, unlessHidden(emit));
+    });
   }
   /// Faces that slide within themselves cross the same lattice edges at every placement. When there
   /// are many crossings, those that cannot be first or last on their edge any more are removed.
@@ -109,16 +143,34 @@ class ItemSampler {
     limit_ = std::max(limit_, 2 * out_.records.size());
     thinned_ = true;
   }
-  void sidePatch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
-                 const std::vector<SnappedPoint>& now, const std::vector<SnappedPoint>& next) {
-    const auto code = static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit;
-    out_.add({code, static_cast<std::uint32_t>(step)}, [&](const auto& emit) {
-      rasteriseAllAxes(now[e.a], now[e.b], next[e.b], emit);
-      rasteriseAllAxes(now[e.a], next[e.b], next[e.a], emit);
-    });
-  }
 
  private:
+  template <class Emit>
+  auto unlessHidden(const Emit& emit) const {
+    return [&emit, inside = input_.inside](int axis, std::int32_t i, std::int32_t j, std::int32_t k,
+                                           double fraction) {
+      if (inside == nullptr || !inside->hides(axis, i, j, k, fraction)) {
+        emit(axis, i, j, k, fraction);
+      }
+    };
+  }
+  bool isHidden(std::initializer_list<const SnappedPoint*> corners) const {
+    if (input_.inside == nullptr) return false;
+    SnappedPoint low = **corners.begin(), high = low;
+    for (const SnappedPoint* corner : corners) {
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], (*corner)[axis]);
+        high[axis] = std::max(high[axis], (*corner)[axis]);
+      }
+    }
+    Eigen::Array3d from, to;
+    for (int axis = 0; axis < 3; ++axis) {
+      from[axis] = static_cast<double>(low[axis]) / kSubUnits;
+      to[axis] = static_cast<double>(high[axis]) / kSubUnits;
+    }
+    return input_.inside->hides(from, to);
+  }
+
   const SamplerInput& input_;
   RecordChunk& out_;
   bool thinned_ = false;
@@ -127,58 +179,87 @@ class ItemSampler {
                                     static_cast<std::size_t>(input_.grid.points[1]));
 };
 
-void sampleUnion(const SamplerInput& input, const WorkItem& item, RecordChunk& out,
-                 CrossingBudget& budget, RunContext& run) {
-  ItemSampler sampler(input, out);
-  std::vector<SnappedPoint> points;
-  std::size_t before = 0;
-  for (std::size_t k = item.begin; k < item.end; ++k) {
-    run.checkpoint(Phase::Sampling);
-    sampler.pose(k, points);
-    sampler.faces(item, k, points);
-    budget.add(out.records.size() - before);
-    before = out.records.size();
-  }
-}
-
-/// Samples one work item of a continuous motion.
-class SweepSampler {
+/// Samples one work item of a union of copies.
+class UnionSampler {
  public:
-  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, RecordChunk& out,
-               CrossingBudget& budget)
-      : steps_(input.motion.steps()),
-        kept_(input, clusters),
-        sampler_(input, out),
-        out_(out),
-        budget_(budget) {}
+  UnionSampler(const SamplerInput& input, RecordChunk& out, CrossingBudget& budget)
+      : input_(input), sampler_(input, out), out_(out), budget_(budget), posed_(input) {}
 
   void sample(const WorkItem& item, RunContext& run) {
-    sampler_.pose(item.begin, now_);
-    kept_.start(item.begin);
     std::size_t before = 0;
     for (std::size_t k = item.begin; k < item.end; ++k) {
-      run.checkpoint(Phase::Sampling, k, steps_);
+      run.checkpoint(Phase::Sampling);
+      posed_.goTo(k);
+      for (std::size_t f = item.faceBegin; f < item.faceEnd; ++f) sampler_.face(f, k, posed_);
+      if (item.end - item.begin >= kMinThinPlacements) sampler_.thin(k + 1 == item.end);
       budget_.add(out_.records.size() - before);
       before = out_.records.size();
-      kept_.forFaces([&](std::uint32_t f) { sampler_.face(f, k, now_); });
-      if (k == steps_) break;
-      sampler_.pose(k + 1, next_);
-      kept_.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
-        sampler_.sidePatch(e, ends, k, now_, next_);
-      });
-      if (item.end - item.begin >= kMinThinPlacements) sampler_.thin(k + 1 == item.end);
-      if (k + 1 < item.end) kept_.advance();
-      std::swap(now_, next_);
     }
   }
 
  private:
+  const SamplerInput& input_;
+  ItemSampler sampler_;
+  const RecordChunk& out_;
+  CrossingBudget& budget_;
+  PosedVertices posed_;
+};
+
+/// Samples one work item of a continuous motion.
+class SweepSampler {
+ public:
+  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
+               RecordChunk& out, CrossingBudget& budget)
+      : input_(input),
+        clusters_(clusters),
+        groups_(groups),
+        steps_(input.motion.steps()),
+        kept_(input, clusters),
+        sampler_(input, out),
+        out_(out),
+        budget_(budget),
+        now_(input),
+        next_(input) {}
+
+  void sample(const WorkItem& item, RunContext& run) {
+    StepBlocks blocks(input_, clusters_, groups_, item.begin, item.end);
+    std::size_t before = 0;
+    const auto count = [&] {
+      budget_.add(out_.records.size() - before);
+      before = out_.records.size();
+    };
+    const bool thins = item.end - item.begin >= kMinThinPlacements;
+    blocks.forPlacements(
+        [&](std::size_t k) { run.checkpoint(Phase::Sampling, k, steps_); },
+        [&](std::size_t k, const ShownClusters& shown) {
+          run.checkpoint(Phase::Sampling, k, steps_);
+          if (next_.placement() == k) std::swap(now_, next_);
+          now_.goTo(k);
+          kept_.goTo(k);
+          kept_.forFaces(shown, [&](std::uint32_t f) { sampler_.face(f, k, now_); });
+          if (k < steps_) {
+            next_.goTo(k + 1);
+            kept_.forPatches(shown, [&](std::uint32_t e, const FaceClusters::EdgeEnds& ends) {
+              sampler_.sidePatch(e, ends, k, now_, next_);
+            });
+          }
+          if (thins) sampler_.thin(false);
+          count();
+        });
+    if (thins) sampler_.thin(true);
+    count();
+  }
+
+ private:
+  const SamplerInput& input_;
+  const FaceClusters& clusters_;
+  const PlaceGroups& groups_;
   std::size_t steps_;
   KeptElements kept_;
   ItemSampler sampler_;
   const RecordChunk& out_;
   CrossingBudget& budget_;
-  std::vector<SnappedPoint> now_, next_;
+  PosedVertices now_, next_;
 };
 
 }  // namespace
@@ -201,6 +282,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
       if (known[i] != 0) input.cache->countHit();
     }
   }
+  const PlaceGroups groups(input, clusters, run);
   CrossingBudget budget(run, input.grid.cell);
   // One buffer per thread, which grows once.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
@@ -209,9 +291,9 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     std::vector<CrossingRecord>& room = rooms.local();
     chunks[i].records.swap(room);
     if (input.motion.continuous) {
-      SweepSampler(input, clusters, chunks[i], budget).sample(items[i], run);
+      SweepSampler(input, clusters, groups, chunks[i], budget).sample(items[i], run);
     } else {
-      sampleUnion(input, items[i], chunks[i], budget, run);
+      UnionSampler(input, chunks[i], budget).sample(items[i], run);
     }
     orderByLayer(chunks[i], input.grid, room);
   });

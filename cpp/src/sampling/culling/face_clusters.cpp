@@ -10,8 +10,6 @@
 namespace swept {
 namespace {
 
-// Faces per cluster: larger clusters have wider cones, and more of them would be mixed.
-constexpr std::uint32_t kMaxFaces = 24;
 constexpr float kMinCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -72,6 +70,11 @@ void groupBorders(const BodyTopology& topology, FaceClusters& out) {
     }
     ++out.borders.back().edgeCount;
   }
+  out.firstBorder.assign(out.clusters.size() + 1, 0);
+  for (const FaceClusters::Border& border : out.borders) {
+    if (border.right >= 0) ++out.firstBorder[static_cast<std::size_t>(border.left)];
+  }
+  exclusiveScan(out.firstBorder);
 }
 
 std::vector<FaceClusters::EdgeEnds> endsOf(const BodyTopology& topology, const FaceClusters& all,
@@ -101,7 +104,8 @@ void growClusters(const TriMesh& body, const BodyTopology& topology, FaceCluster
     out.faces.push_back(seed);
     out.clusterOf[seed] = id;
     for (std::size_t next = cluster.firstFace;
-         next < out.faces.size() && out.faces.size() - cluster.firstFace < kMaxFaces; ++next) {
+         next < out.faces.size() && out.faces.size() - cluster.firstFace < FaceClusters::kMaxFaces;
+         ++next) {
       for (std::uint32_t h = 3 * out.faces[next]; h < 3 * out.faces[next] + 3; ++h) {
         const std::uint32_t across = adjacency.across[h];
         if (across == kNoNeighbour || startOf(across) == startOf(h)) continue;

@@ -23,6 +23,9 @@ struct FaceCluster {
 };
 
 struct FaceClusters {
+  /// Faces of a cluster: larger clusters have wider cones, and more of them would be mixed.
+  static constexpr std::uint32_t kMaxFaces = 24;
+
   std::vector<FaceCluster> clusters;
   std::vector<std::uint32_t> faces;        ///< the faces in the order of the clusters
   std::vector<std::uint32_t> clusterOf;    ///< per face
@@ -47,6 +50,9 @@ struct FaceClusters {
     bool opposed = false;
   };
   std::vector<Border> borders;
+  /// Per cluster the first border that has it on its left, and one entry behind the last: from
+  /// there on come those with no cluster on their right.
+  std::vector<std::uint32_t> firstBorder;
 
   /// What a first test of a face needs, in the order of `faces`.
   struct FaceBall {

@@ -1,43 +1,67 @@
 // Walks a continuous motion placement by placement over the faces and side patches that culling
-// keeps, in one fixed order: all samplers that use it number the same elements alike.
+// keeps, in one fixed order: all samplers that use it number the same elements alike. Which
+// clusters and borders are looked at may be narrowed beforehand (step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "sampling/culling/swept_elements.h"
 
 namespace swept {
+
+/// A cluster that a placement and the step after it can need, and a bit for each of its faces that
+/// they can need.
+struct ShownCluster {
+  std::uint32_t cluster, faces;
+
+  static_assert(FaceClusters::kMaxFaces <= 32);
+  static constexpr std::uint32_t kAll = 0xffffffffu;
+  bool shows(std::uint32_t number) const { return (faces >> number & 1u) != 0; }
+};
+using ShownClusters = std::vector<ShownCluster>;  // clusters rise
+
+inline ShownClusters allClusters(const FaceClusters& clusters) {
+  ShownClusters all;
+  for (std::uint32_t c = 0; c < clusters.clusters.size(); ++c) {
+    all.push_back({c, ShownCluster::kAll});
+  }
+  return all;
+}
 
 class KeptElements {
  public:
   KeptElements(const SamplerInput& input, const FaceClusters& clusters)
       : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
 
-  void start(std::size_t placement) {
+  /// Goes to a placement; to the next one is cheapest.
+  void goTo(std::size_t placement) {
+    if (placement > 0 && placement == placement_ + 1) {
+      std::swap(before_, after_);
+    } else if (placement > 0) {
+      before_.setStep(placement - 1);
+    }
     placement_ = placement;
-    if (placement > 0) before_.compute(placement - 1);
-    if (hasAfter()) after_.compute(placement);
-  }
-  /// Goes to the next placement; not beyond the last.
-  void advance() {
-    std::swap(before_, after_);
-    ++placement_;
-    if (hasAfter()) after_.compute(placement_);
+    if (hasAfter()) after_.setStep(placement);
   }
 
   /// Calls use(face) for the faces kept at this placement.
   template <class Use>
-  void forFaces(const Use& use) const {
+  void forFaces(const ShownClusters& shown, const Use& use) const {
     const bool hasBefore = placement_ > 0;
-    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
+    for (const ShownCluster& s : shown) {
+      const std::uint32_t c = s.cluster;
       const FaceCluster& cluster = clusters_.clusters[c];
       if (enclosed(hasBefore ? before_.ofCluster(c) : 0, hasAfter() ? after_.ofCluster(c) : 0)) {
         continue;
       }
-      for (std::uint32_t at = cluster.firstFace; at < cluster.firstFace + cluster.faceCount; ++at) {
-        if (!enclosed(hasBefore ? before_.ofIndex(at) : 0, hasAfter() ? after_.ofIndex(at) : 0)) {
+      for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
+        const std::uint32_t at = cluster.firstFace + n;
+        if (s.shows(n) &&
+            !enclosed(hasBefore ? before_.ofIndex(at) : 0, hasAfter() ? after_.ofIndex(at) : 0)) {
           use(clusters_.faces[at]);
         }
       }
@@ -47,31 +71,58 @@ class KeptElements {
   /// Calls use(edge, ends) for the side patches kept in the step that starts here; there must be
   /// such a step.
   template <class Use>
-  void forPatches(const Use& use) const {
-    for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
-      if (input_.cull && after_.ofCluster(c) != 0) continue;
-      const FaceCluster& cluster = clusters_.clusters[c];
+  void forPatches(const ShownClusters& shown, const Use& use) const {
+    for (const ShownCluster& s : shown) {
+      if (input_.cull && after_.ofCluster(s.cluster) != 0) continue;
+      const FaceCluster& cluster = clusters_.clusters[s.cluster];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
-        if (!input_.cull || !inSameDirection(clusters_.innerEnds[n], false))
-          use(clusters_.innerEdges[n], clusters_.innerEnds[n]);
+        const FaceClusters::EdgeEnds& ends = clusters_.innerEnds[n];
+        // An edge lies in both of its faces: it is hidden with either.
+        if (!s.shows(ends.left - cluster.firstFace) || !s.shows(ends.right - cluster.firstFace)) {
+          continue;
+        }
+        if (!input_.cull || !inSameDirection(ends, false)) use(clusters_.innerEdges[n], ends);
       }
     }
-    for (const FaceClusters::Border& border : clusters_.borders) {
-      const bool mayDrop = input_.cull && border.right >= 0;
-      if (mayDrop) {
-        const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
-        const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
-        if (left != 0 && left == (border.opposed ? -right : right)) continue;
+    for (const ShownCluster& s : shown) {
+      const std::uint32_t first = clusters_.clusters[s.cluster].firstFace;
+      for (std::uint32_t b = clusters_.firstBorder[s.cluster];
+           b < clusters_.firstBorder[s.cluster + 1]; ++b) {
+        borderPatches(clusters_.borders[b], first, s, use);
       }
-      for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
-        if (!mayDrop || !inSameDirection(clusters_.borderEnds[n], border.opposed)) {
-          use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
-        }
-      }
+    }
+    for (std::size_t b = clusters_.firstBorder.back(); b < clusters_.borders.size(); ++b) {
+      borderPatches(clusters_.borders[b], 0, {0, ShownCluster::kAll}, use);
     }
   }
 
  private:
+  /// s: the cluster on the left, or one without a first face that shows all.
+  template <class Use>
+  void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
+                     const ShownCluster& s, const Use& use) const {
+    const auto shows = [&](std::uint32_t n) {
+      return s.faces == ShownCluster::kAll || s.shows(clusters_.borderEnds[n].left - firstFace);
+    };
+    const std::uint32_t end = border.firstEdge + border.edgeCount;
+    std::uint32_t first = border.firstEdge;
+    while (first < end && !shows(first)) ++first;
+    if (first == end) return;
+    const bool mayDrop = input_.cull && border.right >= 0;
+    if (mayDrop) {
+      const int left = after_.ofCluster(static_cast<std::size_t>(border.left));
+      const int right = after_.ofCluster(static_cast<std::size_t>(border.right));
+      if (left != 0 && left == (border.opposed ? -right : right)) return;
+    }
+    for (std::uint32_t n = first; n < end; ++n) {
+      if (!shows(n)) continue;
+      const FaceClusters::EdgeEnds& ends = clusters_.borderEnds[n];
+      if (!mayDrop || !inSameDirection(ends, border.opposed)) {
+        use(clusters_.borderEdges[n], clusters_.borderEnds[n]);
+      }
+    }
+  }
+  static constexpr std::size_t kNowhere = ~std::size_t{0} - 1;
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
   /// Whether the two faces of an edge move in the same direction, so that its side patch is
   /// enclosed.
@@ -87,7 +138,7 @@ class KeptElements {
   const SamplerInput& input_;
   const FaceClusters& clusters_;
   FaceDirections before_, after_;
-  std::size_t placement_ = 0;
+  std::size_t placement_ = kNowhere;
 };
 
 }  // namespace swept

@@ -5,33 +5,15 @@
 #include <cmath>
 
 namespace swept {
-namespace {
 
-constexpr double kSnapCells = 0x1p-17;
-/// Fraction of the displacement: the normals are 32-bit floats, with room to spare.
-constexpr double kRounding = 1e-6;
-
-/// Snapping the corners turns the normal of a triangle of this height by at most about this angle.
 double snapAngle(double height, double cell) {
   return 4 * kSnapCells * cell / std::max(height, 1e-300);
 }
 
-}  // namespace
-
-/// A motion step as seen from the body at its start: a point p moves by bend * p + shift.
-struct FaceDirections::Step {
-  Eigen::Matrix3d bend, turnBack;
-  Eigen::Vector3d shift;
-  double angle = 0;  // rad, at least the turn of the step
-  double snap = 0;   // mm
-  Eigen::Matrix3f bendFloat, turnBackFloat;
-  Eigen::Vector3f shiftFloat;
-  float rounding = 0;  // mm: rounding of a displacement in float
-};
-
 FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& clusters)
     : input_(&input),
       clusters_(&clusters),
+      decidedAt_(clusters.clusters.size(), 0),
       clusterDirection_(clusters.clusters.size()),
       faceDirection_(input.body.triangles.size()) {
   for (const FaceCluster& c : clusters.clusters) {
@@ -39,12 +21,13 @@ FaceDirections::FaceDirections(const SamplerInput& input, const FaceClusters& cl
   }
 }
 
-int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) const {
+int FaceDirections::decideCluster(const FaceCluster& cluster) const {
+  const MotionStep& step = step_;
   const Eigen::Vector3d d = step.bend * cluster.centre + step.shift;
   const double length = d.norm(), spread = step.angle * cluster.radius;
   const double travel = length + spread;
   const double margin = spread +
-                        travel * (step.angle * step.angle + kRounding +
+                        travel * (step.angle * step.angle + kNormalRounding +
                                   snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
   // The smallest n . d over the cone, on the side that the axis points to, at either end of the
@@ -60,68 +43,73 @@ int FaceDirections::decideCluster(const FaceCluster& cluster, const Step& step) 
 
 /// Decides from the middle of the face alone: n . d changes by at most angle * radius over the
 /// ball. Most faces are decided here.
-int FaceDirections::decideBall(const FaceClusters::FaceBall& ball, const Step& step) const {
-  const Eigen::Vector3f d = step.bendFloat * ball.centre + step.shiftFloat;
-  const float first = ball.normal.dot(d), second = ball.normal.dot(step.turnBackFloat * d);
+int FaceDirections::decideBall(const FaceClusters::FaceBall& ball) const {
+  const MotionStep& step = step_;
+  const Eigen::Vector3f d = bendFloat_ * ball.centre + shiftFloat_;
+  const float first = ball.normal.dot(d), second = ball.normal.dot(turnBackFloat_ * d);
   const auto angle = static_cast<float>(step.angle);
   const float reach = angle * ball.radius;
   const float travel = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) + reach;
   const auto snap = static_cast<float>(snapAngle(ball.height, input_->grid.cell));
-  const float margin = reach + travel * (angle * angle + 1e-5f + snap) +
-                       static_cast<float>(step.snap) + step.rounding;
+  const float margin =
+      reach + travel * (angle * angle + 1e-5f + snap) + static_cast<float>(step.snap) + rounding_;
   return (std::min(first, second) > margin) - (std::max(first, second) < -margin);
 }
 
-int FaceDirections::decideFace(std::size_t face, const Step& step) const {
-  const auto& t = input_->body.triangles[face];
-  const Eigen::Vector3d n = input_->topology.normals[face].cast<double>();
+int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face) {
+  const auto& t = input.body.triangles[face];
+  const Eigen::Vector3d n = input.topology.normals[face].cast<double>();
   const Eigen::Vector3d turned = step.turnBack.transpose() * n;
   double low = 1e300, high = -1e300, travel2 = 0;
   for (const std::int32_t v : t) {
-    const Eigen::Vector3d d = step.bend * input_->body.vertices[v] + step.shift;
+    const Eigen::Vector3d d = step.bend * input.body.vertices[v] + step.shift;
     const double x = n.dot(d), y = turned.dot(d);
     low = std::min({low, x, y});
     high = std::max({high, x, y});
     travel2 = std::max(travel2, d.squaredNorm());
   }
   const double margin =
-      std::sqrt(travel2) * (snapAngle(input_->topology.heights[face], input_->grid.cell) +
-                            step.angle * step.angle + kRounding) +
+      std::sqrt(travel2) * (snapAngle(input.topology.heights[face], input.grid.cell) +
+                            step.angle * step.angle + kNormalRounding) +
       step.snap;
   return (low > margin) - (high < -margin);
 }
 
-void FaceDirections::compute(std::size_t k) {
-  const Placement& p = input_->motion.placements[k];
-  const Placement& q = input_->motion.placements[k + 1];
-  Step step;
+MotionStep::MotionStep(const SamplerInput& input, std::size_t k) {
+  const Placement& p = input.motion.placements[k];
+  const Placement& q = input.motion.placements[k + 1];
   const Eigen::Matrix3d turn = p.rotation.transpose() * q.rotation;
-  step.bend = turn - Eigen::Matrix3d::Identity();
-  step.turnBack = turn.transpose();
-  step.shift = p.rotation.transpose() * (q.translation - p.translation);
+  bend = turn - Eigen::Matrix3d::Identity();
+  turnBack = turn.transpose();
+  shift = p.rotation.transpose() * (q.translation - p.translation);
   // No vector changes by more than twice the sine of half the turn; with a little room for
   // rounding.
-  step.angle = step.bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
-  step.snap = 4 * kSnapCells * input_->grid.cell;
-  step.bendFloat = step.bend.cast<float>();
-  step.turnBackFloat = step.turnBack.cast<float>();
-  step.shiftFloat = step.shift.cast<float>();
-  step.rounding = 1e-6f * static_cast<float>(step.shift.norm() + step.angle * farthest_);
-  for (std::size_t c = 0; c < clusterDirection_.size(); ++c) {
-    const FaceCluster& cluster = clusters_->clusters[c];
-    const auto whole = static_cast<std::int8_t>(decideCluster(cluster, step));
-    clusterDirection_[c] = whole;
-    const std::uint32_t first = cluster.firstFace, end = first + cluster.faceCount;
-    if (whole != 0) {
-      std::fill(faceDirection_.begin() + first, faceDirection_.begin() + end, whole);
-      continue;
-    }
-    for (std::uint32_t at = first; at < end; ++at) {
-      const int direction = decideBall(clusters_->balls[at], step);
-      faceDirection_[at] = static_cast<std::int8_t>(
-          direction != 0 ? direction : decideFace(clusters_->faces[at], step));
-    }
-  }
+  angle = bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
+  snap = 4 * kSnapCells * input.grid.cell;
+}
+
+void FaceDirections::setStep(std::size_t k) {
+  step_ = MotionStep(*input_, k);
+  bendFloat_ = step_.bend.cast<float>();
+  turnBackFloat_ = step_.turnBack.cast<float>();
+  shiftFloat_ = step_.shift.cast<float>();
+  rounding_ = 1e-6f * static_cast<float>(step_.shift.norm() + step_.angle * farthest_);
+  ++stamp_;
+}
+
+void FaceDirections::decide(std::size_t c) const {
+  const FaceCluster& cluster = clusters_->clusters[c];
+  const auto whole = static_cast<std::int8_t>(decideCluster(cluster));
+  decidedAt_[c] = stamp_;
+  clusterDirection_[c] = whole;
+  std::fill_n(faceDirection_.begin() + cluster.firstFace, cluster.faceCount,
+              whole != 0 ? whole : kNotDecided);
+}
+
+void FaceDirections::decideFace(std::size_t index) const {
+  const int direction = decideBall(clusters_->balls[index]);
+  faceDirection_[index] = static_cast<std::int8_t>(
+      direction != 0 ? direction : directionOf(*input_, step_, clusters_->faces[index]));
 }
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,

@@ -26,30 +26,70 @@
 
 namespace swept {
 
-/// Directions of all faces during one step; the buffers are reused from step to step.
+/// The step placements[k] -> placements[k + 1] as seen from the body at its start: a point p moves
+/// by bend * p + shift.
+struct MotionStep {
+  MotionStep() = default;
+  MotionStep(const SamplerInput& input, std::size_t k);
+
+  Eigen::Matrix3d bend, turnBack;
+  Eigen::Vector3d shift;
+  double angle = 0;  ///< rad, at least the turn of the step
+  double snap = 0;   ///< mm
+};
+
+/// The direction of one face during a step.
+int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);
+
+/// Directions of faces during one step, each cluster and each face decided when it is first asked
+/// for; the buffers are reused from step to step. Not for several threads at a time.
 class FaceDirections {
  public:
   FaceDirections(const SamplerInput& input, const FaceClusters& clusters);
-  /// Computes the step placements[k] -> placements[k + 1].
-  void compute(std::size_t step);
+  /// From now on the step is placements[k] -> placements[k + 1].
+  void setStep(std::size_t k);
 
   /// -1, 0 (mixed, or known only face by face) or +1.
-  int ofCluster(std::size_t cluster) const { return clusterDirection_[cluster]; }
-  int ofFace(std::size_t face) const { return ofIndex(clusters_->indexOf[face]); }
-  /// The same for a face, by its index in FaceClusters::faces.
-  int ofIndex(std::size_t index) const { return faceDirection_[index]; }
+  int ofCluster(std::size_t cluster) const {
+    if (decidedAt_[cluster] != stamp_) decide(cluster);
+    return clusterDirection_[cluster];
+  }
+  int ofFace(std::size_t face) const {
+    ofCluster(clusters_->clusterOf[face]);
+    return ofIndex(clusters_->indexOf[face]);
+  }
+  /// The same for a face, by its index in FaceClusters::faces; its cluster has been asked for.
+  int ofIndex(std::size_t index) const {
+    if (faceDirection_[index] == kNotDecided) decideFace(index);
+    return faceDirection_[index];
+  }
 
  private:
-  struct Step;
-  int decideCluster(const FaceCluster& cluster, const Step& step) const;
-  int decideBall(const FaceClusters::FaceBall& ball, const Step& step) const;
-  int decideFace(std::size_t face, const Step& step) const;
+  static constexpr std::int8_t kNotDecided = 2;
+  void decide(std::size_t cluster) const;
+  void decideFace(std::size_t index) const;
+  int decideCluster(const FaceCluster& cluster) const;
+  int decideBall(const FaceClusters::FaceBall& ball) const;
 
   const SamplerInput* input_;
   const FaceClusters* clusters_;
   double farthest_ = 0;  // mm, farthest point of the body from its origin
-  std::vector<std::int8_t> clusterDirection_, faceDirection_;
+  MotionStep step_;
+  Eigen::Matrix3f bendFloat_, turnBackFloat_;
+  Eigen::Vector3f shiftFloat_;
+  float rounding_ = 0;                            // mm: rounding of a displacement in float
+  std::uint32_t stamp_ = 0;                       // number of the step, in the order of setStep()
+  mutable std::vector<std::uint32_t> decidedAt_;  // per cluster: stamp of the step it is known for
+  mutable std::vector<std::int8_t> clusterDirection_, faceDirection_;
 };
+
+/// Snapping moves a corner by at most this many cells along each axis.
+constexpr double kSnapCells = 0x1p-17;
+/// Of a displacement: the normals are 32-bit floats, with room to spare.
+constexpr double kNormalRounding = 1e-6;
+/// Snapping the corners turns the normal of a triangle of this height (mm) by at most about this
+/// angle.
+double snapAngle(double height, double cell);
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,
                     bool orientable);

@@ -13,22 +13,22 @@ constexpr std::uint64_t kPlacementBytes = 12 * sizeof(double);
 
 std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
   const FaceClusters clusters = buildClusters(input.body, input.topology);
+  const ShownClusters all = allClusters(clusters);
   const std::size_t placements = input.motion.placements.size();
   const std::size_t group = std::max<std::size_t>(1, placements / 128);
   const std::size_t items = (placements + group - 1) / group;
   return gather<SweptElement>(items, 1, [&](std::size_t item, std::vector<SweptElement>& part) {
     const std::size_t begin = item * group, end = std::min(begin + group, placements);
     KeptElements kept(input, clusters);
-    kept.start(begin);
     for (std::size_t k = begin; k < end; ++k) {
       run.checkpoint(Phase::Sampling);
+      kept.goTo(k);
       const auto placement = static_cast<std::uint32_t>(k);
-      kept.forFaces([&](std::uint32_t f) { part.push_back({f, placement}); });
+      kept.forFaces(all, [&](std::uint32_t f) { part.push_back({f, placement}); });
       if (k == input.motion.steps()) break;
-      kept.forPatches([&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
+      kept.forPatches(all, [&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
         part.push_back({e | SweptElement::kSidePatchBit, placement});
       });
-      if (k + 1 < end) kept.advance();
     }
   });
 }

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/cpu/deep_inside.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "base/parallel.h"
+#include "base/sort_unique.h"
+#include "sampling/exact_element.h"
+
+namespace swept {
+namespace {
+
+/// One placement in so many is sampled as a whole copy at most, and at least so many copies or
+/// none; from the second number on, those farthest along many directions are among them.
+constexpr std::size_t kPlacementsPerCopy = 128, kFewest = 8, kWithExtreme = 176, kMost = 256;
+/// The map is used where it hides at least this part of the crossings of a few other copies: thin
+/// parts on long ways hide little, and asking takes time.
+constexpr double kLeastHidden = 0.5;
+constexpr std::size_t kTrials = 8;
+
+bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
+  const std::size_t placements = input.motion.placements.size();
+  std::size_t all = 0, hidden = 0;
+  for (std::size_t n = 0; n < kTrials; ++n) {
+    const auto k = static_cast<std::uint32_t>((2 * n + 1) * placements / (2 * kTrials));
+    for (std::uint32_t f = 0; f < input.body.triangles.size(); ++f) {
+      elementCrossings(
+          input, {f, k},
+          [&](int axis, std::int32_t i, std::int32_t j, std::int32_t at, double fraction) {
+            ++all;
+            hidden += inside.hides(axis, i, j, at, fraction);
+          });
+    }
+  }
+  return static_cast<double>(hidden) >= kLeastHidden * static_cast<double>(all);
+}
+
+/// Where the placements carry four points of the body: enough to tell placements apart.
+class Places {
+ public:
+  Places(const SamplerInput& input) {
+    Eigen::AlignedBox3d box;
+    for (const auto& v : input.body.vertices) box.extend(v);
+    const Eigen::Vector3d half = box.sizes() / 2;
+    at_.resize(input.motion.placements.size());
+    parallelBlocks(at_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const Placement& p = input.motion.placements[k];
+        at_[k][0] = p.apply(box.center()).cast<float>();
+        for (int axis = 0; axis < 3; ++axis) {
+          at_[k][1 + axis] = at_[k][0] + (p.rotation.col(axis) * half[axis]).cast<float>();
+        }
+      }
+    });
+  }
+
+  /// Placements that carry one of the points farthest along any of a few directions: the surface of
+  /// the sweep is theirs, or not far above them.
+  void addExtreme(std::vector<std::size_t>& chosen) const {
+    constexpr int kFine = 2;
+    for (int x = -kFine; x <= kFine; ++x) {
+      for (int y = -kFine; y <= kFine; ++y) {
+        for (int z = -kFine; z <= kFine; ++z) {
+          if (std::max({std::abs(x), std::abs(y), std::abs(z)}) != kFine) continue;
+          const Eigen::Vector3f way = Eigen::Vector3d(x, y, z).normalized().cast<float>();
+          const bool coarse = (x | y | z) % kFine == 0;
+          for (int point = 0; point < (coarse ? 4 : 1); ++point) {
+            chosen.push_back(farthestAlong(way, point));
+          }
+        }
+      }
+    }
+    sortUnique(chosen);
+  }
+
+  /// Adds the placement farthest from all that are chosen, until there are `count`.
+  void addSpread(std::vector<std::size_t>& chosen, std::size_t count) const {
+    std::vector<float> distance(at_.size(), std::numeric_limits<float>::max());
+    const auto take = [&](std::size_t from) {
+      for (std::size_t k = 0; k < at_.size(); ++k) {
+        float square = 0;
+        for (int point = 0; point < 4; ++point) {
+          square = std::max(square, (at_[k][point] - at_[from][point]).squaredNorm());
+        }
+        distance[k] = std::min(distance[k], square);
+      }
+    };
+    for (const std::size_t k : chosen) take(k);
+    while (chosen.size() < count) {
+      const auto next = static_cast<std::size_t>(
+          std::max_element(distance.begin(), distance.end()) - distance.begin());
+      if (!(distance[next] > 0)) return;
+      chosen.push_back(next);
+      take(next);
+    }
+  }
+
+ private:
+  std::size_t farthestAlong(const Eigen::Vector3f& way, int point) const {
+    std::size_t best = 0;
+    float most = -std::numeric_limits<float>::max();
+    for (std::size_t k = 0; k < at_.size(); ++k) {
+      const float along = way.dot(at_[k][point]);
+      if (along > most) {
+        most = along;
+        best = k;
+      }
+    }
+    return best;
+  }
+
+  std::vector<std::array<Eigen::Vector3f, 4>> at_;
+};
+
+}  // namespace
+
+std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& run) {
+  const std::size_t placements = input.motion.placements.size();
+  const std::size_t count = std::min(kMost, placements / kPlacementsPerCopy);
+  // What is kept for the next run must not depend on the rest of this motion.
+  const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
+  if (count < kFewest || !mayHide) {
+    return std::nullopt;
+  }
+  const Places places(input);
+  std::vector<std::size_t> chosen;
+  if (count >= kWithExtreme) places.addExtreme(chosen);
+  places.addSpread(chosen, count);
+  Motion copies;
+  for (const std::size_t k : chosen) copies.placements.push_back(input.motion.placements[k]);
+  SamplerInput some{input.body, input.topology, copies, input.grid, false, input.orientable};
+  const MarkedEdges marked = sampleCpu(some, run);
+  InsideMap inside(marked, findOutside(marked, input.grid, run), input.grid);
+  if (!inside.hasFronts() || hidesEnough(input, inside)) return inside;
+  return std::nullopt;
+}
+
+}  // namespace swept

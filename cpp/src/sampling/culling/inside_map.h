@@ -1,0 +1,89 @@
+// Which lattice points are known to lie inside the swept volume, and how deep: what lies deep
+// inside cannot reach the surface.
+//
+// In: marked edges and signs of some true pieces of the sweep (whole copies of the body). Out: for
+// a box, whether crossings within it can matter. Units: cells. Cost: O(lattice points) once; a few
+// look-ups for a query. Memory: 7 bytes a lattice point up to kMaxBlocks of them; beyond, one byte
+// for each block of several. Promise: a crossing that is hidden changes neither signs nor other
+// crossings. The outside of the whole sweep is reached along unmarked edges, and more pieces only
+// mark more edges, so that what a part of the sweep encloses stays enclosed: an edge between two
+// enclosed points has no outside end and is never walked. On an edge with an outside end only the
+// first crossing from there counts, and a crossing behind a known one is not the first. Source:
+// METHOD.md section 2, "what is inside stays inside".
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "grid/grid_plan.h"
+#include "grid/marked_edges.h"
+#include "signs/signs.h"
+
+namespace swept {
+
+class InsideMap {
+ public:
+  static constexpr std::size_t kMaxBlocks = std::size_t{1} << 23;
+
+  InsideMap(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid);
+
+  /// Whether no crossing within the box (grid coordinates, cells) can matter.
+  bool hides(const Eigen::Array3d& low, const Eigen::Array3d& high) const {
+    std::size_t at = 0;
+    std::int32_t reach = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(low[axis] >= 0) || !(high[axis] < limit_[axis])) return false;
+      const std::int32_t a = static_cast<std::int32_t>(low[axis]) >> shift_,
+                         b = static_cast<std::int32_t>(high[axis]) >> shift_;
+      reach = std::max(reach, (b - a + 1) / 2);
+      at = at * blocks_[axis] + static_cast<std::size_t>((a + b) / 2);
+    }
+    return depth_[at] > reach;
+  }
+
+  /// Whether no crossing of the triangle can matter, wherever its points move by at most `reach`
+  /// along each axis (grid coordinates, cells).
+  bool hides(const std::array<Eigen::Vector3d, 3>& corner, double reach) const;
+
+  /// Whether a crossing of the edge that leaves the lattice point (i, j, k) cannot matter.
+  bool hides(int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) const {
+    if (!hasFronts()) return false;
+    const Front front = fronts_[axis][pointOf(i, j, k)];
+    return fraction * kParts >= front.from && fraction * kParts <= front.to;
+  }
+
+  /// Whether single crossings can be told: not on grids of more than kMaxBlocks points.
+  bool hasFronts() const { return !fronts_[0].empty(); }
+
+ private:
+  /// Crossings of an edge in [from, to] / kParts of its length are hidden.
+  struct Front {
+    std::uint8_t from = kParts, to = 0;
+  };
+  static constexpr std::uint8_t kParts = 255;
+
+  std::size_t pointOf(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    return (static_cast<std::size_t>(i) * blocks_[1] + static_cast<std::size_t>(j)) * blocks_[2] +
+           static_cast<std::size_t>(k);
+  }
+  template <int W>
+  bool hidesAlong(const std::array<Eigen::Vector3d, 3>& corner, const Eigen::Vector3d& normal,
+                  const Eigen::Array3d& low, const Eigen::Array3d& high, double reach) const;
+  void findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid);
+
+  int shift_ = 0;  // blocks have 2^shift_ cells along each axis
+  Eigen::Array3d limit_ = Eigen::Array3d::Zero();
+  std::array<std::size_t, 3> blocks_{};
+  /// Per block of cells: how many blocks along any axis to the nearest one that has a corner
+  /// outside (0: itself); at most 255.
+  std::vector<std::uint8_t> depth_;
+  /// Per axis and lattice point: of the edge that starts there; empty if blocks are not cells.
+  std::array<std::vector<Front>, 3> fronts_;
+};
+
+}  // namespace swept

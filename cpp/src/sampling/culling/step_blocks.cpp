@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/culling/step_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/parallel.h"
+#include "sampling/culling/inside_map.h"
+
+namespace swept {
+namespace {
+
+constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
+constexpr double kSnapReach = 1e-4;  ///< cells: more than snapping moves a corner
+/// Cells: sizes of a group of placements.
+constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
+constexpr double kFaceGroup = 0.5;  ///< from this size down faces are looked at one by one
+/// Placements in a group, in the mean, from which groups are worth their tests.
+constexpr std::size_t kWorthGroup = 8;
+
+/// A triangle or a flat quad meets a line along an axis only where its box holds whole numbers
+/// along both others.
+bool meetsLines(const Eigen::Array3d& low, const Eigen::Array3d& high) {
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis) axes += std::floor(low[axis]) < std::floor(high[axis]);
+  return axes >= 2;
+}
+
+}  // namespace
+
+PlaceBounds::PlaceBounds(const SamplerInput& input, const FaceClusters& clusters) : input_(input) {
+  Eigen::AlignedBox3d box;
+  for (const FaceCluster& c : clusters.clusters) box.extend(c.centre);
+  centre_ = box.center();
+  for (const FaceCluster& c : clusters.clusters) {
+    radius_ = std::max(radius_, (c.centre - centre_).norm() + c.radius);
+  }
+}
+
+PlaceBounds::Box PlaceBounds::boxOf(std::size_t k) const {
+  const auto one = [&](std::size_t at) {
+    const Placement p = input_.grid.toGrid(input_.motion.placements[at]);
+    Box box;
+    box.low << p.rotation.reshaped().array(), p.apply(centre_).array();
+    box.high = box.low;
+    return box;
+  };
+  Box box = one(k);
+  if (k < input_.motion.steps()) box.add(one(k + 1));
+  return box;
+}
+
+PlaceBlock PlaceBounds::blockOf(const Box& box) {
+  const Box::Map middle = (box.low + box.high) / 2, half = (box.high - box.low) / 2;
+  PlaceBlock block;
+  block.turn = middle.head<9>().matrix().reshaped(3, 3);
+  block.place = middle.tail<3>().matrix();
+  block.turnSpread = half.head<9>().matrix().norm() * kRoom;
+  block.placeSpread = half.tail<3>().matrix().norm() * kRoom;
+  return block;
+}
+
+bool PlaceBounds::shows(const PlaceBlock& block, const FaceCluster& cluster) const {
+  const Eigen::Vector3d arm = cluster.centre - centre_;
+  const double reach = cluster.radius / input_.grid.cell * kRoom + block.placeSpread +
+                       block.turnSpread * (arm.norm() + cluster.radius) + kSnapReach;
+  if (reach > 0.5 && !hasInside()) return true;
+  const Eigen::Array3d at = (block.turn * arm + block.place).array();
+  const Eigen::Array3d low = at - reach, high = at + reach;
+  return meetsLines(low, high) && !(hasInside() && input_.inside->hides(low, high));
+}
+
+bool PlaceBounds::shows(const PlaceBlock& block, std::uint32_t face) const {
+  std::array<Eigen::Vector3d, 3> corner;
+  double farthest = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Eigen::Vector3d arm = input_.body.vertices[input_.body.triangles[face][n]] - centre_;
+    farthest = std::max(farthest, arm.norm());
+    corner[n] = block.turn * arm + block.place;
+  }
+  const double reach = block.placeSpread + block.turnSpread * farthest + kSnapReach;
+  return !input_.inside->hides(corner, reach);
+}
+
+PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run) {
+  if (input.inside == nullptr) return;
+  const PlaceBounds bounds(input, clusters);
+  std::vector<PlaceBounds::Box> boxes(input.motion.placements.size());
+  parallelBlocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) boxes[k] = bounds.boxOf(k);
+  });
+  // Smaller groups hide more and are more; each looks only at what the larger one round it shows.
+  for (double cells = kLargestGroup; cells > kSmallestGroup; cells /= 2) {
+    std::vector<std::uint32_t> groupOf;
+    const auto groups = group(boxes, cells, bounds.radius(), groupOf);
+    if (groups.size() * kWorthGroup > boxes.size()) break;
+    std::vector<std::uint32_t> around(groups.size());
+    for (std::size_t k = 0; k < groupOf_.size(); ++k) around[groupOf[k]] = groupOf_[k];
+    if (shown_.empty()) shown_.push_back(allClusters(clusters));
+    std::vector<ShownClusters> shown(groups.size());
+    parallelFor(groups.size(), [&](std::size_t g) {
+      run.checkpoint(Phase::Sampling);
+      const PlaceBlock block = PlaceBounds::blockOf(groups[g]);
+      for (const ShownCluster& s : shown_[around[g]]) {
+        const FaceCluster& cluster = clusters.clusters[s.cluster];
+        if (!bounds.shows(block, cluster)) continue;
+        std::uint32_t faces = s.faces;
+        for (std::uint32_t n = 0; n < cluster.faceCount && cells <= kFaceGroup; ++n) {
+          if (s.shows(n) && !bounds.shows(block, clusters.faces[cluster.firstFace + n])) {
+            faces &= ~(1u << n);
+          }
+        }
+        if (cells <= kFaceGroup && cluster.faceCount < 32) faces &= (1u << cluster.faceCount) - 1;
+        if (faces != 0) shown[g].push_back({s.cluster, faces});
+      }
+    });
+    shown_ = std::move(shown);
+    groupOf_ = std::move(groupOf);
+  }
+}
+
+std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::Box>& boxes,
+                                                 double cells, double radius,
+                                                 std::vector<std::uint32_t>& groupOf) {
+  using Key = std::array<std::int32_t, 12>;
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const {
+      std::uint64_t h = 0;
+      for (const std::int32_t x : key) {
+        h = (h ^ static_cast<std::uint32_t>(x)) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 29;
+      }
+      return h;
+    }
+  };
+  std::unordered_map<Key, std::uint32_t, KeyHash> numbers;
+  std::vector<PlaceBounds::Box> groups;
+  groupOf.resize(boxes.size());
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    Key key;
+    for (int n = 0; n < 12; ++n) {
+      key[n] =
+          static_cast<std::int32_t>(std::floor(boxes[k].low[n] * (n < 9 ? radius : 1) / cells));
+    }
+    const auto [at, isNew] = numbers.try_emplace(key, static_cast<std::uint32_t>(groups.size()));
+    if (isNew) groups.emplace_back();
+    groups[at->second].add(boxes[k]);
+    groupOf[k] = at->second;
+    if (groups.size() * kWorthGroup > boxes.size()) break;
+  }
+  return groups;
+}
+
+StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
+                       const PlaceGroups& groups, std::size_t begin, std::size_t end)
+    : clusters_(clusters), groups_(groups), bounds_(input, clusters), begin_(begin), end_(end) {
+  for (const FaceCluster& c : clusters.clusters) {
+    narrows_ |= bounds_.hasInside() || c.radius < 0.5 * input.grid.cell;
+  }
+  below_.resize(1 + kMostLevels);
+  if (!groups.empty()) narrows_ = false;  // each group has been decided face by face
+  if (!narrows_) return;
+  std::vector<PlaceBounds::Box> boxes;
+  boxes.reserve(end - begin);
+  for (std::size_t k = begin; k < end; ++k) boxes.push_back(bounds_.boxOf(k));
+  const auto blocksOf = [&] {
+    std::vector<PlaceBlock> blocks;
+    blocks.reserve(boxes.size());
+    for (const PlaceBounds::Box& box : boxes) blocks.push_back(PlaceBounds::blockOf(box));
+    return blocks;
+  };
+  single_ = blocksOf();
+  constexpr std::size_t kChildren = std::size_t{1} << kShift;
+  while (levels_.size() < kMostLevels && boxes.size() > kChildren) {
+    for (std::size_t n = 0; n < boxes.size(); ++n) {
+      if (n % kChildren == 0) {
+        boxes[n / kChildren] = boxes[n];
+      } else {
+        boxes[n / kChildren].add(boxes[n]);
+      }
+    }
+    boxes.resize((boxes.size() + kChildren - 1) / kChildren);
+    levels_.push_back(blocksOf());
+  }
+}
+
+const ShownClusters& StepBlocks::narrow(std::size_t at, const ShownClusters& above) {
+  if (!groups_.empty()) return groups_.shownAt(begin_ + at);
+  if (!narrows_) return above;
+  ShownClusters& shown = below_[0];
+  shown.clear();
+  for (const ShownCluster& s : above) {
+    if (bounds_.shows(single_[at], clusters_.clusters[s.cluster])) shown.push_back(s);
+  }
+  return shown;
+}
+
+}  // namespace swept
