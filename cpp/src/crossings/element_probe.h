@@ -4,10 +4,10 @@
 // coordinates, seconds. Cost: proportional to the elements that pass through the cell.
 // The search starts at these elements and continues to their neighbours (across shared edges and
 // paths of vertices, and to the steps before and after) as long as what they share passes through
-// the cell. Pieces that others cover on both sides are left out: in a cell that many placements
-// pass through they are nearly all, and the rest is connected without them. It looks nowhere else,
-// so it does not matter which sampler found the crossings. Source: own method; docs/contouring.md,
-// "Rims".
+// the cell. Where there are many, pieces that others cover on both sides are left out: in a cell
+// that many placements pass through they are nearly all, and the rest is connected without them. It
+// looks nowhere else, so it does not matter which sampler found the crossings. Source: own method;
+// docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
