@@ -5,8 +5,10 @@
 #include <time.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/threads.h"
+#include "sampling/cpu/deep_inside.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/sampler.h"
@@ -68,7 +70,13 @@ class Trials {
   Trials(const Prepared& p, const BodyTopology& topology, const Options& options, RunContext& run)
       : p_(p), topology_(topology), options_(options), run_(run) {
     if (p.motion.continuous) clusters_ = buildClusters(p.body.mesh, topology);
+    const double start = threadSeconds();
+    inside_ = findDeepInside(input(p.motion), run);
+    insideSeconds_ = threadSeconds() - start;
   }
+
+  /// Of finding out what lies deep inside the whole motion.
+  double insideSeconds() const { return insideSeconds_; }
 
   /// Of the whole motion.
   Cost whole() const {
@@ -101,12 +109,18 @@ class Trials {
     return static_cast<double>(all) / static_cast<double>(part);
   }
 
+  SamplerInput input(const Motion& motion) const {
+    return {p_.body.mesh,       topology_,  motion,  p_.grid, options_.cull,
+            p_.body.orientable, &clusters_, nullptr, nullptr, !options_.keepCavities};
+  }
+
   Cost of(const Motion& motion) const {
     const double start = threadSeconds();
     std::uint64_t crossings = 0;
-    const MarkedEdges marks = sampleCpu({p_.body.mesh, topology_, motion, p_.grid, options_.cull,
-                                         p_.body.orientable, &clusters_, nullptr, &crossings},
-                                        run_);
+    SamplerInput part = input(motion);
+    part.crossings = &crossings;
+    if (inside_) part.inside = &*inside_;
+    const MarkedEdges marks = sampleCpu(part, run_);
     Cost cost;
     cost.seconds = threadSeconds() - start;
     cost.elements = static_cast<double>(marks.elements.size());
@@ -119,6 +133,8 @@ class Trials {
   const Options& options_;
   RunContext& run_;
   FaceClusters clusters_;
+  std::optional<InsideMap> inside_;
+  double insideSeconds_ = 0;
 };
 
 }  // namespace
@@ -137,11 +153,16 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     return better;
   }
   tbb::task_arena alone(1);
-  const Cost sampling = alone.execute([&] { return Trials(p, topology, options, run).whole(); });
+  const Cost sampling = alone.execute([&] {
+    const Trials trials(p, topology, options, run);
+    Cost cost = trials.whole();
+    cost.seconds += trials.insideSeconds();
+    return cost;
+  });
   better.seconds = before + (sampling.seconds + surface * kCrossingSeconds +
                              sampling.elements * kElementSeconds) /
                                 threads;
-  const bool thins = p.motion.continuous && sampling.crossings > kItems * kThinCrossings;
+  const bool thins = sampling.crossings > kItems * kThinCrossings;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
   better.memoryBytes +=
       static_cast<std::uint64_t>(kept * kSortedBytes + sampling.elements * kElementBytes);
