@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/plan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "base/memory.h"
 #include "base/number_text.h"
@@ -221,10 +223,19 @@ Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Optio
 Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, const Options& options,
                          RunContext& run) {
   checkOptions(options);
-  CheckedBody checked = checkBody(seenFromPivot(body, pivotOf(trajectory)), options, run);
+  BodyCost cost;
+  CheckedBody checked;
+  {
+    const std::uint64_t resident = residentMemoryBytes();
+    const std::clock_t start = std::clock();
+    const MemoryWatch memory;
+    checked = checkBody(seenFromPivot(body, pivotOf(trajectory)), options, run);
+    cost.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    cost.bytes = memory.peakBytes() - std::min(memory.peakBytes(), resident);
+  }
   const Prepared prepared = preparedFor(std::move(checked), trajectory, options, run);
   Estimate found = estimateByTrial(estimateOf(prepared, options), prepared,
-                                   buildTopology(prepared.body.mesh), options, run);
+                                   buildTopology(prepared.body.mesh), cost, options, run);
   found.usefulFilter = usefulFilterOf(prepared, options);
   return found;
 }

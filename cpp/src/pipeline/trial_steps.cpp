@@ -140,13 +140,15 @@ class Trials {
 }  // namespace
 
 Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const BodyTopology& topology,
-                         const Options& options, RunContext& run) {
+                         const BodyCost& body, const Options& options, RunContext& run) {
   if (options.offset > 0 || options.conservative) return estimate;
   const double surface = static_cast<double>(estimate.triangles) / 2;
-  const double before = static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds +
-                        static_cast<double>(p.givenPoses) * kPoseSeconds;
   const double threads = threadsOf(run);
+  const double before = std::max(body.seconds / threads,
+                                 static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds) +
+                        static_cast<double>(p.givenPoses) * kPoseSeconds;
   Estimate better = estimate;
+  better.memoryBytes = std::max(better.memoryBytes, body.bytes);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
     better.seconds = before + estimate.seconds + surface * kCrossingSeconds / threads;
@@ -164,8 +166,11 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
                                 threads;
   const bool thins = sampling.crossings > kItems * kThinCrossings;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
-  better.memoryBytes +=
-      static_cast<std::uint64_t>(kept * kSortedBytes + sampling.elements * kElementBytes);
+  // What the check of the body has taken is free again when the motion is sampled.
+  better.memoryBytes = std::max(
+      better.memoryBytes,
+      estimate.memoryBytes +
+          static_cast<std::uint64_t>(kept * kSortedBytes + sampling.elements * kElementBytes));
   return better;
 }
 

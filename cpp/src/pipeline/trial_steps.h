@@ -1,5 +1,6 @@
 // What a run takes, after a look: a few of its steps are sampled on its own grid, and counted.
-// In:    checked body, planned run. Out: the estimate with seconds and memory of sampling as these
+// In:    checked body and what its check took, planned run. Out: the estimate with seconds and
+// memory of sampling as these
 //        steps take them. The rest (surface, thin walls) is reckoned from counts, with figures that
 //        docs/performance.md tells.
 // Cost:  sampling of 8 to 64 placements, on one thread.
@@ -13,8 +14,15 @@
 
 namespace swept {
 
+/// What checking the body took: a run checks it again.
+struct BodyCost {
+  double seconds = 0;       ///< of all processors together
+  std::uint64_t bytes = 0;  ///< by which the process grew meanwhile
+};
+
 /// Unchanged for offsets and conservative envelopes.
 Estimate estimateByTrial(const Estimate& estimate, const Prepared& prepared,
-                         const BodyTopology& topology, const Options& options, RunContext& run);
+                         const BodyTopology& topology, const BodyCost& body, const Options& options,
+                         RunContext& run);
 
 }  // namespace swept
