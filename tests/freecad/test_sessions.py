@@ -5,7 +5,7 @@ import unittest
 import numpy as np
 
 from case import Case
-from sweptvolume import core
+from sweptvolume import core, core_previews
 
 
 def ball(rings):
@@ -40,8 +40,8 @@ class Sessions(Case):
 
     def test_a_heavy_body_becomes_a_light_one_that_sweeps_the_same(self):
         body = ball(90)
-        self.assertGreater(len(body[1]), core.HEAVY)
-        sessions, control = core.Sessions(), core.Control()
+        self.assertGreater(len(body[1]), core_previews.HEAVY)
+        sessions, control = core_previews.Sessions(), core.Control()
         before = sessions.compute(request(body, (3, 0, 0)), control)
         sessions.lighten(request(body, (1, 1, 1)), control)
         self.assertLess(len(sessions._light[0][1][1]), len(body[1]) / 10)
@@ -53,12 +53,12 @@ class Sessions(Case):
         self.assertEqual([w["code"] for w in after.report["warnings"]], ["NotChecked"])
 
     def test_a_light_body_stays_what_it_is(self):
-        sessions = core.Sessions()
+        sessions = core_previews.Sessions()
         sessions.lighten(request(ball(10), (3, 0, 0)), core.Control())
         self.assertEqual(sessions._light, [])
 
     def test_a_conservative_preview_is_checked(self):
-        found = core.Sessions().compute(
+        found = core_previews.Sessions().compute(
             request(ball(10), (3, 0, 0), conservative=True), core.Control()
         )
         self.assertNotIn("NotChecked", [w["code"] for w in found.report["warnings"]])

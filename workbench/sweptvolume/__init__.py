@@ -2,8 +2,8 @@
 """Swept volumes in FreeCAD: motions, envelopes, solids.
 
 Order of imports, left never imports right:
-core_texts, quantities <- core <- convert <- trajectory <- features <- export, runner <- views <- panels
-<- commands.
+core_texts, quantities <- core <- core_paths, core_previews <- convert <- trajectory <- features
+<- export, runner <- views <- panels <- commands.
 Everything up to `export` works without a GUI.
 """
 import os

@@ -10,17 +10,12 @@ import contextlib
 import importlib
 import os
 import sys
-import threading
 
 import FreeCAD as App
-import numpy as np
 
 from . import ROOT, __version__, settings
 from .core_texts import said
 from .texts import translate
-
-#: Triangles above which a body is lightened for quick looks, and cells along its longest side then.
-HEAVY, LIGHT_CELLS = 20000, 64
 
 _module = None
 _problem = None
@@ -226,12 +221,13 @@ class Control:
         return self.context.phase
 
 
-def _arguments(request):
+def arguments(request):
+    """Body, motion and interpolation as the module's calls take them."""
     motion = (request.times, request.rotations, request.translations)
     return request.vertices, request.triangles, motion, request.interpolation
 
 
-def _outcome(found, request=None):
+def outcome_of(found, request=None):
     """The module's result as ours. request: with its tolerance the surface may be cut again."""
     options = request.options if request is not None else {}
     again = options.get("tolerance", 0) > 0 and not options.get("conservative")
@@ -255,9 +251,9 @@ def compute(request, control):
     with errors():
         faces = request.faces if request.options.get("sources") else None
         found = module().compute(
-            *_arguments(request), run=control.context, faces=faces, **request.options
+            *arguments(request), run=control.context, faces=faces, **request.options
         )
-    return _outcome(found, request)
+    return outcome_of(found, request)
 
 
 def recut(result, tolerance, control):
@@ -265,7 +261,7 @@ def recut(result, tolerance, control):
     surface, parts = result
     with errors():
         found = surface.recut(tolerance, run=control.context)
-    again = _with_sources(_outcome(found), found, parts)
+    again = _with_sources(outcome_of(found), found, parts)
     again.result = found, parts
     return again
 
@@ -275,71 +271,6 @@ def has_sources(result):
     return result[0].sources is not None
 
 
-def _lightened(vertices, triangles, control):
-    """A heavy body for a quick look: its envelope at rest with far fewer triangles; may take seconds."""
-    still = np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
-    tolerance = 0.5 * float(np.ptp(vertices, axis=0).max()) / LIGHT_CELLS
-    options = {"resolution": LIGHT_CELLS, "tolerance": tolerance}
-    try:
-        found = module().compute(vertices, triangles, still, "none", run=control.context, **options)
-    except module().InvalidInput:  # an open body has no envelope at rest
-        return vertices, triangles
-    lighter = len(found.triangles) < len(triangles) / 2
-    return (found.vertices, found.triangles) if lighter else (vertices, triangles)
-
-
-def _same_body(one, other):
-    pairs = (one.vertices, other.vertices), (one.triangles, other.triangles)
-    return all(a is b or np.array_equal(a, b) for a, b in pairs)
-
-
-class Sessions:
-    """Coarse runs of bodies whose motion is edited: what the core finds out about a body alone is
-    kept from run to run, for the last few bodies and settings. From any thread, one run at a time.
-    """
-
-    MOST = 4
-
-    def __init__(self):
-        self._kept, self._light, self._lock = [], [], threading.Lock()
-
-    def compute(self, request, control):
-        """As the module's compute(), but the surface is only good to be looked at."""
-        with self._lock, errors():
-            session = self._session(request)
-            _, _, motion, interpolation = _arguments(request)
-            sketch = not request.options.get("conservative")
-            found = session.compute(motion, interpolation, run=control.context, sketch=sketch)
-        return _outcome(found)
-
-    def lighten(self, request, control):
-        """In a quiet moment: runs of a heavy body take a lighter one from now on."""
-        with self._lock, errors():
-            if len(request.triangles) <= HEAVY or self._light_of(request):
-                return
-            body = _lightened(request.vertices, request.triangles, control)
-            self._light = [(request, body)] + self._light[: self.MOST - 1]
-            self._kept = [kept for kept in self._kept if not _same_body(kept[0], request)]
-
-    def _light_of(self, request):
-        for known, body in self._light:
-            if _same_body(known, request):
-                return body
-        return None
-
-    def _session(self, request):
-        for kept in self._kept:
-            known, session = kept
-            if known.options == request.options and _same_body(known, request):
-                self._kept.remove(kept)
-                break
-        else:
-            body = self._light_of(request) or (request.vertices, request.triangles)
-            session = module().PreviewSession(*body, **request.options)
-        self._kept = [(request, session)] + self._kept[: self.MOST - 1]
-        return session
-
-
 def estimate(request, control=None):
     """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError.
 
@@ -347,7 +278,7 @@ def estimate(request, control=None):
     """
     how = {} if control is None else {"trial": True, "run": control.context}
     with errors():
-        return module().estimate(*_arguments(request), **how, **request.options)
+        return module().estimate(*arguments(request), **how, **request.options)
 
 
 def drawable(vertices, triangles, most, crease):
@@ -404,7 +335,7 @@ def clearance(request, neighbours, options, control):
 
     `request.options` are not used; raises CoreError.
     """
-    vertices, triangles, motion, interpolation = _arguments(request)
+    vertices, triangles, motion, interpolation = arguments(request)
     with errors():
         return module().clearance(
             vertices, triangles, motion, neighbours, interpolation, run=control.context, **options

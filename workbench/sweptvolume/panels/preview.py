@@ -4,7 +4,7 @@ and drawn in the view only."""
 import numpy as np
 from PySide import QtCore
 
-from .. import convert, core, runner, settings
+from .. import convert, core, core_previews, runner, settings
 from ..convert import InputProblem
 from ..features import envelope
 from ..trajectory.poses import INTERPOLATIONS, course, shift_to, straightened
@@ -80,7 +80,7 @@ class Preview:
 
     def __init__(self, document, show, report, finest):
         self.document, self.show, self.report, self.finest = document, show, report, finest
-        self.sessions = core.Sessions()
+        self.sessions = core_previews.Sessions()
         self.run, self.wish = None, None
         self.waiting, self.fine = False, False
         self.cells, self.adapts = settings.preview_resolution(), True

@@ -183,7 +183,7 @@ class ItemSampler {
 class UnionSampler {
  public:
   UnionSampler(const SamplerInput& input, RecordChunk& out, CrossingBudget& budget)
-      : input_(input), sampler_(input, out), out_(out), budget_(budget), posed_(input) {}
+      : sampler_(input, out), out_(out), budget_(budget), posed_(input) {}
 
   void sample(const WorkItem& item, RunContext& run) {
     std::size_t before = 0;
@@ -198,7 +198,6 @@ class UnionSampler {
   }
 
  private:
-  const SamplerInput& input_;
   ItemSampler sampler_;
   const RecordChunk& out_;
   CrossingBudget& budget_;

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Coarse runs of the core for a picture that follows the hand."""
+import threading
+
+import numpy as np
+
+from .core import arguments, errors, module, outcome_of
+
+#: Triangles above which a body is lightened for quick looks, and cells along its longest side then.
+HEAVY, LIGHT_CELLS = 20000, 64
+
+
+def _lightened(vertices, triangles, control):
+    """A heavy body for a quick look: its envelope at rest with far fewer triangles; may take seconds."""
+    still = np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
+    tolerance = 0.5 * float(np.ptp(vertices, axis=0).max()) / LIGHT_CELLS
+    options = {"resolution": LIGHT_CELLS, "tolerance": tolerance}
+    try:
+        found = module().compute(vertices, triangles, still, "none", run=control.context, **options)
+    except module().InvalidInput:  # an open body has no envelope at rest
+        return vertices, triangles
+    lighter = len(found.triangles) < len(triangles) / 2
+    return (found.vertices, found.triangles) if lighter else (vertices, triangles)
+
+
+def _same_body(one, other):
+    pairs = (one.vertices, other.vertices), (one.triangles, other.triangles)
+    return all(a is b or np.array_equal(a, b) for a, b in pairs)
+
+
+class Sessions:
+    """Coarse runs of bodies whose motion is edited: what the core finds out about a body alone is
+    kept from run to run, for the last few bodies and settings. From any thread, one run at a time.
+    """
+
+    MOST = 4
+
+    def __init__(self):
+        self._kept, self._light, self._lock = [], [], threading.Lock()
+
+    def compute(self, request, control):
+        """As the module's compute(), but the surface is only good to be looked at."""
+        with self._lock, errors():
+            session = self._session(request)
+            _, _, motion, interpolation = arguments(request)
+            sketch = not request.options.get("conservative")
+            found = session.compute(motion, interpolation, run=control.context, sketch=sketch)
+        return outcome_of(found)
+
+    def lighten(self, request, control):
+        """In a quiet moment: runs of a heavy body take a lighter one from now on."""
+        with self._lock, errors():
+            if len(request.triangles) <= HEAVY or self._light_of(request):
+                return
+            body = _lightened(request.vertices, request.triangles, control)
+            self._light = [(request, body)] + self._light[: self.MOST - 1]
+            self._kept = [kept for kept in self._kept if not _same_body(kept[0], request)]
+
+    def _light_of(self, request):
+        for known, body in self._light:
+            if _same_body(known, request):
+                return body
+        return None
+
+    def _session(self, request):
+        for kept in self._kept:
+            known, session = kept
+            if known.options == request.options and _same_body(known, request):
+                self._kept.remove(kept)
+                break
+        else:
+            body = self._light_of(request) or (request.vertices, request.triangles)
+            session = module().PreviewSession(*body, **request.options)
+        self._kept = [(request, session)] + self._kept[: self.MOST - 1]
+        return session
