@@ -37,7 +37,10 @@ def run_case(seed, build, threads):
     case = unseen_inputs.draw_case(seed)
     mesh, motion = sv.Mesh(*case.mesh), sv.Motion(*case.motion)
     start = time.process_time()
-    foreseen = sv.estimate(mesh, motion, threads=threads, **case.options)
+    try:
+        foreseen = sv.estimate(mesh, motion, threads=threads, **case.options)
+    except sv.Error as error:  # refused as the run would be
+        return {"name": case.name, "failed": str(error)}
     looked = time.process_time() - start
     usage, before = resource.getrusage(resource.RUSAGE_SELF), resident()
     try:
