@@ -421,7 +421,8 @@ TEST(Clearance, SummaryNamesTheNearest) {
                      {{"far", makeBox({20, 0, 0}, {21, 1, 1}), 0},
                       {"near \"one\"", makeBox({9.25, 0, 0}, {10, 1, 1}), 0}},
                      {}, run);
-  EXPECT_EQ(report.summary, "2 checked, smallest 3.25 mm, at least 3.24 mm, at t = 1 s (near \"one\")");
+  EXPECT_EQ(report.summary,
+            "2 checked, smallest 3.25 mm, at least 3.24 mm, at t = 1 s (near \"one\")");
   EXPECT_NE(toJson(report).find("near \\\"one\\\""), std::string::npos);
 }
 
