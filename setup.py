@@ -27,7 +27,19 @@ class CMakeBuild(build_ext):
         folder = ROOT / "build-wheel"
         # The libraries of the core are the same for every Python: only the module is built again.
         subprocess.check_call(
-            ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", "-U", "*[Pp]ython*"]
+            [
+                "cmake",
+                "-S",
+                str(ROOT),
+                "-B",
+                str(folder),
+                "-G",
+                "Ninja",
+                "-U",
+                "*[Pp]ython*",
+                "-U",
+                "*PYTHON*",
+            ]
             + ["-DCMAKE_BUILD_TYPE=Release", "-DSWEPT_STEP=OFF", "-DSWEPT_TESTS=OFF"]
             + [f"-DPython3_EXECUTABLE={sys.executable}"]
             + [f"-DPython3_INCLUDE_DIR={sysconfig.get_path('include')}"]
