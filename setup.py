@@ -26,24 +26,14 @@ class CMakeBuild(build_ext):
     def build_extension(self, extension):
         folder = ROOT / "build-wheel"
         # The libraries of the core are the same for every Python: only the module is built again.
+        fresh = "-U *[Pp]ython* -U *PYTHON*"  # what CMake remembers of another Python
         subprocess.check_call(
-            [
-                "cmake",
-                "-S",
-                str(ROOT),
-                "-B",
-                str(folder),
-                "-G",
-                "Ninja",
-                "-U",
-                "*[Pp]ython*",
-                "-U",
-                "*PYTHON*",
-            ]
+            f"cmake -S . -B build-wheel -G Ninja {fresh}".split()
             + ["-DCMAKE_BUILD_TYPE=Release", "-DSWEPT_STEP=OFF", "-DSWEPT_TESTS=OFF"]
             + [f"-DPython3_EXECUTABLE={sys.executable}"]
             + [f"-DPython3_INCLUDE_DIR={sysconfig.get_path('include')}"]
-            + shlex.split(os.environ.get("CMAKE_ARGS", ""))
+            + shlex.split(os.environ.get("CMAKE_ARGS", "")),
+            cwd=ROOT,
         )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "_swept"])
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
