@@ -134,9 +134,9 @@ def cancelled():
 class Request:
     """Input of one run: plain arrays, independent of any document.
 
-    vertices (n,3) mm, triangles (m,3), times (k,) s, translations (k,3) mm, rotations (k,4) x,y,z,w.
-    body: what has `vertices`, `triangles`, `faces` and `parts` (as convert.Body); those may be made when they
-    are first asked for, in the thread of the run.
+    times (k,) s, translations (k,3) mm, rotations (k,4) x,y,z,w.
+    body: what has `vertices` (n,3) mm, `triangles` (m,3), `faces` and `parts` (as convert.Body); those may be
+    made when they are first asked for, in the thread of the run.
     """
 
     def __init__(self, body, times, translations, rotations, interpolation, options):
@@ -146,22 +146,6 @@ class Request:
         self.rotations = rotations
         self.interpolation = interpolation
         self.options = options
-
-    @property
-    def vertices(self):
-        return self.body.vertices
-
-    @property
-    def triangles(self):
-        return self.body.triangles
-
-    @property
-    def faces(self):
-        return self.body.faces
-
-    @property
-    def parts(self):
-        return self.body.parts
 
 
 #: A body whose arrays are there.
@@ -224,7 +208,7 @@ class Control:
 def arguments(request):
     """Body, motion and interpolation as the module's calls take them."""
     motion = (request.times, request.rotations, request.translations)
-    return request.vertices, request.triangles, motion, request.interpolation
+    return request.body.vertices, request.body.triangles, motion, request.interpolation
 
 
 def outcome_of(found, request=None):
@@ -234,7 +218,7 @@ def outcome_of(found, request=None):
     if again:  # an open surface is left as it is
         again = all(w["code"] != "NotSimplified" for w in found.report["warnings"])
     outcome = Outcome(found.report, found.vertices, found.triangles, found.contact_time)
-    parts = request.parts if request is not None else []
+    parts = request.body.parts if request is not None else []
     outcome.result = (found, parts) if again else None
     return _with_sources(outcome, found, parts)
 
@@ -249,7 +233,7 @@ def _with_sources(outcome, found, parts):
 def compute(request, control):
     """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
     with errors():
-        faces = request.faces if request.options.get("sources") else None
+        faces = request.body.faces if request.options.get("sources") else None
         found = module().compute(
             *arguments(request), run=control.context, faces=faces, **request.options
         )

@@ -50,29 +50,25 @@ def find_path(request, control, seen=None):
             watch=seen,
             **request.options,
         )
+    return report, _keys(found)
+
+
+def _keys(found):
+    """What the module gives as a motion, in the order of core.Request; None where there is none."""
     if found is None:
-        return report, None
-    times, rotations, translations = found
-    return report, (times, translations, rotations)
+        return None
+    times, rotations, translations = found[:3]
+    return times, translations, rotations
 
 
 def improve_path(request, neighbours, options, control):
     """As find_path(), of a core.Request; neighbours: as PathRequest.rows() gives them. Raises CoreError."""
-    motion = request.times, request.rotations, request.translations
+    vertices, triangles, motion, interpolation = core.arguments(request)
     with core.errors():
         report, found = core.module().improve_path(
-            request.vertices,
-            request.triangles,
-            motion,
-            neighbours,
-            request.interpolation,
-            run=control.context,
-            **options,
+            vertices, triangles, motion, neighbours, interpolation, run=control.context, **options
         )
-    if found is None:
-        return report, None
-    times, rotations, translations = found[:3]
-    return report, (times, translations, rotations)
+    return report, _keys(found)
 
 
 def live_clearance(vertices, triangles, neighbours, control):

@@ -50,26 +50,26 @@ class Sessions:
     def lighten(self, request, control):
         """In a quiet moment: runs of a heavy body take a lighter one from now on."""
         with self._lock, errors():
-            if len(request.triangles) <= HEAVY or self._light_of(request):
+            if len(request.body.triangles) <= HEAVY or self._light_of(request):
                 return
-            body = _lightened(request.vertices, request.triangles, control)
+            body = _lightened(request.body.vertices, request.body.triangles, control)
             self._light = [(request, body)] + self._light[: self.MOST - 1]
-            self._kept = [kept for kept in self._kept if not _same_body(kept[0], request)]
+            self._kept = [kept for kept in self._kept if not _same_body(kept[0].body, request.body)]
 
     def _light_of(self, request):
         for known, body in self._light:
-            if _same_body(known, request):
+            if _same_body(known.body, request.body):
                 return body
         return None
 
     def _session(self, request):
         for kept in self._kept:
             known, session = kept
-            if known.options == request.options and _same_body(known, request):
+            if known.options == request.options and _same_body(known.body, request.body):
                 self._kept.remove(kept)
                 break
         else:
-            body = self._light_of(request) or (request.vertices, request.triangles)
+            body = self._light_of(request) or (request.body.vertices, request.body.triangles)
             session = module().PreviewSession(*body, **request.options)
         self._kept = [(request, session)] + self._kept[: self.MOST - 1]
         return session

@@ -5,6 +5,7 @@
 
 #include "base/number_text.h"
 #include "clearance/pair_check.h"
+#include "path/found_path.h"
 #include "path/guarded_path.h"
 #include "path/ladder.h"
 #include "path/outside.h"
@@ -252,13 +253,7 @@ class PathFinder {
       row.pointOnBody = scene_.world().transpose() * row.pointOnBody;
       row.pointOnNeighbour = scene_.world().transpose() * row.pointOnNeighbour;
     }
-    report_.clearance = report_.certificate.front().guaranteed;
-    for (const NeighbourClearance& row : report_.certificate)
-      report_.clearance = std::min(report_.clearance, row.guaranteed);
-    // The engine's figure is off by up to its tolerance; the moves themselves are proven to keep
-    // what was asked for.
-    report_.clearance = std::max(
-        report_.clearance, *std::min_element(demand_.required.begin(), demand_.required.end()));
+    report_.clearance = certainClearance(report_.certificate, demand_);
     for (std::size_t i = 1; i < keys.size(); ++i) {
       report_.length += (keys[i].middle - keys[i - 1].middle).norm();
       report_.turn += keys[i].pose.rotation.angularDistance(keys[i - 1].pose.rotation);
@@ -266,11 +261,7 @@ class PathFinder {
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (ends_.front().allowedDepth[i] >= 0 || ends_.back().allowedDepth[i] >= 0)
         report_.contacts.push_back(demand_.names[i]);
-    report_.summary = "path of " + std::to_string(motion.poses.size()) + " keys, " +
-                      numberText(report_.length, 4) + " mm and " +
-                      numberText(report_.turn * 180 / std::numbers::pi, 4) +
-                      " degrees, clearance at least " + numberText(report_.clearance, 4) + " mm (" +
-                      report_.method + ")";
+    report_.summary = figuresText(report_) + " (" + report_.method + ")";
   }
 
   // To the last bit as the caller gave it.

@@ -3,12 +3,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "base/number_text.h"
 #include "base/parallel.h"
 #include "clearance/pair_check.h"
 #include "motion/pivot.h"
+#include "path/found_path.h"
 #include "path/guarded_path.h"
 #include "path/ladder.h"
 #include "path/task_check.h"
@@ -245,12 +244,6 @@ class Improver {
     return rows;
   }
 
-  static double smallestOf(const std::vector<NeighbourClearance>& rows) {
-    double smallest = rows.front().guaranteed;
-    for (const NeighbourClearance& row : rows) smallest = std::min(smallest, row.guaranteed);
-    return smallest;
-  }
-
   // The clearance engine has the last word: of each neighbour the nearest row of all pieces that
   // are called free, and the smallest clearance. No rows: there is no such piece.
   std::pair<std::vector<NeighbourClearance>, double> certify(const std::vector<Stretch>& stretches,
@@ -270,9 +263,7 @@ class Improver {
           if (rows[i].guaranteed < nearest[i].guaranteed) nearest[i] = rows[i];
       }
     if (nearest.empty()) return {nearest, 0};
-    // As in findPath(): the engine's figure is off by up to its tolerance.
-    const double asked = *std::min_element(demand.required.begin(), demand.required.end());
-    return {nearest, std::max(smallestOf(nearest), asked)};
+    return {nearest, certainClearance(nearest, demand)};
   }
 
   // Of the motion as it was: what is nearer than asked for, outside the release zones, counts.
@@ -283,7 +274,7 @@ class Improver {
     for (const Stretch& stretch : stretches)
       for (const Piece& piece : stretch) {
         if (piece.free || released(piece)) continue;
-        const double near = smallestOf(rowsOf(piece, demand_));
+        const double near = smallestGuaranteed(rowsOf(piece, demand_));
         smallest = known ? std::min(smallest, near) : near;
         known = true;
       }
@@ -314,11 +305,8 @@ class Improver {
     const PathFigures figures = figuresOf(stretches);
     report_.length = figures.length;
     report_.turn = figures.turn;
-    report_.summary = "path of " + std::to_string(report_.path.poses.size()) + " keys, " +
-                      numberText(report_.length, 4) + " mm and " +
-                      numberText(report_.turn * 180 / std::numbers::pi, 4) +
-                      " degrees, clearance at least " + numberText(clearance, 4) + " mm; " +
-                      std::to_string(report_.keptMoves) + " moves kept as they were";
+    report_.summary = figuresText(report_) + "; " + std::to_string(report_.keptMoves) +
+                      " moves kept as they were";
   }
 
   void takeStretch(const Stretch& stretch, const Pose& from, const Pose& to) {

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edit envelope: the panel of an existing envelope."""
-from ..convert import InputProblem
-from ..features.envelope import Envelope
-from ..texts import mark, translate
+from ..texts import mark
 from .base import BaseCommand
 
 
@@ -20,7 +18,5 @@ class Command(BaseCommand):
     def run(self, document):
         from ..panels import envelope_panel, selection
 
-        obj = selection.of_kind(document, Envelope.KIND)[0]
-        if obj is None:
-            raise InputProblem(translate("Messages", "Select an envelope first."))
+        obj = selection.the_envelope(document)
         envelope_panel.show(document, obj=obj)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edit motion: the path editor on an existing motion."""
-from ..convert import InputProblem
-from ..features.motion import Motion
-from ..texts import mark, translate
+from ..texts import mark
 from .base import BaseCommand
 
 
@@ -22,7 +20,5 @@ class Command(BaseCommand):
     def run(self, document):
         from ..panels import motion_panel, selection
 
-        obj = selection.of_kind(document, Motion.KIND)[0]
-        if obj is None:
-            raise InputProblem(translate("Messages", "Select a motion first."))
+        obj = selection.the_motion(document)
         motion_panel.show(document, obj)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Export envelope: STEP, BREP or a mesh file."""
-from ..convert import InputProblem
-from ..features.envelope import Envelope
-from ..texts import mark, translate
+from ..texts import mark
 from .base import BaseCommand
 
 
@@ -30,9 +28,7 @@ class Command(BaseCommand):
         if source is None and solid is not None:
             source = solid.Source
         if source is None:
-            source = selection.of_kind(document, Envelope.KIND)[0]
-        if source is None:
-            raise InputProblem(translate("Messages", "Select an envelope first."))
+            source = selection.the_envelope(document)
         path = file_dialogs.ask_export(source.Label)
         if path and export.is_solid_file(path):
             solid_panel.show(source, solid, path)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Improve path: a motion shorter, with fewer keys, farther from its neighbours."""
 from ..convert import InputProblem
-from ..features.motion import Motion
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -23,9 +22,7 @@ class Command(BaseCommand):
     def run(self, document):
         from ..panels import improve_panel, selection
 
-        obj = selection.of_kind(document, Motion.KIND)[0]
-        if obj is None:
-            raise InputProblem(translate("Messages", "Select a motion first."))
+        obj = selection.the_motion(document)
         if len(obj.Placements) < 2:
             raise InputProblem(
                 translate("Messages", '"{0}" has less than two keys: there is no way.').format(

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make solid: the B-rep solid of the selected envelope."""
-from ..convert import InputProblem
-from ..features.envelope import Envelope
-from ..texts import mark, translate
+from ..texts import mark
 from .base import BaseCommand
 
 
@@ -27,7 +25,5 @@ class Command(BaseCommand):
 
         obj, source = selection.solid(), selection.source()
         if obj is None and source is None:
-            source = selection.of_kind(document, Envelope.KIND)[0]
-        if obj is None and source is None:
-            raise InputProblem(translate("Messages", "Select an envelope first."))
+            source = selection.the_envelope(document)
         solid_panel.show(source or obj.Source, obj)

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reload motion: reads the file or the source again."""
 from .. import runner
-from ..convert import InputProblem
 from ..features import motion
-from ..features.motion import Motion
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -21,9 +19,7 @@ class Command(BaseCommand):
     def run(self, document):
         from ..panels import selection
 
-        obj = selection.of_kind(document, Motion.KIND)[0]
-        if obj is None:
-            raise InputProblem(translate("Messages", "Select a motion first."))
+        obj = selection.the_motion(document)
         with runner.transaction(document, translate("Commands", self.TEXT)):
             motion.reload_source(obj)
             document.recompute()

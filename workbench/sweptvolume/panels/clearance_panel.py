@@ -14,7 +14,7 @@ from ..texts import translate
 from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, selection, widgets
 from .clearance_graph import DistanceGraph
-from .run_panel import StartPanel
+from .run_panel import StayingPanel
 from .tasks import ClearanceTask
 from .widgets import QtWidgets
 
@@ -35,7 +35,7 @@ class _Cell(QtWidgets.QTableWidgetItem):
         return self.key < other.key
 
 
-class ClearancePanel(StartPanel):
+class ClearancePanel(StayingPanel):
     """Makes a new check (obj None) or shows and repeats one."""
 
     def __init__(self, document, envelope=None, pairs=(), motion_obj=None, neighbours=(), obj=None):
@@ -372,26 +372,10 @@ class ClearancePanel(StartPanel):
         self.document.commitTransaction()
         self.document.recompute()
 
-    # --- task panel
-
-    def getStandardButtons(self):
-        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
-
-    def modifyStandardButtons(self, box):
-        """The button that starts is one of the form."""
-        widgets.forget_with(box)
-
-    def reject(self):
-        """Close: stops what still runs; the drawing of a row goes, the result stays."""
-        self.watch.stop()
-        if self.run is not None:
-            self.run.ended.disconnect(self.ended)
-            self.run.cancel()
+    def leave(self):
         if self.obj is not None and widgets.alive(self.obj):
             self.coloured.setChecked(False)
             self._view().clear()
-        Gui.Control.closeDialog()
-        return True
 
 
 def show(document, **given):

@@ -59,6 +59,32 @@ class StartPanel:
         return self._close()
 
 
+class StayingPanel(StartPanel):
+    """A panel with Close alone, whose runs are started by a button of the form. It has `watch`, of its
+    document, besides."""
+
+    def getStandardButtons(self):
+        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
+
+    def modifyStandardButtons(self, box):
+        """The button that starts is one of the form."""
+        widgets.forget_with(box)
+
+    def leave(self):
+        """What went is to be drawn no more."""
+
+    def reject(self):
+        """Close: stops what still runs; results stay."""
+        self.watch.stop()
+        if self.run is not None:
+            self.run.ended.disconnect(self.ended)
+            self.run.cancel()
+            self.run = None
+        self.leave()
+        Gui.Control.closeDialog()
+        return True
+
+
 class RunPanel:
     """Starts a task at once and closes itself when the task ends well."""
 

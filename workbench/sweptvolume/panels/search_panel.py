@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the panels share that search for a way between neighbours: neighbours, rules, run, the paths that were
 found. Each path is a motion and one step of Undo; nothing else is written."""
-import FreeCADGui as Gui
-
 from .. import convert
 from ..features import path_plan
 from ..texts import translate
 from . import guard, paths_table, widgets
 from .neighbours_box import NeighboursBox
-from .run_panel import StartPanel
+from .run_panel import StayingPanel
 from .widgets import QtWidgets
 
 
-class SearchPanel(StartPanel):
+class SearchPanel(StayingPanel):
     """Subclasses give TITLE, ICON, BUTTON (texts and names), build_way(), build_rules(rows), task(), and
     found(task), what else is done with what was found."""
 
@@ -104,22 +102,3 @@ class SearchPanel(StartPanel):
         if run.task.obj is not None:
             self.paths.add(run.task.obj, run.task.outcome.report)
         self.found(run.task)
-
-    # --- task panel
-
-    def getStandardButtons(self):
-        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
-
-    def modifyStandardButtons(self, box):
-        """The button that starts is one of the form."""
-        widgets.forget_with(box)
-
-    def reject(self):
-        """Close: stops what still runs; the paths that were found stay."""
-        self.watch.stop()
-        if self.run is not None:
-            self.run.ended.disconnect(self.ended)
-            self.run.cancel()
-            self.run = None
-        Gui.Control.closeDialog()
-        return True

@@ -3,7 +3,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from ..convert import leaves, pairs_of, root_path, split_path, targets
+from ..convert import InputProblem, leaves, pairs_of, root_path, split_path, targets
 from ..features.base import kind_of, objects_of_kind
 from ..features.clearance import is_clearance
 from ..features.envelope import Envelope, is_envelope
@@ -116,6 +116,22 @@ def _wanting(document, kind, none, several):
     if found is not None:
         return ""
     return several.format(count) if count else none
+
+
+def the_envelope(document):
+    """What a command that acts on one envelope takes. Raises InputProblem."""
+    found = of_kind(document, Envelope.KIND)[0]
+    if found is None:
+        raise InputProblem(translate("Messages", "Select an envelope first."))
+    return found
+
+
+def the_motion(document):
+    """What a command that acts on one motion takes. Raises InputProblem."""
+    found = of_kind(document, Motion.KIND)[0]
+    if found is None:
+        raise InputProblem(translate("Messages", "Select a motion first."))
+    return found
 
 
 def wanting_envelope(document):
