@@ -4,7 +4,7 @@ made the place, with the part at that moment. Nothing but the view is changed.""
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import convert, runner
+from .. import convert
 from ..convert import InputProblem
 from ..features import made_by
 from ..features.envelope_plan import STRAIGHT, Plan
@@ -15,6 +15,7 @@ from ..views.made_colours import CHOICES
 from . import focus, guard, widgets
 from .place_picker import PlacePicker
 from .player import Player
+from .run_panel import StayingPanel
 from .tasks import EnvelopeTask
 from .widgets import QtWidgets
 
@@ -45,7 +46,7 @@ class _MovingParts:
         self.ghosts.remove()
 
 
-class MadePanel:
+class MadePanel(StayingPanel):
     """Shows one envelope."""
 
     def __init__(self, document, obj):
@@ -64,7 +65,7 @@ class MadePanel:
         layout.addStretch(1)
         Gui.Selection.clearSelection()  # its colour would lie over the others
         self.picker = PlacePicker(document, self.found)
-        self.watch = widgets.DocumentWatch(document, self._close)
+        self.watch = widgets.DocumentWatch(document, self.reject)
         self.renew()
 
     # --- building
@@ -129,19 +130,16 @@ class MadePanel:
                     "is conservative.",
                 )
             )
-        widgets.show_message(self.message, "")
         plan = Plan.of(self.obj)
         if plan.values["MadeBy"] == "Off":
             plan.values["MadeBy"] = "Session"
-        self.run = runner.start(EnvelopeTask(self.document, plan, self.obj))
-        self.again.setEnabled(False)
-        self.box.follow(self.run)
-        self.run.ended.connect(self.ended)
+        if self.begin(lambda: EnvelopeTask(self.document, plan, self.obj), self.ended):
+            self.again.setEnabled(False)
 
     def ended(self, run):
         self.run = None
         if not (widgets.alive(self.document) and widgets.alive(self.obj)):
-            self._close()
+            self.reject()
             return
         self.box.leave(self.form)
         self.again.setEnabled(True)
@@ -191,29 +189,15 @@ class MadePanel:
             element = "" if part["facets"] else "Face{}".format(number)
             Gui.Selection.addSelection(self.document.Name, part["root"], part["sub"] + element)
 
-    # --- task panel
-
-    def getStandardButtons(self):  # noqa: N802
-        return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
-
-    def reject(self):
-        if self.run is not None:
-            self.run.ended.disconnect(self.ended)
-            self.run.cancel()
-        return self._close()
-
     def _remove_parts(self):
         if self.moving is not None and widgets.alive(self.document):
             self.moving.remove()
         self.moving, self.motion = None, ""
 
-    def _close(self):
-        self.watch.stop()
+    def leave(self):
         self.picker.stop()
         self.player.stop()
         self._remove_parts()
-        Gui.Control.closeDialog()
-        return True
 
 
 def show(document, obj):

@@ -71,7 +71,7 @@ class StayingPanel(StartPanel):
         widgets.forget_with(box)
 
     def leave(self):
-        """What went is to be drawn no more."""
+        """What else ends with the panel."""
 
     def reject(self):
         """Close: stops what still runs; results stay."""
