@@ -223,7 +223,7 @@ void bindClasses(py::module_& module) {
       .def_property_readonly(
           "triangles", [](const ComputeResult& result) { return result.mesh().triangles(); },
           "int32 (M, 3), read-only")
-      .def_readonly("report", &ComputeResult::report, "dict, keys as in README.md")
+      .def_readonly("report", &ComputeResult::report, "dict, keys as in docs/report.md")
       .def_property_readonly("contact_time", &ComputeResult::contactTime,
                              "float64 (N,): s at which the vertex is touched; may be empty")
       .def_property_readonly("feature_edges", &ComputeResult::featureEdges,

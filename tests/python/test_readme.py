@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""README.md's examples run when they are pasted one after the other, with real files."""
+"""The examples of README.md and of docs/command_line.md run when they are pasted one after the other, with
+real files."""
 import os
 import re
 import subprocess
@@ -47,7 +48,8 @@ def test_the_commands_chain(root, folder):
 
 
 def test_the_commands_within_the_text(root, folder):
-    found = re.findall(r"`([^`\n]*\bswept [^`\n]*[|>][^`\n]*)`", (root / "README.md").read_text())
+    page = (root / "docs" / "command_line.md").read_text()
+    found = re.findall(r"`([^`\n]*\bswept [^`\n]*[|>][^`\n]*)`", page)
     found = [text for text in found if "FILE" not in text]
     assert any("xzcat" in text for text in found) and any("manual" in text for text in found)
     path = f"{BUILD / 'bin'}:{os.environ['PATH']}"

@@ -8,7 +8,7 @@
 
 namespace swept {
 
-/// UTF-8; keys as in README.md, "The report", and `passes`.
+/// UTF-8; keys as in docs/report.md, and `passes`.
 std::string toJson(const MeshCheck& check);
 
 }  // namespace swept

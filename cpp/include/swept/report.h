@@ -76,7 +76,7 @@ struct Report {
   std::vector<Finding> warnings;
 };
 
-/// The report as JSON text (UTF-8). Keys are those of README.md, "The report".
+/// The report as JSON text (UTF-8). Keys are those of docs/report.md.
 std::string toJson(const Report& report);
 
 }  // namespace swept
