@@ -4,10 +4,10 @@
 // coordinates, seconds. Cost: proportional to the elements that pass through the cell.
 // The search starts at these elements and continues to their neighbours (across shared edges and
 // paths of vertices, and to the steps before and after) as long as what they share passes through
-// the cell. Where there are many, pieces that others cover on both sides are left out: in a cell
-// that many placements pass through they are nearly all, and the rest is connected without them. It
-// looks nowhere else, so it does not matter which sampler found the crossings. Source: own method;
-// docs/contouring.md, "Rims".
+// the cell. Once there are many, further pieces that others cover on both sides are left out: in a
+// cell that many placements pass through they are nearly all, and the rest is connected without
+// them. It looks nowhere else, so it does not matter which sampler found the crossings. Source: own
+// method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -31,6 +31,7 @@ class ElementProbe : public SurfaceProbe {
             std::vector<ProbeLine>& lines) const override;
 
  private:
+  class MotionSteps;
   /// Corners of a face; or of a side patch in ring order: a, b at the start of the step, then b, a
   /// at its end.
   struct Piece {
@@ -39,10 +40,10 @@ class ElementProbe : public SurfaceProbe {
     double start = 0, end = 0;  // seconds
   };
   bool mayPass() const { return input_.cull && input_.motion.continuous; }
-  bool isPassed(const SweptElement& element) const;
+  bool isPassed(const SweptElement& element, MotionSteps& motionSteps) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
-                            const std::vector<std::uint32_t>& crossings, bool withPassed) const;
+                            const std::vector<std::uint32_t>& crossings) const;
   /// Calls use(other) for the elements that share an edge or the path of a vertex with this one, if
   /// inside(p, q) is true for the shared segment, and for the copies of a face at the placements
   /// before and after.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/threads.h"
+#include "crossings/element_probe.h"
 #include "sampling/cpu/deep_inside.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
@@ -26,10 +27,12 @@ constexpr std::size_t kWindows = 8;
 constexpr double kLeastShare = 0.2;
 
 /// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
-/// planned, of a crossing that becomes surface, and of a piece of surface that may be looked at in
-/// cells where walls may end.
-constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6,
-                 kElementSeconds = 6e-7;
+/// planned, and of a crossing that becomes surface.
+constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6;
+/// Cells that are probed to learn what a probe takes, and the probes of a crossing: 0.08 to 0.4
+/// where many pieces pass through a cell; where few do, neither number counts.
+constexpr std::size_t kProbesPerTrial = 2;
+constexpr double kProbesOfCrossing = 0.15;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 /// sampling/cpu makes about so many work items of a motion, and keeps no more crossings of one than
@@ -65,6 +68,12 @@ struct Cost {
   }
 };
 
+/// A marked edge that a trial found, in the numbers of the whole motion.
+struct ProbePlace {
+  Eigen::Vector3d corner;
+  SweptElement element;
+};
+
 class Trials {
  public:
   Trials(const Prepared& p, const BodyTopology& topology, const Options& options, RunContext& run)
@@ -78,24 +87,46 @@ class Trials {
   /// Of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
 
+  /// Of a probe, in the mean over the cells that the trials before met.
+  double probeSeconds() const {
+    if (places_.empty()) return 0;
+    std::vector<SweptElement> elements;
+    std::vector<std::uint32_t> numbers;
+    for (const ProbePlace& place : places_) {
+      numbers.push_back(static_cast<std::uint32_t>(elements.size()));
+      elements.push_back(place.element);
+    }
+    const SamplerInput whole = input(p_.motion);
+    const ElementProbe probe(whole, elements, numbers);
+    const double start = threadSeconds();
+    for (const std::uint32_t n : numbers) {
+      const Eigen::Vector3d low = places_[n].corner, high = low + Eigen::Vector3d::Ones();
+      std::vector<ProbeLine> lines(1);
+      lines[0].from = low;
+      lines[0].to = high;
+      probe.cast({low, high}, {n}, lines);
+    }
+    return (threadSeconds() - start) / static_cast<double>(places_.size());
+  }
+
   /// Of the whole motion.
-  Cost whole() const {
+  Cost whole() {
     const Motion& motion = p_.motion;
     const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
     const double faces = static_cast<double>(p_.body.mesh.triangles.size());
     const std::size_t wanted =
         std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost);
-    if (count <= 2 * wanted) return of(motion);
+    if (count <= 2 * wanted) return of(motion, 0);
     Cost sum, least;
     if (!motion.continuous) {
       for (std::size_t n = 0; n < wanted; ++n)
-        sum.add(of(partOf(motion, (2 * n + 1) * count / (2 * wanted), 1)), times(count, wanted));
+        sum.add(at((2 * n + 1) * count / (2 * wanted), 1), times(count, wanted));
       return sum;
     }
     const std::size_t steps = std::max<std::size_t>(1, wanted / (3 * kWindows));
     for (std::size_t w = 0; w < kWindows; ++w) {
       const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * kWindows);
-      const Cost one = of(partOf(motion, first, steps)), two = of(partOf(motion, first, 2 * steps));
+      const Cost one = at(first, steps), two = at(first, 2 * steps);
       sum.add(two, times(count, kWindows * steps));
       sum.add(one, -times(count, kWindows * steps));
       least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
@@ -114,7 +145,12 @@ class Trials {
             p_.body.orientable, &clusters_, nullptr, nullptr, !options_.keepCavities};
   }
 
-  Cost of(const Motion& motion) const {
+  Cost at(std::size_t first, std::size_t count) {
+    return of(partOf(p_.motion, first, count), first);
+  }
+
+  /// Of a part of the motion that begins at placement `first`.
+  Cost of(const Motion& motion, std::size_t first) {
     const double start = threadSeconds();
     std::uint64_t crossings = 0;
     SamplerInput part = input(motion);
@@ -125,11 +161,34 @@ class Trials {
     cost.seconds = threadSeconds() - start;
     cost.elements = static_cast<double>(marks.elements.size());
     cost.crossings = static_cast<double>(crossings);
+    choosePlaces(marks, static_cast<std::uint32_t>(first));
     return cost;
+  }
+
+  /// Some of the edges that a trial marked.
+  void choosePlaces(const MarkedEdges& marks, std::uint32_t first) {
+    const std::size_t layers = marks.layers.size();
+    for (std::size_t n = 0; n < kProbesPerTrial; ++n) {
+      // The first edge from a layer on; layers apart, so that they lie at different places.
+      for (std::size_t i = (2 * n + 1) * layers / (2 * kProbesPerTrial); i < layers; ++i) {
+        const auto& edges = marks.layers[i].edges[0];
+        if (edges.empty()) continue;
+        const auto& columns = marks.layers[i].columnStart[0];
+        const auto middle = static_cast<std::uint32_t>(edges.size() / 2);
+        const auto j = std::upper_bound(columns.begin(), columns.end(), middle) - columns.begin();
+        SweptElement element = marks.elements[edges[middle].lowElement];
+        element.placement += first;
+        places_.push_back(
+            {Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j - 1), edges[middle].k),
+             element});
+        break;
+      }
+    }
   }
 
   const Prepared& p_;
   const BodyTopology& topology_;
+  std::vector<ProbePlace> places_;
   const Options& options_;
   RunContext& run_;
   FaceClusters clusters_;
@@ -156,14 +215,13 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   }
   tbb::task_arena alone(1);
   const Cost sampling = alone.execute([&] {
-    const Trials trials(p, topology, options, run);
+    Trials trials(p, topology, options, run);
     Cost cost = trials.whole();
     cost.seconds += trials.insideSeconds();
+    cost.seconds += surface * (kCrossingSeconds + kProbesOfCrossing * trials.probeSeconds());
     return cost;
   });
-  better.seconds = before + (sampling.seconds + surface * kCrossingSeconds +
-                             sampling.elements * kElementSeconds) /
-                                threads;
+  better.seconds = before + sampling.seconds / threads;
   const bool thins = sampling.crossings > kItems * kThinCrossings;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
   // What the check of the body has taken is free again when the motion is sampled.
