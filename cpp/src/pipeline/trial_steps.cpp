@@ -5,14 +5,19 @@
 #include <time.h>
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 #include "base/threads.h"
+#include "contour/dual_surface.h"
 #include "crossings/element_probe.h"
+#include "crossings/hermite.h"
+#include "pipeline/coarse_surface.h"
 #include "sampling/cpu/deep_inside.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/sampler.h"
+#include "signs/signs.h"
 
 namespace swept {
 namespace {
@@ -29,10 +34,13 @@ constexpr double kLeastShare = 0.2;
 /// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
 /// planned, and of a crossing that becomes surface.
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6;
-/// Cells that are probed to learn what a probe takes, and the probes of a crossing: 0.08 to 0.4
-/// where many pieces pass through a cell; where few do, neither number counts.
+/// Cells that are probed after each trial, to learn what a probe takes.
 constexpr std::size_t kProbesPerTrial = 2;
-constexpr double kProbesOfCrossing = 0.15;
+/// A whole sweep has fewer creases for its size than a few steps of it: 0.02 to 0.7 probes of a
+/// crossing were seen in crowded sweeps.
+constexpr double kMaxProbesOfCrossing = 0.5;
+/// Steps whose surface is made to count its probes.
+constexpr std::size_t kProbedSteps = 4;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 /// sampling/cpu makes about so many work items of a motion, and keeps no more crossings of one than
@@ -59,7 +67,7 @@ Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
 
 /// CPU seconds, and counts.
 struct Cost {
-  double seconds = 0, crossings = 0, elements = 0;
+  double seconds = 0, crossings = 0, elements = 0, bytes = 0;
 
   void add(const Cost& other, double times) {
     seconds += times * other.seconds;
@@ -74,11 +82,21 @@ struct ProbePlace {
   SweptElement element;
 };
 
+/// Counts the probes instead of casting them.
+class ProbeCount : public SurfaceProbe {
+ public:
+  void cast(const Eigen::AlignedBox3d& /*region*/, const std::vector<std::uint32_t>& /*crossings*/,
+            std::vector<ProbeLine>& /*lines*/) const override {
+    ++count;
+  }
+  mutable std::atomic<std::size_t> count{0};
+};
+
 class Trials {
  public:
-  Trials(const Prepared& p, const BodyTopology& topology, const Options& options, RunContext& run)
-      : p_(p), topology_(topology), options_(options), run_(run) {
-    if (p.motion.continuous) clusters_ = buildClusters(p.body.mesh, topology);
+  Trials(const Prepared& p, const BodyTopology& topology, const FaceClusters& clusters,
+         const Options& options, RunContext& run)
+      : p_(p), topology_(topology), clusters_(clusters), options_(options), run_(run) {
     const double start = threadSeconds();
     inside_ = findDeepInside(input(p.motion), run);
     insideSeconds_ = threadSeconds() - start;
@@ -86,6 +104,29 @@ class Trials {
 
   /// Of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
+  /// Of the map of it.
+  double insideBytes() const {
+    if (!inside_) return 0;
+    const auto& [x, y, z] = p_.grid.points;
+    const double points = static_cast<double>(x) * static_cast<double>(y) * static_cast<double>(z);
+    return points > static_cast<double>(InsideMap::kMaxBlocks) ? 0 : 7 * points;
+  }
+
+  /// How many probes the surface of a few steps needs for each of its crossings.
+  double probesOfCrossing() const {
+    const std::size_t steps = std::min(kProbedSteps, p_.motion.steps());
+    const Motion part = p_.motion.continuous
+                            ? partOf(p_.motion, (p_.motion.steps() - steps) / 2, steps)
+                            : partOf(p_.motion, p_.motion.placements.size() / 2, 1);
+    const SamplerInput piece = input(part);
+    MarkedEdges marked = sampleCpu(piece, run_);
+    const SignRuns signs = findOutside(marked, p_.grid, run_);
+    const HermiteGrid hermite = buildHermiteGrid(piece, marked, signs, ExactTimes::Dropped, run_);
+    if (hermite.crossings.empty()) return 0;
+    const ProbeCount probes;
+    buildDualSurface(hermite, options_.components, &probes, run_);
+    return static_cast<double>(probes.count) / static_cast<double>(hermite.crossings.size());
+  }
 
   /// Of a probe, in the mean over the cells that the trials before met.
   double probeSeconds() const {
@@ -132,7 +173,7 @@ class Trials {
       least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
     }
     return {std::max(sum.seconds, least.seconds), std::max(sum.crossings, least.crossings),
-            std::max(sum.elements, least.elements)};
+            std::max(sum.elements, least.elements), 0};
   }
 
  private:
@@ -188,10 +229,10 @@ class Trials {
 
   const Prepared& p_;
   const BodyTopology& topology_;
-  std::vector<ProbePlace> places_;
+  const FaceClusters& clusters_;
   const Options& options_;
   RunContext& run_;
-  FaceClusters clusters_;
+  std::vector<ProbePlace> places_;
   std::optional<InsideMap> inside_;
   double insideSeconds_ = 0;
 };
@@ -201,12 +242,15 @@ class Trials {
 Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const BodyTopology& topology,
                          const BodyCost& body, const Options& options, RunContext& run) {
   if (options.offset > 0 || options.conservative) return estimate;
-  const double surface = static_cast<double>(estimate.triangles) / 2;
+  const FaceClusters clusters = buildClusters(p.body.mesh, topology);
+  const double surface = std::min(static_cast<double>(estimate.triangles) / 2,
+                                  guessCrossings(clusters, p.motion, p.grid));
   const double threads = threadsOf(run);
   const double before = std::max(body.seconds / threads,
                                  static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds) +
                         static_cast<double>(p.givenPoses) * kPoseSeconds;
   Estimate better = estimate;
+  better.triangles = static_cast<std::int64_t>(2 * surface);
   better.memoryBytes = std::max(better.memoryBytes, body.bytes);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
@@ -215,20 +259,23 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   }
   tbb::task_arena alone(1);
   const Cost sampling = alone.execute([&] {
-    Trials trials(p, topology, options, run);
+    Trials trials(p, topology, clusters, options, run);
     Cost cost = trials.whole();
     cost.seconds += trials.insideSeconds();
-    cost.seconds += surface * (kCrossingSeconds + kProbesOfCrossing * trials.probeSeconds());
+    cost.bytes = trials.insideBytes();
+    const double probes = std::min(kMaxProbesOfCrossing, trials.probesOfCrossing());
+    cost.seconds += surface * (kCrossingSeconds + probes * trials.probeSeconds());
     return cost;
   });
   better.seconds = before + sampling.seconds / threads;
   const bool thins = sampling.crossings > kItems * kThinCrossings;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
   // What the check of the body has taken is free again when the motion is sampled.
-  better.memoryBytes = std::max(
-      better.memoryBytes,
-      estimate.memoryBytes +
-          static_cast<std::uint64_t>(kept * kSortedBytes + sampling.elements * kElementBytes));
+  better.memoryBytes =
+      std::max(better.memoryBytes,
+               estimate.memoryBytes +
+                   static_cast<std::uint64_t>(kept * kSortedBytes +
+                                              sampling.elements * kElementBytes + sampling.bytes));
   return better;
 }
 
