@@ -1,6 +1,8 @@
-// Wall-clock time of stages.
+// Wall-clock time of stages, and processor time of trials.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+
+#include <time.h>
 
 #include <chrono>
 
@@ -22,5 +24,12 @@ class Timer {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), lap_ = start_;
 };
+
+/// Processor time of the calling thread.
+inline double threadSeconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 }  // namespace swept

@@ -138,6 +138,10 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
+std::uint64_t denseBytes(const TriMesh& body) {
+  return 250'000'000 + 3200 * static_cast<std::uint64_t>(body.triangles.size());
+}
+
 // Rough: the sweep's surface is taken as one and a half times that of its box.
 Estimate estimateOf(const Prepared& p, const Options& options) {
   Estimate e;
@@ -160,7 +164,7 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
     // The best placements of every vertex are searched, and some tens of copies of each face
     // sampled, in batches.
     elements = 0.4 + placements * 2e-6 + faces * 1.1e-4 + crossings * 1e-6;
-    e.memoryBytes += 250'000'000 + static_cast<std::uint64_t>(faces * 3200);
+    e.memoryBytes += denseBytes(p.body.mesh);
   }
   e.seconds = 0.02 + crossings * 0.4e-6 + elements;
   return e;

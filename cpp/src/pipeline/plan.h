@@ -44,6 +44,8 @@ void prepareTrajectory(Prepared& prepared, const Trajectory& trajectory, const O
 void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
+/// What estimateOf() takes for the dense sampler; most of it is the largest batch.
+std::uint64_t denseBytes(const TriMesh& body);
 
 /// See Estimate::usefulFilter. Needs the grid, and the poses without a filter.
 double usefulFilterOf(const Prepared& prepared, const Options& options);

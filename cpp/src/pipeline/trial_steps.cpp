@@ -2,13 +2,14 @@
 #include "pipeline/trial_steps.h"
 
 #include <tbb/task_arena.h>
-#include <time.h>
 
 #include <algorithm>
 #include <atomic>
 #include <optional>
+#include <tuple>
 
 #include "base/threads.h"
+#include "base/timer.h"
 #include "contour/dual_surface.h"
 #include "crossings/element_probe.h"
 #include "crossings/hermite.h"
@@ -16,6 +17,7 @@
 #include "sampling/cpu/deep_inside.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
+#include "sampling/dense/dense_trial.h"
 #include "sampling/sampler.h"
 #include "signs/signs.h"
 
@@ -47,12 +49,6 @@ constexpr double kSortedBytes = 16, kElementBytes = 12;
 /// about so many, in a buffer that each thread has.
 constexpr double kItems = 48, kThinCrossings = 1 << 20;
 
-double threadSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
   const auto from = [first](const auto& list, std::size_t n) {
     const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
@@ -67,7 +63,7 @@ Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
 
 /// CPU seconds, and counts.
 struct Cost {
-  double seconds = 0, crossings = 0, elements = 0, bytes = 0;
+  double seconds = 0, crossings = 0, elements = 0;
 
   void add(const Cost& other, double times) {
     seconds += times * other.seconds;
@@ -98,12 +94,15 @@ class Trials {
          const Options& options, RunContext& run)
       : p_(p), topology_(topology), clusters_(clusters), options_(options), run_(run) {
     const double start = threadSeconds();
-    inside_ = findDeepInside(input(p.motion), run);
+    SamplerInput whole = input(p.motion);
+    whole.crossings = &insideCrossings_;
+    inside_ = findDeepInside(whole, run);
     insideSeconds_ = threadSeconds() - start;
   }
 
   /// Of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
+  double insideCrossings() const { return static_cast<double>(insideCrossings_); }
   /// Of the map of it.
   double insideBytes() const {
     if (!inside_) return 0;
@@ -173,7 +172,7 @@ class Trials {
       least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
     }
     return {std::max(sum.seconds, least.seconds), std::max(sum.crossings, least.crossings),
-            std::max(sum.elements, least.elements), 0};
+            std::max(sum.elements, least.elements)};
   }
 
  private:
@@ -235,6 +234,7 @@ class Trials {
   std::vector<ProbePlace> places_;
   std::optional<InsideMap> inside_;
   double insideSeconds_ = 0;
+  std::uint64_t insideCrossings_ = 0;
 };
 
 }  // namespace
@@ -252,30 +252,34 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   Estimate better = estimate;
   better.triangles = static_cast<std::int64_t>(2 * surface);
   better.memoryBytes = std::max(better.memoryBytes, body.bytes);
+  tbb::task_arena alone(1);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
-    better.seconds = before + estimate.seconds + surface * kCrossingSeconds / threads;
+    const SamplerInput input{p.body.mesh, topology,     p.motion,
+                             p.grid,      options.cull, p.body.orientable};
+    const auto cost = alone.execute([&] { return dense::tryDense(input, run); });
+    better.seconds = before + (cost.seconds + surface * kCrossingSeconds) / threads;
+    better.memoryBytes = std::max(body.bytes, estimate.memoryBytes - denseBytes(p.body.mesh) +
+                                                  static_cast<std::uint64_t>(cost.bytes));
     return better;
   }
-  tbb::task_arena alone(1);
-  const Cost sampling = alone.execute([&] {
+  const auto [sampling, most, map] = alone.execute([&] {
     Trials trials(p, topology, clusters, options, run);
     Cost cost = trials.whole();
     cost.seconds += trials.insideSeconds();
-    cost.bytes = trials.insideBytes();
     const double probes = std::min(kMaxProbesOfCrossing, trials.probesOfCrossing());
     cost.seconds += surface * (kCrossingSeconds + probes * trials.probeSeconds());
-    return cost;
+    return std::tuple(cost, trials.insideCrossings(), trials.insideBytes());
   });
   better.seconds = before + sampling.seconds / threads;
   const bool thins = sampling.crossings > kItems * kThinCrossings;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
-  // What the check of the body has taken is free again when the motion is sampled.
+  // What the check of the body has taken is free again when the motion is sampled, and what the map
+  // was made of too.
+  const double bytes =
+      std::max(most * kSortedBytes, kept * kSortedBytes + sampling.elements * kElementBytes + map);
   better.memoryBytes =
-      std::max(better.memoryBytes,
-               estimate.memoryBytes +
-                   static_cast<std::uint64_t>(kept * kSortedBytes +
-                                              sampling.elements * kElementBytes + sampling.bytes));
+      std::max(better.memoryBytes, estimate.memoryBytes + static_cast<std::uint64_t>(bytes));
   return better;
 }
 

@@ -131,6 +131,7 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   Motion copies;
   for (const std::size_t k : chosen) copies.placements.push_back(input.motion.placements[k]);
   SamplerInput some{input.body, input.topology, copies, input.grid, false, input.orientable};
+  some.crossings = input.crossings;
   const MarkedEdges marked = sampleCpu(some, run);
   InsideMap inside(marked, findOutside(marked, input.grid, run), input.grid);
   if (!inside.hasFronts() || hidesEnough(input, inside)) return inside;

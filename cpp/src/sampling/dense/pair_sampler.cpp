@@ -15,7 +15,13 @@ constexpr double kBatchCrossings = 24e6;  // 12 bytes each, twice while they are
 // Crossings per task: a batch makes 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
+/// Expected number for a face of this area (cells^2): half the sum of the three projections, at
+/// most 1.74 times the area.
+double expectedCrossings(double area) { return 1.74 * area + 0.5; }
+
 }  // namespace
+
+double PairSampler::pairsOfBatch(double area) { return kBatchCrossings / expectedCrossings(area); }
 
 PairSampler::PairSampler(const SamplerInput& input, RunContext& run)
     : input_(input), run_(run), identity_(input.motion.placements.size()) {
@@ -35,14 +41,12 @@ void PairSampler::addWhole(std::uint32_t placement) {
     items_.push_back({f, at, at + 1});
 }
 
-/// Expected number: half the sum of the areas of the three projections in cells, at most 1.74 times
-/// the area.
 double PairSampler::crossingsOf(std::uint32_t face) const {
   const auto& t = input_.body.triangles[face];
   const Eigen::Vector3d& a = input_.body.vertices[t[0]];
   const double area =
       (input_.body.vertices[t[1]] - a).cross(input_.body.vertices[t[2]] - a).norm() / 2;
-  return 1.74 * area / (input_.grid.cell * input_.grid.cell) + 0.5;
+  return expectedCrossings(area / (input_.grid.cell * input_.grid.cell));
 }
 
 void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {

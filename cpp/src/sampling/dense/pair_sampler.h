@@ -26,6 +26,8 @@ class PairSampler {
   const MarkedEdges& marked() const { return marked_; }
   MarkedEdges take() { return std::move(marked_); }
   std::int64_t pairs() const { return pairs_; }
+  /// Of faces of this area (cells^2).
+  static double pairsOfBatch(double area);
 
  private:
   struct Item {
