@@ -10,6 +10,8 @@ namespace {
 /// one lattice point stay apart. It is ten times the margin of vertices in their cells
 /// (kCellMargin).
 constexpr double kMinPointDistance = 1e-3;
+/// Cells: where Newton's method ends farther from the lattice line, it has not converged.
+constexpr double kMaxOffLine = 1e-3;
 }  // namespace
 
 CrossingRefiner::CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked)
@@ -37,48 +39,130 @@ CrossingRefiner::Hit CrossingRefiner::onFace(const SweptElement& element, int ax
           p.timeSeconds};
 }
 
+namespace {
+
+/// A side patch with its bulge: x(r, s) = A(s) + r B(s), with A the path of one end of the edge and
+/// B the edge vector.
+class CurvedPatch {
+ public:
+  CurvedPatch(const Placement& p, const Placement& q, const Placement& m, const Eigen::Vector3d& va,
+              const Eigen::Vector3d& vb)
+      : a0_(p.apply(va)), a1_(q.apply(va) - a0_), a2_(4 * m.apply(va)) {
+    const Eigen::Vector3d d = vb - va;
+    b0_ = p.rotation * d;
+    b1_ = q.rotation * d - b0_;
+    b2_ = 4 * (m.rotation * d);
+  }
+
+  struct At {
+    Eigen::Vector3d x, alongEdge, alongTime;
+  };
+  At at(double r, double s) const {
+    const double bulge = s * (1 - s), bulgeSpeed = 1 - 2 * s;
+    At at;
+    at.alongEdge = b0_ + s * b1_ + bulge * b2_;
+    at.x = a0_ + s * a1_ + bulge * a2_ + r * at.alongEdge;
+    at.alongTime = a1_ + bulgeSpeed * a2_ + r * (b1_ + bulgeSpeed * b2_);
+    return at;
+  }
+
+ private:
+  Eigen::Vector3d a0_, a1_, a2_, b0_, b1_, b2_;
+};
+
+/// Where a lattice line is searched on a patch. Directions u and v are perpendicular to the line.
+struct LineSearch {
+  const CurvedPatch& patch;
+  const Eigen::Vector3d& line;
+  int u, v;
+
+  double offLine(const CurvedPatch::At& at) const {
+    return std::max(std::abs(at.x[u] - line[u]), std::abs(at.x[v] - line[v]));
+  }
+
+  /// Newton's method from the middle of the patch; it may end beside the line.
+  void newton(double& r, double& s) const {
+    for (int iteration = 0; iteration < 4; ++iteration) {
+      const CurvedPatch::At at = patch.at(r, s);
+      const double det = at.alongEdge[u] * at.alongTime[v] - at.alongEdge[v] * at.alongTime[u];
+      if (std::abs(det) < 1e-14) break;
+      const double fu = line[u] - at.x[u], fv = line[v] - at.x[v];
+      const double dr = (fu * at.alongTime[v] - fv * at.alongTime[u]) / det;
+      const double ds = (at.alongEdge[u] * fv - at.alongEdge[v] * fu) / det;
+      r = std::clamp(r + dr, -0.5, 1.5);
+      s = std::clamp(s + ds, -0.5, 1.5);
+      if (std::abs(dr) + std::abs(ds) < 1e-7) break;
+    }
+    r = std::clamp(r, 0.0, 1.0);
+    s = std::clamp(s, 0.0, 1.0);
+  }
+
+  /// The point of the patch nearest to the line: from the best of a few places, with steps that are
+  /// damped until they help (Levenberg 1944, Marquardt 1963). An edge that slides along itself
+  /// sweeps hardly any area, and Newton's steps leave its patch.
+  void nearest(double& r, double& s) const {
+    const auto square = [&](double x, double y) {
+      const CurvedPatch::At at = patch.at(x, y);
+      return Eigen::Vector2d(at.x[u] - line[u], at.x[v] - line[v]).squaredNorm();
+    };
+    constexpr int kPlaces = 4, kSteps = 40;
+    double best = square(r, s);
+    for (int i = 0; i <= kPlaces; ++i) {
+      for (int j = 0; j <= kPlaces; ++j) {
+        const double x = static_cast<double>(i) / kPlaces, y = static_cast<double>(j) / kPlaces;
+        const double here = square(x, y);
+        if (here >= best) continue;
+        best = here;
+        r = x;
+        s = y;
+      }
+    }
+    double damping = 1e-3;
+    for (int step = 0; step < kSteps && damping < 1e9; ++step) {
+      const CurvedPatch::At at = patch.at(r, s);
+      Eigen::Matrix2d j;
+      j << at.alongEdge[u], at.alongTime[u], at.alongEdge[v], at.alongTime[v];
+      const Eigen::Vector2d off(at.x[u] - line[u], at.x[v] - line[v]);
+      Eigen::Matrix2d normal = j.transpose() * j;
+      normal.diagonal() *= 1 + damping;
+      normal.diagonal().array() += 1e-30;
+      const Eigen::Vector2d change = normal.inverse() * (j.transpose() * off);
+      const double x = std::clamp(r - change[0], 0.0, 1.0), y = std::clamp(s - change[1], 0.0, 1.0);
+      const double here = square(x, y);
+      damping *= here < best ? 0.2 : 5;
+      if (!(here < best)) continue;
+      best = here;
+      r = x;
+      s = y;
+    }
+  }
+};
+
+}  // namespace
+
 CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, int axis,
                                                   const Eigen::Vector3d& line) const {
   const Placement &p = placements_[element.placement], &q = placements_[element.placement + 1];
-  const Placement& m = bulges_[element.placement];
   const BodyEdge& edge = input_.topology.edges[element.index()];
-  const Eigen::Vector3d &va = input_.body.vertices[edge.a], &vb = input_.body.vertices[edge.b];
-  // x(r, s) = A(s) + r B(s), with A the path of vertex a and B the edge vector.
-  const Eigen::Vector3d a0 = p.apply(va), a1 = q.apply(va) - a0, a2 = 4 * m.apply(va);
-  const Eigen::Vector3d d = vb - va;
-  const Eigen::Vector3d b0 = p.rotation * d, b1 = q.rotation * d - b0, b2 = 4 * (m.rotation * d);
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const CurvedPatch patch(p, q, bulges_[element.placement], input_.body.vertices[edge.a],
+                          input_.body.vertices[edge.b]);
+  const LineSearch search{patch, line, (axis + 1) % 3, (axis + 2) % 3};
+  const int u = search.u, v = search.v;
   double r = 0.5, s = 0.5;
-  Eigen::Vector3d alongEdge = b0, alongTime = a1;
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    const double bulge = s * (1 - s), bulgeSpeed = 1 - 2 * s;
-    alongEdge = b0 + s * b1 + bulge * b2;
-    const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
-    alongTime = a1 + bulgeSpeed * a2 + r * (b1 + bulgeSpeed * b2);
-    const double det = alongEdge[u] * alongTime[v] - alongEdge[v] * alongTime[u];
-    if (std::abs(det) < 1e-14) break;
-    const double fu = line[u] - x[u], fv = line[v] - x[v];
-    const double dr = (fu * alongTime[v] - fv * alongTime[u]) / det;
-    const double ds = (alongEdge[u] * fv - alongEdge[v] * fu) / det;
-    r = std::clamp(r + dr, -0.5, 1.5);
-    s = std::clamp(s + ds, -0.5, 1.5);
-    if (std::abs(dr) + std::abs(ds) < 1e-7) break;
+  search.newton(r, s);
+  CurvedPatch::At at = patch.at(r, s);
+  if (search.offLine(at) > kMaxOffLine) {
+    search.nearest(r, s);
+    at = patch.at(r, s);
   }
-  r = std::clamp(r, 0.0, 1.0);
-  s = std::clamp(s, 0.0, 1.0);
-  const double bulge = s * (1 - s);
-  alongEdge = b0 + s * b1 + bulge * b2;
-  alongTime = a1 + (1 - 2 * s) * a2 + r * (b1 + (1 - 2 * s) * b2);
-  const Eigen::Vector3d x = a0 + s * a1 + bulge * a2 + r * alongEdge;
-  const Eigen::Vector3d n = alongEdge.cross(alongTime);
-  const double offLine = std::max(std::abs(x[u] - line[u]), std::abs(x[v] - line[v]));
-  // Newton's method leaves a small distance from the lattice line; move along the line until the
-  // tangent plane is reached.
-  double along = x[axis];
+  const Eigen::Vector3d n = at.alongEdge.cross(at.alongTime);
+  // A small distance from the lattice line is left; move along the line until the tangent plane is
+  // reached.
+  double along = at.x[axis];
   if (std::abs(n[axis]) > 0.1 * n.norm()) {
-    along += (n[u] * (x[u] - line[u]) + n[v] * (x[v] - line[v])) / n[axis];
+    along += (n[u] * (at.x[u] - line[u]) + n[v] * (at.x[v] - line[v])) / n[axis];
   }
-  return {along, n, p.timeSeconds + s * (q.timeSeconds - p.timeSeconds), offLine};
+  return {along, n, p.timeSeconds + s * (q.timeSeconds - p.timeSeconds), search.offLine(at)};
 }
 
 double CrossingRefiner::nearestTime(const SweptElement& element,
