@@ -138,6 +138,12 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
+// Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
+double bytesOfCrossing(const Options& options) {
+  constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
+  return options.sources ? 180 + kSource : 180;
+}
+
 std::uint64_t denseBytes(const TriMesh& body) {
   return 250'000'000 + 3200 * static_cast<std::uint64_t>(body.triangles.size());
 }
@@ -153,11 +159,8 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   const double faces = static_cast<double>(p.body.mesh.triangles.size());
   const double placements = static_cast<double>(p.motion.placements.size());
   e.triangles = static_cast<std::int64_t>(2 * crossings);
-  // Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
-  constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
-  e.memoryBytes =
-      static_cast<std::uint64_t>(crossings * (options.sources ? 180 + kSource : 180) + faces * 200 +
-                                 placements * 300 + (x + 1) * (y + 1) * 24);
+  e.memoryBytes = static_cast<std::uint64_t>(crossings * bytesOfCrossing(options) + faces * 200 +
+                                             placements * 300 + (x + 1) * (y + 1) * 24);
   double elements = faces * placements * (p.motion.continuous ? 5e-9 : 8e-8);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {

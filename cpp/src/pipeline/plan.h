@@ -44,6 +44,8 @@ void prepareTrajectory(Prepared& prepared, const Trajectory& trajectory, const O
 void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
+/// At the peak of a run.
+double bytesOfCrossing(const Options& options);
 /// What estimateOf() takes for the dense sampler; most of it is the largest batch.
 std::uint64_t denseBytes(const TriMesh& body);
 

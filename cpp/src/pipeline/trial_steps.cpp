@@ -243,15 +243,18 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
                          const BodyCost& body, const Options& options, RunContext& run) {
   if (options.offset > 0 || options.conservative) return estimate;
   const FaceClusters clusters = buildClusters(p.body.mesh, topology);
-  const double surface = std::min(static_cast<double>(estimate.triangles) / 2,
-                                  guessCrossings(clusters, p.motion, p.grid));
+  const double byBox = static_cast<double>(estimate.triangles) / 2;
+  const double surface = std::min(byBox, guessCrossings(clusters, p.motion, p.grid));
+  const std::uint64_t bytesForAll =
+      estimate.memoryBytes -
+      static_cast<std::uint64_t>((byBox - surface) * bytesOfCrossing(options));
   const double threads = threadsOf(run);
   const double before = std::max(body.seconds / threads,
                                  static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds) +
                         static_cast<double>(p.givenPoses) * kPoseSeconds;
   Estimate better = estimate;
   better.triangles = static_cast<std::int64_t>(2 * surface);
-  better.memoryBytes = std::max(better.memoryBytes, body.bytes);
+  better.memoryBytes = std::max(bytesForAll, body.bytes);
   tbb::task_arena alone(1);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
@@ -259,8 +262,8 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
                              p.grid,      options.cull, p.body.orientable};
     const auto cost = alone.execute([&] { return dense::tryDense(input, run); });
     better.seconds = before + (cost.seconds + surface * kCrossingSeconds) / threads;
-    better.memoryBytes = std::max(body.bytes, estimate.memoryBytes - denseBytes(p.body.mesh) +
-                                                  static_cast<std::uint64_t>(cost.bytes));
+    better.memoryBytes = std::max(
+        body.bytes, bytesForAll - denseBytes(p.body.mesh) + static_cast<std::uint64_t>(cost.bytes));
     return better;
   }
   const auto [sampling, most, map] = alone.execute([&] {
@@ -279,7 +282,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   const double bytes =
       std::max(most * kSortedBytes, kept * kSortedBytes + sampling.elements * kElementBytes + map);
   better.memoryBytes =
-      std::max(better.memoryBytes, estimate.memoryBytes + static_cast<std::uint64_t>(bytes));
+      std::max(better.memoryBytes, bytesForAll + static_cast<std::uint64_t>(bytes));
   return better;
 }
 
