@@ -160,7 +160,7 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   const double placements = static_cast<double>(p.motion.placements.size());
   e.triangles = static_cast<std::int64_t>(2 * crossings);
   e.memoryBytes = static_cast<std::uint64_t>(crossings * bytesOfCrossing(options) + faces * 200 +
-                                             placements * 300 + (x + 1) * (y + 1) * 24);
+                                             placements * 500 + (x + 1) * (y + 1) * 24);
   double elements = faces * placements * (p.motion.continuous ? 5e-9 : 8e-8);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
