@@ -107,9 +107,9 @@ class Moving:
             )
 
     def words(self):
-        """Texts that change with the geometry and the motion. Raises InputProblem."""
+        """What changes with the geometry and the motion, as contents.words(). Raises InputProblem."""
         self.check()
-        words = [contents.signature(self.pairs)] + motion_feature.words(self.motion)
+        words = contents.words(self.pairs) + motion_feature.words(self.motion)
         if self.reference_motion is not None:
             standing = convert.global_placement(*self.reference)
             words.append(contents.matrices(convert.matrix_of(standing)))
@@ -164,11 +164,16 @@ class Moving:
         return most, text
 
     def outline(self):
-        """Outermost points of the parts in the base frame (k,3), and triangles that hold them together, as
-        a body."""
-        points = convert.transform(self.into_base(), contents.outline(self.pairs))
-        strip = np.arange(len(points))[:, None] + np.arange(3)
-        return core.Triangles(points, (strip % len(points)).astype(np.int32))
+        """A function for any thread: outermost points of the parts in the base frame (k,3), and triangles
+        that hold them together, as a body."""
+        matrix, outline = self.into_base(), contents.outline(self.pairs)
+
+        def found():
+            points = convert.transform(matrix, outline())
+            strip = np.arange(len(points))[:, None] + np.arange(3)
+            return core.Triangles(points, (strip % len(points)).astype(np.int32))
+
+        return found
 
     def curved(self):
         """Whether the core gets straight pieces in place of a curved way."""

@@ -4,7 +4,7 @@ is written to the document before a run has ended well."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import contents, quantities, settings
+from .. import contents, quantities, reading, settings
 from ..convert import InputProblem
 from ..features.envelope_plan import Plan
 from ..features.envelope_properties import BACKENDS, COMPONENTS, MADE_BY
@@ -236,8 +236,26 @@ class EnvelopePanel(StartPanel):
         if not widgets.alive(self.document):
             self._close()
             return
-        self.estimate()
-        self.ask_preview()
+        if not self._reads_first():
+            self.estimate()
+            self.ask_preview()
+
+    def _reads_first(self):
+        """Large parts are read beside the window before anything else is asked of them."""
+        try:
+            parts = contents.unread(self.plan().words())
+        except (InputProblem, RuntimeError):
+            return False  # told by what follows
+        if not contents.is_much(parts):
+            return False
+        text = translate("Panels", "The parts are being read ...")
+        widgets.show_message(self.estimate_label, text)
+        reading.beside(self.document, parts, id(self), self._read)
+        return True
+
+    def _read(self):
+        if not self.closed:
+            self._changed()
 
     def ask_preview(self):
         """Wishes for a coarse envelope with the present inputs, or takes it away."""
@@ -273,13 +291,14 @@ class EnvelopePanel(StartPanel):
         try:
             guard.check_fields(self.form)
             plan = self.plan()
-            e = plan.estimate()
+            text = self._grid_text(plan.estimate()) if plan.is_outlined() else ""
             self.look.want(plan.closer_estimate(self.bodies.read))
         except Exception as problem:
             self.look.stop()
             guard.tell(self.estimate_label, problem)
             return
-        self._show_estimate(self._grid_text(e))
+        if text:
+            self._show_estimate(text)
 
     def show_estimate(self, found):
         more = translate("Panels", "; about {0}, {1}")
