@@ -3,7 +3,7 @@
 
 A shape is read by points of all its edges and faces and by the poles of its free forms, a mesh by all its
 points and triangles; another geometry gives another text. What was read is kept for each object: a
-shape's as long as the object holds the very same shape (wherever it is placed), a mesh's until FreeCAD tells
+shape's as long as the object holds the very same shape (wherever it is placed), a mesh's until FreeCAD says
 that it was changed.
 Cost: about 0.1 to 0.3 ms a face when a shape is new, 0.3 s for a new mesh of 1M triangles, else some
 microseconds. Where a window waits, a shape is copied first (0.05 ms a face): FreeCAD writes the triangles that

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What parts are made of and where they stand, as short texts: another geometry or another place gives another
+"""What parts are made of and where they stand, as short texts: another geometry or place gives another
 text. What one shape or mesh is made of is read in apart.py.
 """
 import numpy as np

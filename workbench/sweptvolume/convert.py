@@ -57,7 +57,8 @@ def _faces_of_facets(mesh, shape):
 
 def _read_by_core(shape, deflection):
     """The triangles of a shape made by the core, which lets the window go on meanwhile; FreeCAD's mesher
-    keeps Python's lock. None where the core cannot: built without OpenCASCADE, or faces beside the solids."""
+    keeps Python's lock. None where the core cannot: built without OpenCASCADE, or faces beside the solids.
+    """
     inside = sum(solid.countElement("Face") for solid in shape.Solids)
     if not (core.available() and core.has_solids()) or inside != shape.countElement("Face"):
         return None

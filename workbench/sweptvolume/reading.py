@@ -4,7 +4,8 @@ its events, then read in a thread.
 """
 from PySide import QtCore
 
-from . import core, runner
+from . import contents, core, runner
+from .convert import InputProblem
 from .features import status
 from .features.base import quietly
 from .texts import translate
@@ -78,6 +79,19 @@ def beside(document, parts, key, call):
     if reader is None or reader.document is not document:
         reader = _readers[document.Name] = Reader(document)
     reader.ask(parts, key, call)
+
+
+def first(document, words, key, call):
+    """Whether parts are so large that they have to be read first; call() follows then. words: gives
+    contents.words(); what it raises is left to whoever asks next."""
+    try:
+        parts = contents.unread(words())
+    except (InputProblem, RuntimeError, AttributeError):
+        return False
+    if not contents.is_much(parts):
+        return False
+    beside(document, parts, key, call)
+    return True
 
 
 def _look_later(obj, parts):

@@ -109,7 +109,7 @@ def scenario():
         steps = by_panel(
             lambda: clearance_panel.show(doc, pairs=[first], motion_obj=doc.Motion),
             lambda: find(QtWidgets.QPushButton, "SweptVolumeCheck"),
-            lambda panel: panel.run is None,
+            lambda panel: panel.run is None and panel.obj is not None,
         )
         yield from measured("clearance", steps, limit)
         click(panel_button(Close))

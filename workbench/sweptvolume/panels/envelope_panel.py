@@ -221,6 +221,9 @@ class EnvelopePanel(StartPanel):
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
         )
 
+    def _words(self):
+        return self.plan().words()
+
     def _accuracy_changed(self, *ignored):
         by_cell = self.by.currentData() == "CellSize"
         self.cell.setEnabled(by_cell)
@@ -236,26 +239,14 @@ class EnvelopePanel(StartPanel):
         if not widgets.alive(self.document):
             self._close()
             return
-        if not self._reads_first():
-            self.estimate()
-            self.ask_preview()
-
-    def _reads_first(self):
-        """Large parts are read beside the window before anything else is asked of them."""
-        try:
-            parts = contents.unread(self.plan().words())
-        except (InputProblem, RuntimeError):
-            return False  # told by what follows
-        if not contents.is_much(parts):
-            return False
-        text = translate("Panels", "The parts are being read ...")
-        widgets.show_message(self.estimate_label, text)
-        reading.beside(self.document, parts, id(self), self._read)
-        return True
-
-    def _read(self):
-        if not self.closed:
-            self._changed()
+        if reading.first(
+            self.document, self._words, id(self.form), lambda: self._read(self._changed)
+        ):
+            text = translate("Panels", "The parts are being read ...")
+            widgets.show_message(self.estimate_label, text)
+            return
+        self.estimate()
+        self.ask_preview()
 
     def ask_preview(self):
         """Wishes for a coarse envelope with the present inputs, or takes it away."""
@@ -337,7 +328,12 @@ class EnvelopePanel(StartPanel):
     def start(self, close_when_done=True):
         """Reads the document and starts the run; problems are shown in the panel."""
         self.close_when_done = close_when_done
-        if not self.begin(lambda: EnvelopeTask(self.document, self.plan(), self.obj), self.ended):
+        if not self.begin(
+            lambda: EnvelopeTask(self.document, self.plan(), self.obj),
+            self.ended,
+            self._words,
+            lambda: self.start(close_when_done),
+        ):
             return False
         self.preview_box.setChecked(False)
         self.look.stop()
