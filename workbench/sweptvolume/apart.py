@@ -6,8 +6,8 @@ points and triangles; another geometry gives another text. What was read is kept
 shape's as long as the object holds the very same shape (wherever it is placed), a mesh's until FreeCAD says
 that it was changed.
 Cost: about 0.1 to 0.3 ms a face when a shape is new, 0.3 s for a new mesh of 1M triangles, else some
-microseconds. Where a window waits, a shape is copied first (0.05 ms a face): FreeCAD writes the triangles that
-it draws into the topology of its shapes, so no other thread may read those.
+microseconds. Where a window waits, a shape is copied first (0.05 ms a face): FreeCAD writes the triangles
+that it draws into the topology of its shapes, so no other thread may read those.
 """
 import collections
 import hashlib

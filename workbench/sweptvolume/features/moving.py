@@ -7,6 +7,7 @@ import numpy as np
 
 from .. import contents, convert, core
 from ..convert import InputProblem, matrix_of, transform
+from ..quantities import number, quantity
 from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import (
@@ -158,9 +159,9 @@ class Moving:
                 most, where = reach, poses.times[k]
         text = translate(
             "Messages",
-            'the frames of "{0}" lie far apart: near {1:g} s the part may leave its way between two of them '
-            "by about {2:.3g} mm. Read the motion with smaller steps.",
-        ).format(self.motion.Label, where, most)
+            'the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them '
+            "by about {2}. Read the motion with smaller steps.",
+        ).format(self.motion.Label, number(where), quantity(most))
         return most, text
 
     def outline(self):

@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import contents, convert, core
 from ..convert import InputProblem
+from ..quantities import quantity
 from ..texts import translate
 from . import envelope as envelope_feature
 from . import faceted, missing, status
@@ -166,9 +167,9 @@ def notes_of(obj):
         return ""
     return translate(
         "Messages",
-        "the largest tolerance of an edge is {0:.3g} mm, more than the {1:.3g} mm by which the solid leaves "
-        "the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.",
-    ).format(obj.EdgeTolerance.Value, asked)
+        "the largest tolerance of an edge is {0}, more than the {1} by which the solid leaves the mesh: its "
+        "faces meet no nearer there. A smaller Tolerance gives more faces that fit better.",
+    ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
 
 
 class Request:

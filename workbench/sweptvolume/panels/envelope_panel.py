@@ -102,6 +102,7 @@ class EnvelopePanel(StartPanel):
         self.resolution = QtWidgets.QSpinBox()
         self.resolution.setRange(0, MOST_TYPED)
         self.resolution.setSingleStep(16)
+        self.resolution.setGroupSeparatorShown(True)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
         tip = translate("Panels", "Cells along the longest side of the sweep")

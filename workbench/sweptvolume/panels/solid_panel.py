@@ -61,6 +61,7 @@ class SolidPanel(StartPanel):
         self.faces.setObjectName("SweptVolumeMaxFaces")
         self.faces.setRange(0, 999999999)
         self.faces.setSingleStep(1000)
+        self.faces.setGroupSeparatorShown(True)
         self.faces.setValue(values["max_faces"])
         widgets.hint(
             self.faces,
