@@ -1951,9 +1951,9 @@ Versucht:
   </message>
   <message>
    <source>{0} triangles: at most {1} faces,
-about {2}, {3}</source>
+up to about {2}, {3}</source>
    <translation>{0} Dreiecke: höchstens {1} Flächen,
-etwa {2}, {3}</translation>
+bis etwa {2}, {3}</translation>
   </message>
   <message>
    <source>Solid</source>

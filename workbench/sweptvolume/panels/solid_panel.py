@@ -136,7 +136,7 @@ class SolidPanel(StartPanel):
         widgets.show_message(self.expected, text)
 
     def show_estimate(self, found):
-        text = translate("Panels", "{0} triangles: at most {1} faces,\nabout {2}, {3}")
+        text = translate("Panels", "{0} triangles: at most {1} faces,\nup to about {2}, {3}")
         widgets.show_message(
             self.expected,
             text.format(
