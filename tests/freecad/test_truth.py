@@ -89,6 +89,16 @@ class Contents(Case):
         self.doc.redo()
         self.assertEqual(contents.text_of(net), bent)
 
+    def test_a_shape_that_is_gone(self):
+        obj = self.doc.addObject("Part::Feature", "Empty")
+        text = contents.text_of(obj)
+        self.assertIsNone(contents.apart.of(obj).corners())
+        obj.Shape = plate(10)
+        self.assertNotEqual(contents.text_of(obj), text)
+        self.assertEqual(contents.apart.of(obj).corners().shape, (8, 3))
+        obj.Shape = Part.Shape()
+        self.assertEqual(contents.text_of(obj), text)
+
     def test_500_faces_are_cheap(self):
         holes = [
             Part.makeCylinder(1, 4, V(3 + 5 * (i % 25), 3 + 5 * (i // 25), 0)) for i in range(500)

@@ -57,11 +57,10 @@ class Apart:
         return self._copy is not None
 
     def _copied(self):
-        if self.is_mesh:
-            given = self._mesh.copy()
-        else:
-            # Geometry is never changed and stays shared.
-            given = self.shape if self.shape.isNull() else self.shape.copy(False, False)
+        if not self.is_mesh and self.shape.isNull():
+            return self.shape
+        # Geometry is never changed and stays shared.
+        given = self._mesh.copy() if self.is_mesh else self.shape.copy(False, False)
         given.Placement = App.Placement()
         return given
 
@@ -99,6 +98,8 @@ class Apart:
         return self.once("corners", self._corners)
 
     def _corners(self):
+        if not self.is_mesh and self.shape.isNull():
+            return None
         box = (self._copied() if self.is_mesh else self.detached()).BoundBox
         if not box.isValid():
             return None
@@ -171,7 +172,8 @@ def _read_shape(shape):
     import Part
 
     local = Part.Shape(shape)
-    local.Placement = App.Placement()
+    if not local.isNull():
+        local.Placement = App.Placement()
     points, counts = [], [len(local.Solids), len(local.Shells), len(local.Faces)]
     for items, look in ((local.Faces, _face_points), (local.Edges, _edge_points)):
         for item in items:
