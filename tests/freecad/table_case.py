@@ -21,7 +21,7 @@ def rows(case):
 
 class Table(Case):
     """The state after each change and after its undo is what a fresh computation justifies, which is found
-    out by computing afresh in a copy of the document. Subclasses give the document, and by rows() their tests.
+    out by computing afresh in a copy of the document. Subclasses give the document, and rows() their tests.
     """
 
     NEEDS_CORE = True

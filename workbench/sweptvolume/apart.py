@@ -40,7 +40,7 @@ class Apart:
         self.is_mesh = obj.isDerivedFrom("Mesh::Feature")
         self.shape = None if self.is_mesh else obj.Shape
         self._mesh = obj.Mesh if self.is_mesh else None
-        self._copy, self._kept = None, {}
+        self._copy, self._kept, self._broken = None, {}, False
         self._locks = collections.defaultdict(threading.Lock)  # one may be needed to read another
 
     def is_of(self, obj):
@@ -65,8 +65,9 @@ class Apart:
         return given
 
     def cost(self):
-        """What is to be read before text() can tell, in faces of a shape; 0: nothing."""
-        if self.knows("text"):
+        """What is to be read before text() can tell, in faces of a shape; 0: nothing, or what could not be
+        read before."""
+        if self.knows("text") or self._broken:
             return 0
         if self.is_mesh:
             return self._mesh.CountFacets // _PER_FACE
@@ -84,7 +85,11 @@ class Apart:
 
     def text(self):
         """Text of the shape or mesh."""
-        return self.once("text", self._read)
+        try:
+            return self.once("text", self._read)
+        except Exception:
+            self._broken = True
+            raise
 
     def _read(self):
         if not self.is_mesh:

@@ -2,6 +2,7 @@
 """Parts that are too large to be read at once are read beside the window: copied one after the other between
 its events, then read in a thread.
 """
+import FreeCAD as App
 from PySide import QtCore
 
 from . import contents, core, runner
@@ -18,9 +19,9 @@ class _ReadTask(runner.Task):
 
     writes = False
 
-    def __init__(self, document, parts, done):
+    def __init__(self, document, parts):
         self.title, self.document = translate("Messages", "Read parts"), document
-        self.parts, self.done = parts, done
+        self.parts = parts
 
     def work(self, control):
         for part in self.parts:
@@ -29,7 +30,7 @@ class _ReadTask(runner.Task):
             part.text()
 
     def finish(self, value):
-        self.done()
+        pass
 
 
 class Reader:
@@ -50,22 +51,23 @@ class Reader:
 
     def _copy(self):
         """One part between two events of the window."""
-        if _readers.get(self.name) is not self:
-            return  # the document was closed
+        if self.document not in App.listDocuments().values():
+            _readers.pop(self.name, None)
+            return
         for part in self._parts:
             if part.cost() and not part.is_detached():
                 part.detached()
                 QtCore.QTimer.singleShot(0, self._copy)
                 return
-        run = runner.start(_ReadTask(self.document, list(self._parts), lambda: None))
+        run = runner.start(_ReadTask(self.document, list(self._parts)))
         run.ended.connect(self._ended)
 
     def _ended(self, run):
-        if run.state == "cancelled":
+        if run.state == "cancelled":  # the document was closed
             _readers.pop(self.name, None)
             return
-        if any(part.cost() for part in self._parts) and run.state == "ok":
-            self._copy()
+        if run.state == "ok" and any(part.cost() for part in self._parts):
+            self._copy()  # others were asked for meanwhile
             return
         self._parts, calls = [], list(self._calls.values())
         self._calls = {}

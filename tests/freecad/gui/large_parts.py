@@ -132,7 +132,26 @@ def scenario():
         yield from measured("other", judged(doc, hull, envelope.STALE), limit)
         yield lambda: "read" not in hull.Message
         assert (hull.Status, check.Status) == (envelope.STALE, clearance.STALE)
-        doc.undo()
+        # Closed while parts are read; and what cannot be read is said, once.
+        apart._known.clear()
+        check.touch()
+        doc.recompute()
+        App.closeDocument(doc.Name)
+        yield 0.5
+        doc = App.openDocument(os.path.join(folder, "large.FCStd"))
+        yield 0.3
+        read, calls = apart._read_shape, []
+
+        def broken(shape):
+            calls.append(shape)
+            raise RuntimeError("no points")
+
+        apart._read_shape = broken
+        doc.Envelope.touch()
+        doc.recompute()
+        yield lambda: "no points" in doc.Envelope.Message
+        assert doc.Envelope.Status == envelope.FAILED and len(calls) < 5, len(calls)
+        apart._read_shape = read
         App.closeDocument(doc.Name)
         yield 0.3
 

@@ -151,7 +151,8 @@ def can_recut(obj):
     if not obj.InputHash:
         return False
     plan = Plan.of(obj)
-    if plan.hash() == obj.InputHash:
+    unread = contents.unread(status.hash_or_problem(plan.words)[0])
+    if unread or plan.hash() == obj.InputHash:  # of parts that were not read nothing is kept
         return False
     return kept.find(obj.Document, plan.hash(without=("tolerance",))) is not None
 
