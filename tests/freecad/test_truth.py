@@ -581,6 +581,31 @@ class Frames(Case):
         self.assertIn(text, obj.Message)
 
 
+class Saved(Scene):
+    def test_numbers_of_many_digits_are_the_same_when_a_document_is_opened(self):
+        third = 1.0 / 3.0 / 10  # a quantity of seventeen digits
+        self.swept.Tolerance = self.swept.Offset = third
+        self.body.Tolerance = 2 * third
+        self.check.Required, self.check.Deflection = 100 * third, third
+        self.doc.recompute()
+        envelope.compute(self.swept)
+        if core.has_solids():
+            solid.compute(self.body)
+        clearance.compute(self.check)
+        self.doc.recompute()
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        names = [obj.Name for obj in (self.swept, self.check, self.body)]
+        path = os.path.join(self.folder, "digits.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        for obj in self.doc.Objects:
+            obj.touch()
+        self.doc.recompute(None, True)
+        self.swept, self.check, self.body = map(self.doc.getObject, names)
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+
+
 class OfBefore(Scene):
     def test_results_of_before_are_known_again(self):
         """A document as version 1 left it: hashes of sizes, none of the properties that came since."""

@@ -17,6 +17,14 @@ MOST_AT_ONCE = 150
 DIRECTIONS, OUTLINE_CHORD = 642, 0.002
 
 
+def steady(value):
+    """A number, or a dict of such, as a document that is saved and opened brings it back: it keeps sixteen
+    digits, and a hash that tells the seventeenth would call every result stale then."""
+    if isinstance(value, dict):
+        return {name: steady(one) for name, one in value.items()}
+    return float("{:.12g}".format(value)) if isinstance(value, float) else value
+
+
 def matrices(found):
     """Text of 4x4 matrices."""
     return digest(rounded(found, 10.0**-DECIMALS))

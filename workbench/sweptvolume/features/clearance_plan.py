@@ -269,7 +269,7 @@ class Plan:
         return _short(words + [contents.signature_of_before(self.leaves()), self._settings()])
 
     def _settings(self):
-        return json.dumps(self.values, sort_keys=True)
+        return json.dumps(contents.steady(self.values), sort_keys=True)
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""

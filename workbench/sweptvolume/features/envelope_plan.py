@@ -157,7 +157,8 @@ class Plan:
             del options[name]
         if not options["position_filter"]:
             del options["position_filter"]  # so are those made before there was one
-        words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
+        options = json.dumps(contents.steady(options), sort_keys=True)
+        words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
         return hashlib.sha256("\n".join(words + inputs).encode()).hexdigest()[:32]
 
     def cell(self, groups):

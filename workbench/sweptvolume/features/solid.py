@@ -124,7 +124,7 @@ def _words(source, wanted):
     words = [str(wanted["merge"])]
     # With the defaults as before these properties: solids of older documents stay current.
     if wanted["tolerance"] > 0:
-        words.append(repr(wanted["tolerance"]))
+        words.append(repr(contents.steady(wanted["tolerance"])))
     if wanted["max_faces"] != MAX_FACES:
         words.append("at most {} faces".format(wanted["max_faces"]))
     if envelope_feature.is_envelope(source):
