@@ -107,11 +107,13 @@ Reads PLY, STL, OBJ or OFF. unit: of the numbers in the file: mm, cm, m, in. Rai
 (code BadFile) with the place of what is wrong.)";
 
 constexpr const char* kReadBodyDoc =
-    R"(read_body(path, unit='mm', tolerance=None, cell=None, resolution=128, run=None) -> Mesh
+    R"(read_body(path, unit='mm', tolerance=None, cell=None, resolution=128, run=None, angle=0.2)
+-> Mesh
 
 Reads a moving part: PLY, STL, OBJ or OFF as read_mesh(), or all solids of a STEP or BREP file as one
 body, tessellated within tolerance (mm), else within 0.02 of cell (mm), else within 0.02 of the
-smallest cell that resolution can give for such a body. Mesh.chord_error and Mesh.findings say how.)";
+smallest cell that resolution can give for such a body; angle: rad between neighbouring triangles.
+Mesh.chord_error and Mesh.findings say how.)";
 
 constexpr const char* kWriteMeshDoc =
     R"(write_mesh(path, vertices, triangles, no_clobber=False)

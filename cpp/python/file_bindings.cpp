@@ -44,10 +44,10 @@ Mesh pyReadMesh(const py::object& path, const std::string& unit) {
 
 Mesh pyReadBody(const py::object& path, const std::string& unit,
                 const std::optional<double>& tolerance, const std::optional<double>& cell,
-                int resolution, const py::object& run) {
+                int resolution, const py::object& run, double angle) {
   const RunPointer context = runFromObject(run);
   const std::string name = pathFromObject(path);
-  const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution};
+  const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution, angle};
   Body body = runWithoutLock(*context, [&] { return readBody(name, options, *context); });
   return {std::make_shared<const TriMesh>(std::move(body.mesh)), body.chordError,
           findingsToList(body.findings)};
@@ -169,7 +169,7 @@ void bindFiles(py::module_& module) {
   module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
   module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
              py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),
-             py::arg("resolution") = 128, py::arg("run") = py::none());
+             py::arg("resolution") = 128, py::arg("run") = py::none(), py::arg("angle") = 0.2);
   module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"), py::arg("no_clobber") = false);
   module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),

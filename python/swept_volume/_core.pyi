@@ -121,6 +121,7 @@ def read_body(
     cell: Optional[float] = None,
     resolution: int = 128,
     run: Optional[RunContext] = None,
+    angle: float = 0.2,
 ) -> Mesh: ...
 def write_mesh(
     path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike, no_clobber: bool = False

@@ -309,9 +309,11 @@ def read_body(
     tolerance: Optional[float] = None,
     cell: Optional[float] = None,
     resolution: int = 128,
+    angle: float = 0.2,
 ) -> Mesh:
     """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
     body, tessellated within tolerance (mm); else within 0.02 of cell (mm), the cell of the run to
-    come; else within 0.02 of the smallest cell that resolution can give."""
+    come; else within 0.02 of the smallest cell that resolution can give. angle: rad between
+    neighbouring triangles of a solid, at most."""
     require_file(path)
-    return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, resolution))
+    return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, resolution, angle=angle))

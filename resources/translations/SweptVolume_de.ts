@@ -493,14 +493,6 @@
    <translation>Öffnen Sie zuerst ein Dokument.</translation>
   </message>
   <message>
-   <source>Select an envelope first.</source>
-   <translation>Zuerst eine Hülle auswählen.</translation>
-  </message>
-  <message>
-   <source>Select a motion first.</source>
-   <translation>Zuerst eine Bewegung auswählen.</translation>
-  </message>
-  <message>
    <source>The motion has no source whose settings can be changed.</source>
    <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
   </message>
@@ -547,10 +539,6 @@
   <message>
    <source>no moving part is given: choose a solid or a mesh that moves.</source>
    <translation>Es ist kein bewegtes Teil angegeben: einen Festkörper oder ein Netz wählen, das sich bewegt.</translation>
-  </message>
-  <message>
-   <source>the mesh could not be written to the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
-   <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
    <source>the moving part is empty.</source>
@@ -809,8 +797,8 @@ Versucht:
    <translation>eine Bewegung des Bezugs ist angegeben, aber kein Bezugsteil: auch dieses wählen.</translation>
   </message>
   <message>
-   <source>the frames of "{0}" lie far apart: near {1:g} s the part may leave its way between two of them by about {2:.3g} mm. Read the motion with smaller steps.</source>
-   <translation>die Bilder von "{0}" liegen weit auseinander: bei {1:g} s kann das Teil seinen Weg zwischen zweien um etwa {2:.3g} mm verlassen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
+   <source>the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them by about {2}. Read the motion with smaller steps.</source>
+   <translation>die Bilder von "{0}" liegen weit auseinander: bei {1} s kann das Teil seinen Weg zwischen zweien um etwa {2} verlassen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
   </message>
   <message>
    <source>"{0}" is no motion: choose another one.</source>
@@ -833,8 +821,8 @@ Versucht:
    <translation>Zuerst die Hülle berechnen: Es gibt noch kein Netz für einen Festkörper.</translation>
   </message>
   <message>
-   <source>the largest tolerance of an edge is {0:.3g} mm, more than the {1:.3g} mm by which the solid leaves the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.</source>
-   <translation>die größte Toleranz einer Kante ist {0:.3g} mm, mehr als die {1:.3g} mm, um die der Festkörper das Netz verlässt: näher treffen sich seine Flächen dort nicht. Eine kleinere Toleranz gibt mehr Flächen, die besser passen.</translation>
+   <source>the largest tolerance of an edge is {0}, more than the {1} by which the solid leaves the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.</source>
+   <translation>die größte Toleranz einer Kante ist {0}, mehr als die {1}, um die der Festkörper das Netz verlässt: näher treffen sich seine Flächen dort nicht. Eine kleinere Toleranz gibt mehr Flächen, die besser passen.</translation>
   </message>
   <message>
    <source>the envelope is conservative, and a solid with a tolerance could cut into the swept volume: set the solid's Tolerance to 0.</source>
@@ -843,6 +831,14 @@ Versucht:
   <message>
    <source>{0} solid</source>
    <translation>{0} Festkörper</translation>
+  </message>
+  <message>
+   <source>large parts are being read to see whether they have changed.</source>
+   <translation>große Teile werden gelesen, um zu sehen, ob sie sich geändert haben.</translation>
+  </message>
+  <message>
+   <source>the mesh could not be written to the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
+   <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
    <source>Clearance table</source>
@@ -977,6 +973,14 @@ Versucht:
    <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
   </message>
   <message>
+   <source>Select an envelope first.</source>
+   <translation>Zuerst eine Hülle auswählen.</translation>
+  </message>
+  <message>
+   <source>Select a motion first.</source>
+   <translation>Zuerst eine Bewegung auswählen.</translation>
+  </message>
+  <message>
    <source>Export envelope</source>
    <translation>Hülle exportieren</translation>
   </message>
@@ -995,6 +999,10 @@ Versucht:
    <translation>Abgebrochen. Nichts wurde geändert.</translation>
   </message>
   <message>
+   <source>Read parts</source>
+   <translation>Teile lesen</translation>
+  </message>
+  <message>
    <source>Cancelled: the document or an object is gone.</source>
    <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
   </message>
@@ -1007,8 +1015,8 @@ Versucht:
    <translation>eine Simulation einer Baugruppe wählen, dann das zu verfolgende Teil.</translation>
   </message>
   <message>
-   <source>the simulation "{0}" stopped early: {1} of {2} frames, the last at {3:g} s of {4:g} s. Its solver found no position there: look at its joints and formulas, or let it end sooner.</source>
-   <translation>die Simulation "{0}" endete vorzeitig: {1} von {2} Bildern, das letzte bei {3:g} s von {4:g} s. Ihr Löser fand dort keine Lage: sehen Sie nach ihren Gelenken und Formeln, oder lassen Sie sie früher enden.</translation>
+   <source>the simulation "{0}" stopped early: {1} of {2} frames, the last at {3} s of {4} s. Its solver found no position there: look at its joints and formulas, or let it end sooner.</source>
+   <translation>die Simulation "{0}" endete vorzeitig: {1} von {2} Bildern, das letzte bei {3} s von {4} s. Ihr Löser fand dort keine Lage: sehen Sie nach ihren Gelenken und Formeln, oder lassen Sie sie früher enden.</translation>
   </message>
   <message>
    <source>"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.</source>
@@ -1043,16 +1051,16 @@ Versucht:
    <translation>Einen Linienzug, eine Kante oder Skizze als Bahn wählen.</translation>
   </message>
   <message>
-   <source>an accuracy of {0:g} mm: it must be greater than 0.</source>
-   <translation>eine Genauigkeit von {0:g} mm: sie muss größer als 0 sein.</translation>
+   <source>an accuracy of {0}: it must be greater than 0.</source>
+   <translation>eine Genauigkeit von {0}: sie muss größer als 0 sein.</translation>
   </message>
   <message>
    <source>"{0}" has {1} separate pieces; a path must be one.</source>
    <translation>„{0}“ hat {1} getrennte Stücke; eine Bahn muss eines sein.</translation>
   </message>
   <message>
-   <source>an accuracy of {0:g} mm takes more than {1} poses along this path: allow more.</source>
-   <translation>eine Genauigkeit von {0:g} mm braucht auf diesem Weg mehr als {1} Posen: lassen Sie mehr zu.</translation>
+   <source>an accuracy of {0} takes more than {1} poses along this path: allow more.</source>
+   <translation>eine Genauigkeit von {0} braucht auf diesem Weg mehr als {1} Posen: lassen Sie mehr zu.</translation>
   </message>
   <message>
    <source>"{0}" begins in the direction of the path "{1}": it does not say where up is. Move it sideways.</source>
@@ -1394,6 +1402,10 @@ Versucht:
    <translation>Was sie erzeugt hat</translation>
   </message>
   <message>
+   <source>The parts are being read ...</source>
+   <translation>Die Teile werden gelesen ...</translation>
+  </message>
+  <message>
    <source>A position filter of {0} would leave out most poses and be much quicker.</source>
    <translation>Ein Positionsfilter von {0} würde die meisten Posen weglassen und wäre viel schneller.</translation>
   </message>
@@ -1414,8 +1426,8 @@ Versucht:
    <translation>Tabelle exportieren</translation>
   </message>
   <message>
-   <source>{0} poses, {1:g} to {2:g} s, moving {3} x {4} x {5}</source>
-   <translation>{0} Stellungen, {1:g} bis {2:g} s, Weg {3} x {4} x {5}</translation>
+   <source>{0} poses, {1} to {2} s, moving {3} x {4} x {5}</source>
+   <translation>{0} Stellungen, {1} bis {2} s, Weg {3} x {4} x {5}</translation>
   </message>
   <message>
    <source>Motions</source>
@@ -1498,8 +1510,8 @@ Versucht:
    <translation>Weg verbessern</translation>
   </message>
   <message>
-   <source>Key {0}, {1:g} s</source>
-   <translation>Schlüssel {0}, {1:g} s</translation>
+   <source>Key {0}, {1} s</source>
+   <translation>Schlüssel {0}, {1} s</translation>
   </message>
   <message>
    <source>Ticked keys stay where and when they are</source>
@@ -1814,8 +1826,8 @@ Versucht:
    <translation>Übernimmt den gewählten Punkt oder die Mitte der gewählten Kante oder Fläche</translation>
   </message>
   <message>
-   <source>In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm</source>
-   <translation>In den Koordinaten des Teils: {0:.6g}, {1:.6g}, {2:.6g} mm</translation>
+   <source>In the coordinates of the part: {0}, {1}, {2}</source>
+   <translation>In den Koordinaten des Teils: {0}, {1}, {2}</translation>
   </message>
   <message>
    <source>Where it stands now</source>
@@ -1939,9 +1951,9 @@ Versucht:
   </message>
   <message>
    <source>{0} triangles: at most {1} faces,
-about {2}, {3}</source>
+up to about {2}, {3}</source>
    <translation>{0} Dreiecke: höchstens {1} Flächen,
-etwa {2}, {3}</translation>
+bis etwa {2}, {3}</translation>
   </message>
   <message>
    <source>Solid</source>

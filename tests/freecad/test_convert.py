@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Geometry in and out: meshes, solids, placements through groups and links."""
 import threading
+import time
 
 import FreeCAD as App
 import numpy as np
@@ -92,6 +93,40 @@ class Convert(Case):
         hidden.Visibility = False
         self.doc.recompute()
         self.assert_box(group, "", (0, 0, 0), (10, 10, 10))
+
+    def test_python_goes_on_while_a_part_is_meshed(self):
+        if not (core.available() and core.has_solids()):
+            self.skipTest("the core was built without OpenCASCADE")
+        holes = [
+            Part.makeCylinder(1, 4, App.Vector(3 + 5 * (k % 10), 3 + 5 * (k // 10), 0))
+            for k in range(100)
+        ]
+        plate = self.doc.addObject("Part::Feature", "Plate")
+        plate.Shape = Part.makeBox(55, 55, 4).cut(Part.makeCompound(holes))
+        read, begin, found = convert.reader(plate, 0.01), threading.Event(), []
+
+        def work():
+            begin.wait()
+            found.append(read())
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        longest, began = 0.0, time.perf_counter()
+        last = began
+        begin.set()
+        while not found:
+            time.sleep(0.002)
+            now = time.perf_counter()
+            longest, last = max(longest, now - last), now
+        thread.join()
+        self.assertLess(longest, 0.5 * (last - began))
+        self.assertEqual(found[0][2].max() + 1, len(plate.Shape.Faces))
+
+    def test_faces_beside_a_solid_are_meshed_as_well(self):
+        box, loose = Part.makeBox(2, 2, 2), Part.makePlane(1, 1, App.Vector(5, 0, 0))
+        part = self.doc.addObject("Part::Feature", "Part")
+        part.Shape = Part.makeCompound([box, loose])
+        self.assertEqual(len(convert.reader(part, 0.1)()[1]), 12 + 2)
 
     def test_deflection_is_kept(self):
         ball = self.doc.addObject("Part::Sphere", "Ball")

@@ -146,7 +146,7 @@ class Paths(Case):
         self.doc.recompute()
         pairs, known = [(part, "")], len(self.doc.Objects)
         plan = path_plan.PathPlan(
-            self.doc, pairs, self.beside(pairs), extract=100.0, Required=0.5, Budget=1.0
+            self.doc, pairs, self.beside(pairs), extract=100.0, Required=0.5, Budget=5.0
         )
         report, path = path_plan.find(plan)
         self.assertEqual((report["verdict"], path), ("not_found", None))

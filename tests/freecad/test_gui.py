@@ -3,10 +3,12 @@
 
 SWEPT_SHOTS=DIR keeps the screenshots there.
 """
+import glob
 import os
 import shutil
 import subprocess
 import tempfile
+import xml.etree.ElementTree as Tree
 
 import pytest
 
@@ -20,17 +22,39 @@ def _freecad():
     return shutil.which("freecad") or shutil.which("FreeCAD")
 
 
+def _dark_settings():
+    """The dark theme of this FreeCAD: since 1.0 a pack of preferences, before a style sheet."""
+    packs = glob.glob("/usr/share/freecad/**/FreeCAD Dark.cfg", recursive=True)
+    if packs:
+        return Tree.parse(packs[0]).getroot()
+    groups = "".join(
+        '<FCParamGroup Name="{}">'.format(name)
+        for name in ("Root", "BaseApp", "Preferences", "MainWindow")
+    )
+    sheet = '<FCText Name="StyleSheet">Behave-dark.qss</FCText>'
+    return Tree.fromstring(
+        "<FCParameters>" + groups + sheet + 4 * "</FCParamGroup>" + "</FCParameters>"
+    )
+
+
+def _add(settings, others):
+    """Puts other settings into the tree of a profile."""
+    for other in others:
+        own = [e for e in settings if (e.tag, e.get("Name")) == (other.tag, other.get("Name"))]
+        if own and other.tag == "FCParamGroup":
+            _add(own[0], other)
+            continue
+        for element in own:
+            settings.remove(element)
+        settings.append(other)
+
+
 def _profile(home, dark):
     """The settings of a fresh FreeCAD that asks nothing at its start."""
-    with open(os.path.join(ROOT, "resources", "demo-user.cfg"), encoding="utf-8") as file:
-        text = file.read()
+    tree = Tree.parse(os.path.join(ROOT, "resources", "demo-user.cfg"))
     if dark:
-        style = '<FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">Behave-dark.qss</FCText>'
-        group = '<FCParamGroup Name="Preferences">'
-        assert text.count(group) == 1
-        text = text.replace(group, group + style + "</FCParamGroup>")
-    with open(os.path.join(home, "user.cfg"), "w", encoding="utf-8") as out:
-        out.write(text)
+        _add(tree.getroot(), _dark_settings())
+    tree.write(os.path.join(home, "user.cfg"), encoding="utf-8", xml_declaration=True)
 
 
 @pytest.mark.skipif(not shutil.which("xvfb-run"), reason="xvfb-run is not installed")

@@ -62,32 +62,42 @@ class Contents(Case):
         obj.Shape = plate(10).fuse(Part.makeSphere(3, V(30, 10, 4))).fuse(Part.makeTorus(9, 1))
         net = self.doc.addObject("Mesh::Feature", "Net")
         net.Mesh = Mesh.createSphere(5.1, 20)
-        first = contents.shape_text(obj), contents.mesh_text(net)
+        first = contents.text_of(obj), contents.text_of(net)
         obj.Shape.tessellate(0.1)
         obj.Placement = net.Placement = turn(31, V(1, 2, 3), V(1000.1, 7, 0.3))
-        self.assertEqual((contents.shape_text(obj), contents.mesh_text(net)), first)
+        self.assertEqual((contents.text_of(obj), contents.text_of(net)), first)
         path = os.path.join(self.folder, "c.FCStd")
         self.doc.saveAs(path)
         App.closeDocument(self.doc.Name)
         self.doc = App.openDocument(path)
         obj, net = self.doc.getObject("Plate"), self.doc.getObject("Net")
-        self.assertEqual((contents.shape_text(obj), contents.mesh_text(net)), first)
+        self.assertEqual((contents.text_of(obj), contents.text_of(net)), first)
 
     def test_a_mesh_that_changes_is_noticed_through_undo_too(self):
         net = self.doc.addObject("Mesh::Feature", "Net")
         net.Mesh = Mesh.createSphere(5, 20)
-        first = contents.mesh_text(net)
+        first = contents.text_of(net)
         self.doc.openTransaction("Bend")
         points = net.Mesh.Topology[0]
         points[7] += V(0, 0, 0.001)
         net.Mesh = Mesh.Mesh((points, net.Mesh.Topology[1]))
         self.doc.commitTransaction()
-        bent = contents.mesh_text(net)
+        bent = contents.text_of(net)
         self.assertNotEqual(bent, first)
         self.doc.undo()
-        self.assertEqual(contents.mesh_text(net), first)
+        self.assertEqual(contents.text_of(net), first)
         self.doc.redo()
-        self.assertEqual(contents.mesh_text(net), bent)
+        self.assertEqual(contents.text_of(net), bent)
+
+    def test_a_shape_that_is_gone(self):
+        obj = self.doc.addObject("Part::Feature", "Empty")
+        text = contents.text_of(obj)
+        self.assertIsNone(contents.apart.of(obj).corners())
+        obj.Shape = plate(10)
+        self.assertNotEqual(contents.text_of(obj), text)
+        self.assertEqual(contents.apart.of(obj).corners().shape, (8, 3))
+        obj.Shape = Part.Shape()
+        self.assertEqual(contents.text_of(obj), text)
 
     def test_500_faces_are_cheap(self):
         holes = [
@@ -569,6 +579,31 @@ class Frames(Case):
         envelope.compute(obj)
         self.assertEqual(path.Message, text)
         self.assertIn(text, obj.Message)
+
+
+class Saved(Scene):
+    def test_numbers_of_many_digits_are_the_same_when_a_document_is_opened(self):
+        third = 1.0 / 3.0 / 10  # a quantity of seventeen digits
+        self.swept.Tolerance = self.swept.Offset = third
+        self.body.Tolerance = 2 * third
+        self.check.Required, self.check.Deflection = 100 * third, third
+        self.doc.recompute()
+        envelope.compute(self.swept)
+        if core.has_solids():
+            solid.compute(self.body)
+        clearance.compute(self.check)
+        self.doc.recompute()
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        names = [obj.Name for obj in (self.swept, self.check, self.body)]
+        path = os.path.join(self.folder, "digits.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        for obj in self.doc.Objects:
+            obj.touch()
+        self.doc.recompute(None, True)
+        self.swept, self.check, self.body = map(self.doc.getObject, names)
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
 
 
 class OfBefore(Scene):

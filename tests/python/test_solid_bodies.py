@@ -70,6 +70,13 @@ def test_the_tolerance_is_an_option_or_follows_from_the_resolution(program, part
     assert done.returncode == 1 and report["code"] == "BadOption"
 
 
+def test_the_angle_between_triangles_is_an_option(part):
+    with pytest.raises(_swept.InvalidInput, match="0 rad; it must be above 0") as refused:
+        _swept.read_body(part / "part.step", tolerance=1.0, angle=0)
+    assert refused.value.code == "BadOption"
+    assert len(_swept.read_body(part / "part.step", tolerance=1.0, angle=0.5).triangles) == 12
+
+
 @pytest.mark.parametrize("name", ["part.step", "part.brep"])
 def test_the_content_counts_where_the_suffix_says_nothing(program, part, name):
     shutil.copy(part / name, part / "body.data")

@@ -1,150 +1,75 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What parts are made of, as short texts: another geometry or another place gives another text.
-
-A shape is read by points of all its edges and faces and by the poles of its free forms, a mesh by all its
-points and triangles. What was read is kept for each object: a shape's text as long as the object holds
-the very same shape (wherever it is placed), a mesh's until FreeCAD tells that it was changed.
-Cost: about 0.05 ms a face when a shape is new, 0.3 s for a new mesh of 1M triangles, else some microseconds.
+"""What parts are made of and where they stand, as short texts: another geometry or place gives another
+text. What one shape or mesh is made of is read in apart.py.
 """
-import hashlib
-
-import FreeCAD as App
 import numpy as np
 
-from . import convert
+from . import apart, convert
+from .apart import digest, rounded
 
-#: Points nearer than this (mm) are the same: ten times what FreeCAD takes for one point.
-SAME = 1e-6
 #: Places of matrices are rounded to so many decimals: documents keep sixteen digits.
 DECIMALS = 9
-#: Where edges and faces are looked at, as parts of their range: ends, and points that no symmetry of
-#: two, three or four joins.
-_EDGE = (0.0, 0.27, 0.5, 0.81, 1.0)
-_FACE = (0.13, 0.5, 0.92)
+#: Faces that may be read before a window waits: about a thirtieth of a second.
+MOST_AT_ONCE = 150
 
 #: Directions in which the outermost points of a part are looked for, and the chords of the mesh that is
 #: looked at, of its size: the box of a turning ball is then right to 0.3 %.
 DIRECTIONS, OUTLINE_CHORD = 642, 0.002
 
-_shapes, _meshes, _outlines = {}, {}, {}
-_observer = None
 
-
-class _Observer:
-    """Forgets meshes that were changed, and objects and documents that are gone."""
-
-    def slotChangedObject(self, obj, name):  # noqa: N802
-        if name == "Mesh":
-            _meshes.pop(_key(obj), None)
-
-    def slotDeletedObject(self, obj):  # noqa: N802
-        for known in (_shapes, _meshes, _outlines):
-            known.pop(_key(obj), None)
-
-    def slotDeletedDocument(self, document):  # noqa: N802
-        for known in (_shapes, _meshes, _outlines):
-            for key in [key for key in known if key[0] == document.Name]:
-                del known[key]
-
-
-def _watch():
-    global _observer
-    if _observer is None:
-        _observer = _Observer()
-        App.addDocumentObserver(_observer)
-
-
-def _key(obj):
-    return obj.Document.Name, obj.Name
-
-
-def digest(numbers):
-    """Short text of an array as it is."""
-    return hashlib.sha256(np.ascontiguousarray(numbers).tobytes()).hexdigest()[:32]
-
-
-def _rounded(numbers, unit):
-    return np.rint(np.asarray(numbers, dtype=float) / unit) + 0.0  # no -0
+def steady(value):
+    """A number, or a dict of such, as a document that is saved and opened brings it back: it keeps sixteen
+    digits, and a hash that tells the seventeenth would call every result stale then."""
+    if isinstance(value, dict):
+        return {name: steady(one) for name, one in value.items()}
+    return float("{:.12g}".format(value)) if isinstance(value, float) else value
 
 
 def matrices(found):
     """Text of 4x4 matrices."""
-    return digest(_rounded(found, 10.0**-DECIMALS))
+    return digest(rounded(found, 10.0**-DECIMALS))
 
 
-def _poles(geometry):
-    """Of a curve or surface of free form: it may change between the points that are looked at."""
-    if not hasattr(geometry, "getPoles"):
-        return []
-    poles = geometry.getPoles()
-    if poles and isinstance(poles[0], (list, tuple)):
-        poles = [pole for row in poles for pole in row]
-    return poles
+def words(pairs):
+    """What parts given as (root, sub) are made of and where they stand: texts, and apart.Apart where the text
+    may have to be read first."""
+    found = []
+    for root, sub in pairs:
+        for linked, path in convert.leaves(root, sub):
+            found += [matrices(convert.global_matrix(root, path)), apart.of(linked)]
+    return found or [""]
 
 
-def _edge_points(edge):
-    try:
-        curve, (low, high) = edge.Curve, edge.ParameterRange
-        return [edge.valueAt(low + (high - low) * u) for u in _EDGE] + _poles(curve)
-    except (TypeError, RuntimeError, AttributeError):  # the pole of a sphere has no curve
-        return [vertex.Point for vertex in edge.Vertexes]
+def texts(found):
+    """The texts of words; any thread, where those were prepared() for that."""
+    return [word.text() if isinstance(word, apart.Apart) else word for word in found]
 
 
-def _face_points(face):
-    u0, u1, v0, v1 = face.ParameterRange
-    found = [face.valueAt(u0 + (u1 - u0) * u, v0 + (v1 - v0) * v) for u in _FACE for v in _FACE]
-    return found + _poles(face.Surface)
+def unread(found):
+    """What is to be read before the texts of words are known."""
+    return [word for word in found if isinstance(word, apart.Apart) and word.cost()]
 
 
-def _read_shape(shape):
-    import Part
-
-    local = Part.Shape(shape)
-    local.Placement = App.Placement()
-    points, counts = [], [len(local.Solids), len(local.Shells), len(local.Faces)]
-    for items, look in ((local.Faces, _face_points), (local.Edges, _edge_points)):
-        for item in items:
-            found = look(item)
-            points += found
-            counts.append(len(found))
-    points += [vertex.Point for vertex in local.Vertexes]
-    rows = _rounded([tuple(point) for point in points], SAME)
-    return digest(rows) + digest(np.array(counts))
+def is_much(found):
+    """Whether reading so much (as unread() gives it) would hold up a window."""
+    return sum(part.cost() for part in found) > MOST_AT_ONCE
 
 
-def shape_text(obj):
-    """Text of the shape of a Part::Feature, without its placement."""
-    _watch()
-    shape, key = obj.Shape, _key(obj)
-    known = _shapes.get(key)
-    if known is None or not known[0].isPartner(shape):
-        known = _shapes[key] = shape, _read_shape(shape)
-    return known[1]
-
-
-def mesh_text(obj):
-    """Text of the mesh of a Mesh::Feature, without its placement."""
-    _watch()
-    key = _key(obj)
-    if key not in _meshes:
-        vertices, triangles = convert.arrays_from_mesh(obj.Mesh)
-        _meshes[key] = digest(vertices) + digest(triangles)
-    return _meshes[key]
+def prepared(found):
+    """The words, ready for another thread."""
+    for part in unread(found):
+        part.detached()
+    return found
 
 
 def signature(pairs):
     """Text of parts given as (root, sub): what they are made of and where they stand."""
-    words = []
-    for root, sub in pairs:
-        for linked, path in convert.leaves(root, sub):
-            words.append(matrices(convert.global_matrix(root, path)))
-            words.append(text_of(linked))
-    return "\n".join(words)
+    return "\n".join(texts(words(pairs)))
 
 
 def text_of(obj):
     """Text of a shape or a mesh, without its placement."""
-    return mesh_text(obj) if obj.isDerivedFrom("Mesh::Feature") else shape_text(obj)
+    return apart.of(obj).text()
 
 
 class KeptBodies:
@@ -157,7 +82,7 @@ class KeptBodies:
 
     def read(self, pairs, deflection):
         """As convert.body_from."""
-        key = signature(pairs), deflection
+        key = words(pairs), deflection
         found = [body for known, body in self._kept if known == key]
         body = found[0] if found else convert.body_from(pairs, deflection)
         others = [kept for kept in self._kept if kept[0] != key]
@@ -166,33 +91,46 @@ class KeptBodies:
 
 
 def outline(pairs):
-    """World points (k,3) of parts that lie outermost in many directions, for the box of a sweep. Kept as the
-    texts are. Raises InputProblem."""
+    """A function for any thread: world points (k,3) of parts that lie outermost in many directions, for the
+    box of a sweep. Kept as the texts are. Raises InputProblem, and so does the function."""
     found = []
     for root, sub in pairs:
-        parts = convert.leaves(root, sub)
-        for linked, path in parts:
-            if len(parts) == 1 or convert.solid_like(linked):
-                try:
-                    points = _outline_of(linked)
-                except convert.InputProblem as problem:
-                    label = convert.label_of(root, sub)
-                    raise convert.InputProblem('"{}": {}'.format(label, problem)) from None
-                found.append(convert.transform(convert.global_matrix(root, path), points))
+        label = convert.label_of(root, sub)
+        for linked, path in convert.solid_leaves(root, sub):
+            found.append((label, convert.global_matrix(root, path), _outline_reader(linked, label)))
     if not found:
         raise convert.InputProblem(convert.no_part_text())
-    return np.vstack(found)
+    return lambda: np.vstack(
+        [convert.transform(matrix, _named(label, read)) for label, matrix, read in found]
+    )
 
 
-def _outline_of(obj):
-    text, key = text_of(obj), _key(obj)
-    known = _outlines.get(key)
-    if known is None or known[0] != text:
-        mesh = obj.isDerivedFrom("Mesh::Feature")
-        size = 0.0 if mesh else obj.Shape.BoundBox.DiagonalLength
-        points = convert.reader(obj, max(OUTLINE_CHORD * size, 1e-6))()[0]
-        known = _outlines[key] = text, points[_outermost(points)]
-    return known[1]
+def is_outlined(pairs):
+    """Whether outline() is known and need not be read."""
+    parts = [linked for pair in pairs for linked, _ in convert.solid_leaves(*pair)]
+    return all(apart.of(linked).knows("outermost") for linked in parts)
+
+
+def _named(label, read):
+    try:
+        return read()
+    except convert.InputProblem as problem:
+        raise convert.InputProblem('"{}": {}'.format(label, problem)) from None
+
+
+def _outline_reader(obj, label):
+    part = apart.of(obj)
+    if part.knows("outermost"):
+        return lambda: part.once("outermost", None)
+    corners = part.corners()
+    size = 0.0 if corners is None else float(np.linalg.norm(np.ptp(corners, axis=0)))
+    read = _named(label, lambda: convert.reader(obj, max(OUTLINE_CHORD * size, 1e-6)))
+
+    def outermost():
+        points = read()[0]
+        return points[_outermost(points)]
+
+    return lambda: part.once("outermost", outermost)
 
 
 def _outermost(points):

@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD objects <-> numpy arrays. Units: mm, s. No GUI.
 
-Ways chosen by measurement: meshes go in and out as binary PLY, solids are meshed by MeshPart.
 Coordinates of a FreeCAD mesh are single precision, so bodies are taken in their own local frame and
 moved to the world in double precision.
 """
-import io
 import os
 import tempfile
 
 import FreeCAD as App
 import numpy as np
 
-from . import core
+from . import apart, core
 from .body import Body, InputProblem, transform  # noqa: F401 (read from here as well)
+from .meshes import arrays_from_mesh, mesh_from_arrays  # noqa: F401 (read from here as well)
 from .texts import translate
 
 #: Angular deflection of meshed solids (rad); the linear one follows the cell.
@@ -43,106 +42,7 @@ def placements_from(translations, rotations):
     ]
 
 
-# --- meshes
-
-
-def _far_middle(vertices):
-    """Middle of a mesh that is farther from the origin than 32 times its size, in whole mm, or None."""
-    if not len(vertices) or not np.isfinite(vertices).all():
-        return None
-    low, high = vertices.min(axis=0), vertices.max(axis=0)
-    middle = np.round((low + high) / 2)
-    return middle if np.abs(middle).max() > 32 * (high - low).max() else None
-
-
-def _ply(vertices, triangles):
-    """As FreeCAD reads a binary PLY file."""
-    head = (
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n"
-        "property float y\nproperty float z\nelement face {}\n"
-        "property list uchar int vertex_indices\nend_header\n"
-    ).format(len(vertices), len(triangles))
-    faces = np.zeros(len(triangles), dtype=[("c", "u1"), ("i", "<i4", 3)])
-    faces["c"] = 3
-    faces["i"] = triangles
-    return head.encode() + np.ascontiguousarray(vertices, "<f4").tobytes() + faces.tobytes()
-
-
-class _Stream:
-    """Bytes to read. FreeCAD asks for some hundred at a time, and between two of these calls other
-    threads come to their turn, which they would not with a stream that is no Python code."""
-
-    def __init__(self, data):
-        self._inner = io.BytesIO(data)
-
-    def read(self, size=-1):
-        return self._inner.read(size)
-
-    def seek(self, *where):
-        return self._inner.seek(*where)
-
-    def tell(self):
-        return self._inner.tell()
-
-
-def mesh_from_arrays(vertices, triangles, beside=False):
-    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept. `beside`: in a thread beside the window's,
-    which goes on meanwhile.
-
-    Far from the origin single precision would bend the mesh: there it is local, with a placement.
-    """
-    import Mesh
-
-    middle = _far_middle(vertices)
-    if middle is not None:
-        mesh = mesh_from_arrays(vertices - middle, triangles, beside)
-        mesh.Placement = App.Placement(App.Vector(*middle), App.Rotation())
-        return mesh
-    mesh = Mesh.Mesh()
-    if beside:
-        try:
-            mesh.read(_Stream(core.mesh_file(vertices, triangles)), "BMS")
-        except Exception as problem:  # a FreeCAD that takes no such stream
-            App.Console.PrintLog("Swept Volume: mesh not read as BMS: {}\n".format(problem))
-        if (mesh.CountPoints, mesh.CountFacets) == (len(vertices), len(triangles)):
-            return mesh
-        mesh = Mesh.Mesh()
-    mesh.read(io.BytesIO(_ply(vertices, triangles)), "PLY")
-    return mesh
-
-
-def _no_room_text():
-    return translate(
-        "Messages",
-        "the mesh could not be written to the temporary folder {0}: make room there, or set the "
-        "environment variable TMPDIR to another folder.",
-    ).format(tempfile.gettempdir())
-
-
-def arrays_from_mesh(mesh):
-    """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
-    local = mesh.copy()
-    local.Placement = App.Placement()
-    handle, path = tempfile.mkstemp(suffix=".ply")
-    os.close(handle)
-    try:
-        local.write(path)
-        with open(path, "rb") as file:
-            data = file.read()
-    finally:
-        os.remove(path)
-    if b"end_header\n" not in data:
-        raise InputProblem(_no_room_text())
-    start = data.index(b"end_header\n") + len(b"end_header\n")
-    head = data[:start].decode("ascii")
-    points = int(head.split("element vertex ")[1].split()[0])
-    facets = int(head.split("element face ")[1].split()[0])
-    if len(data) < start + 12 * points + 13 * facets:
-        raise InputProblem(_no_room_text())
-    vertices = np.frombuffer(data, "<f4", points * 3, start).reshape(-1, 3).astype(float)
-    kind = [("c", "u1"), ("i", "<i4", 3)]
-    triangles = np.frombuffer(data, kind, facets, start + 12 * points)["i"].astype(np.int32)
-    return vertices, triangles
+# --- solids and meshes as bodies
 
 
 def _faces_of_facets(mesh, shape):
@@ -155,10 +55,30 @@ def _faces_of_facets(mesh, shape):
     return faces if faces.min() >= 0 else None
 
 
-def _shape_reader(shape, deflection):
+def _read_by_core(shape, deflection):
+    """The triangles of a shape made by the core, which lets the window go on meanwhile; FreeCAD's mesher
+    keeps Python's lock. None where the core cannot: built without OpenCASCADE, or faces beside the solids.
+    """
+    inside = sum(solid.countElement("Face") for solid in shape.Solids)
+    if not (core.available() and core.has_solids()) or inside != shape.countElement("Face"):
+        return None
+    handle, path = tempfile.mkstemp(suffix=".brep")
+    os.close(handle)
+    try:
+        shape.exportBrep(path)
+        return core.read_solid(path, deflection, ANGULAR_DEFLECTION)
+    except (core.CoreError, OSError) as problem:
+        App.Console.PrintLog("Swept Volume: meshed by FreeCAD: {}\n".format(problem))
+        return None
+    finally:
+        os.remove(path)
+
+
+def _shape_reader(part, deflection):
     """As reader()."""
     import MeshPart
 
+    shape = part.shape
     if not shape.Solids and not any(s.isClosed() for s in shape.Shells):
         raise InputProblem(
             translate(
@@ -167,11 +87,14 @@ def _shape_reader(shape, deflection):
                 "solid or Part > Shape builder close a shape.",
             ).format(len(shape.Faces))
         )
-    # A copy: the triangulation is cached in the shape, a finer one would be reused for ever.
-    local = shape.copy()
-    local.Placement = App.Placement()
+    kept = part.detached()
 
     def read():
+        found = _read_by_core(kept, float(deflection))
+        if found is not None:
+            return found
+        # A copy: the triangulation is cached in the shape, a finer one would be reused for ever.
+        local = kept.copy()
         mesh = MeshPart.meshFromShape(
             Shape=local,
             LinearDeflection=float(deflection),
@@ -284,12 +207,18 @@ def reader(linked, deflection):
     if linked.isDerivedFrom("Mesh::Feature"):
         mesh = linked.Mesh.copy()
         return lambda: arrays_from_mesh(mesh) + (None,)
-    return _shape_reader(linked.Shape, deflection)
+    return _shape_reader(apart.of(linked), deflection)
 
 
 def solid_like(linked):
     """Helper geometry inside groups (datum planes, sketches) is passed over silently."""
     return linked.isDerivedFrom("Mesh::Feature") or bool(linked.Shape.Solids or linked.Shape.Shells)
+
+
+def solid_leaves(root, sub):
+    """leaves() without helper geometry beside others."""
+    parts = leaves(root, sub)
+    return parts if len(parts) == 1 else [part for part in parts if solid_like(part[0])]
 
 
 def no_part_text():
@@ -304,9 +233,7 @@ def body_from(pairs, deflection):
     for root, sub in pairs:
         label = label_of(root, sub)
         labels.append(label)
-        parts = leaves(root, sub)
-        if len(parts) > 1:
-            parts = [part for part in parts if solid_like(part[0])]
+        parts = solid_leaves(root, sub)
         if not parts:
             raise InputProblem(
                 translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
@@ -325,26 +252,10 @@ def box_corners(pairs):
     """The eight world corners of each leaf's box (k,3): cheap, no meshing."""
     corners = []
     for root, sub in pairs:
-        parts = leaves(root, sub)
-        for linked, path in parts:
-            if len(parts) > 1 and not solid_like(linked):
-                continue
-            data = (
-                linked.Mesh.copy() if linked.isDerivedFrom("Mesh::Feature") else linked.Shape.copy()
-            )
-            data.Placement = App.Placement()
-            box = data.BoundBox
-            if not box.isValid():
-                continue
-            local = np.array(
-                [
-                    (x, y, z)
-                    for x in (box.XMin, box.XMax)
-                    for y in (box.YMin, box.YMax)
-                    for z in (box.ZMin, box.ZMax)
-                ]
-            )
-            corners.append(transform(global_matrix(root, path), local))
+        for linked, path in solid_leaves(root, sub):
+            local = apart.of(linked).corners()
+            if local is not None:
+                corners.append(transform(global_matrix(root, path), local))
     if not corners:
         raise InputProblem(translate("Messages", "the moving part is empty."))
     return np.vstack(corners)

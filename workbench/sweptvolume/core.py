@@ -196,6 +196,9 @@ class Control:
         self._cancelled = True
         self.context.cancel()
 
+    def is_cancelled(self):
+        return self._cancelled
+
     def progress(self):
         """Overall progress, 0 to 1."""
         return (self._part + self.context.progress) / self._parts
@@ -286,6 +289,14 @@ def read_motion(path, unit):
     with errors():
         times, rotations, translations = module().read_trajectory_csv(path, unit)
     return times, translations, rotations
+
+
+def read_solid(path, deflection, angle):
+    """All solids of a BREP file as triangles: vertices (n,3) mm, triangles (m,3), number of each one's face
+    (m,). deflection: mm; angle: rad. Raises CoreError."""
+    with errors():
+        found = module().read_body(path, tolerance=deflection, angle=angle)
+    return found.vertices, found.triangles, found.faces
 
 
 def write_mesh(vertices, triangles, path):

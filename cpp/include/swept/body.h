@@ -17,6 +17,7 @@ struct BodyFileOptions {
   std::optional<double> tolerance;
   std::optional<double> cellSize;  ///< mm: of the run to come; not given: from resolution
   int resolution = 128;            ///< cells along the longest side of the sweep
+  double angle = 0.2;  ///< rad between neighbouring triangles of a solid: a circle has 32 sides
 };
 
 struct Body {

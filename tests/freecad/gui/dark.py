@@ -63,6 +63,7 @@ def scenario():
         form = [w for w in window.findChildren(QtWidgets.QGroupBox) if w.isVisible()][0]
         text = form.palette().color(QtGui.QPalette.WindowText).lightness()
         say("{}: lightness of the text {}".format(name, text))
+        assert text > 127, "the theme is not dark"
         shot("42_dark_" + name)
         yield 0.8
         click(panel_button(Close if name == "Clearance" else Cancel))

@@ -108,7 +108,8 @@ def robot_arm(keyboard):
     yield 0.5
     Gui.Selection.clearSelection()
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
-    assert focused() == "SweptVolumeKeys" and table.rowCount() == 0, focused()
+    yield lambda: focused() == "SweptVolumeKeys"
+    assert table.rowCount() == 0
     choose("SweptVolumePivot", "Origin")  # what was recorded is the placement
     for count, (time, place) in enumerate(recorded[:CAPTURED], 1):
         gripper.Placement = place

@@ -65,6 +65,17 @@ def box_before_a_wall():
     assert abs(float(text().split()[0]) - (20 - moved)) < 0.05, (text(), moved)
     shot("80_live_clearance")
     yield 0.7
+    # The wall is moved while the editor is open.
+    wall = doc.Wall
+    wall.Placement.Base.z += 7
+    yield 0.7
+    start = panel._standing_at(0).multiply(panel.handle).Base
+    tip = start + V(0, 0, panel.dragger.arrow)
+    yield from drag(tip, tip + V(0, 0, 1))
+    moved = panel.keys.placements[0].Base.z
+    yield lambda: " to Wall" in text() and abs(float(text().split()[0]) - (27 - moved)) < 0.05
+    wall.Placement.Base.z -= 7
+    yield 0.7
     # Farther: into the wall.
     start = panel._standing_at(0).multiply(panel.handle).Base
     tip = start + V(0, 0, panel.dragger.arrow)

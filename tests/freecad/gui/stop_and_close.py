@@ -32,6 +32,8 @@ ANSWER = 0.3
 WORK = 0.2
 #: s from closing the window to the end of the process.
 END = 2.0
+#: Along a side of a plate.
+HOLES = 16
 #: Where the bar stands, as a fraction of its length, when the run is stopped.
 PARTS = (0.05, 0.2, 0.4, 0.6, 0.7, 0.8, 0.86)
 
@@ -68,6 +70,33 @@ def heavy(doc, body, path):
     click(panel_button(Ok))
     yield lambda: bool(runner.running())
     return panel
+
+
+def stopped_while_meshing(doc, path):
+    """A plate with holes enough that its triangles take seconds."""
+    import Part
+
+    from sweptvolume.panels import envelope_panel
+
+    holes = [
+        Part.makeCylinder(1, 4, V(3 + 5 * (k % HOLES), 3 + 5 * (k // HOLES), 0))
+        for k in range(HOLES**2)
+    ]
+    side = 5 * HOLES + 1
+    plate = doc.addObject("Part::Feature", "Plate")
+    plate.Shape = Part.makeBox(side, side, 4).cut(Part.makeCompound(holes))
+    panel = envelope_panel.show(doc, [(plate, "")], path)
+    panel.by.setCurrentIndex(1)
+    panel.cell.setProperty("rawValue", 0.2)
+    yield 0.3
+    click(panel_button(Ok))
+    yield lambda: panel.run is not None
+    yield 0.3
+    assert panel.run.control.progress() == 0, "the plate was meshed before it could be stopped"
+    yield from stopped_at(panel, 0)
+    panel.reject()
+    yield no_panel
+    doc.removeObject(plate.Name)
 
 
 def reached(panel, part):
@@ -133,6 +162,7 @@ def scenario():
     yield 0.3
     panel.reject()
     yield no_panel
+    yield from stopped_while_meshing(doc, path)
     # Closed in the middle of a run.
     panel = yield from heavy(doc, body, path)
     yield reached(panel, 0.5)

@@ -150,7 +150,7 @@ def notes_of(obj):
 
 def fail(obj, text, tried, cancelled=False):
     """Remembers a run that gave nothing; the stored result stays. tried: hash of its inputs."""
-    status.mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
+    status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
 
 
 def follow_all_visible(obj):
@@ -171,7 +171,9 @@ def follow_all_visible(obj):
 def update_status(obj):
     """Compares inputs and stored result."""
     plan = Plan.of(obj)
-    now, problem = status.hash_or_problem(plan.checked_hash)
+    now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
+    if waits:
+        return
     waiting = any(map(status.is_behind, plan.objects() + convert.targets(plan.neighbours)))
     status.judge(obj, now, problem, waiting, notes_of(obj))
 

@@ -106,6 +106,7 @@ class Plan:
         self.values = dict(values)
         self.envelope = envelope
         self.lost = ""  # what was deleted that the object needs
+        self._words = None
 
     @classmethod
     def of(cls, obj):
@@ -244,15 +245,23 @@ class Plan:
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
         return status.hash_or_problem(self.checked_hash)[0]
 
+    def words(self):
+        """Of all the result depends on, as it was when this was first asked (contents.words()). Raises
+        InputProblem that says why the inputs are unusable."""
+        if self._words is None:
+            # Undo brings objects back in another order.
+            beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
+            words = self.moving().words() + contents.words(beside) + [self._settings()]
+            if self.envelope is not None:  # whose points are coloured
+                words.append(contents.apart.of(self.envelope))
+                words.append(contents.matrices(convert.matrix_of(_place_of(self.envelope))))
+            self._words = words
+        return self._words
+
     def checked_hash(self):
-        """As hash(); raises InputProblem that says why the inputs are unusable."""
-        # Undo brings objects back in another order.
-        beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
-        words = self.moving().words() + [contents.signature(beside), self._settings()]
-        if self.envelope is not None:  # whose points are coloured
-            words.append(contents.mesh_text(self.envelope))
-            words.append(contents.matrices(convert.matrix_of(_place_of(self.envelope))))
-        return status.VERSION + _short(words)
+        """As hash(); raises InputProblem that says why the inputs are unusable. Any thread, where the words
+        were prepared for that."""
+        return status.VERSION + _short(contents.texts(self.words()))
 
     def hash_of_before(self):
         """As version 1 had it; raises InputProblem."""
@@ -260,7 +269,7 @@ class Plan:
         return _short(words + [contents.signature_of_before(self.leaves()), self._settings()])
 
     def _settings(self):
-        return json.dumps(self.values, sort_keys=True)
+        return json.dumps(contents.steady(self.values), sort_keys=True)
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""

@@ -7,7 +7,7 @@ A run is three steps: prepare() reads the document (GUI thread), what it returns
 """
 import json
 
-from .. import convert, core, joined
+from .. import contents, convert, core, joined
 from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
@@ -126,8 +126,8 @@ def prepare(plan, document):
     Raises InputProblem.
     """
     findings = plan.findings()
-    key = plan.hash(without=("tolerance",))
-    before = kept.find(document, key)
+    known = not contents.unread(plan.words())  # else nothing is kept of them
+    before = kept.find(document, plan.hash(without=("tolerance",))) if known else None
     if before is not None and plan.records() and not core.has_sources(before):
         before = None
     if before is None:
@@ -139,7 +139,7 @@ def prepare(plan, document):
             found = work(requests, union_options, control)
         else:
             found = core.recut(before, plan.options()["tolerance"], control)
-        found.key = key
+        found.key = plan.hash(without=("tolerance",))
         found.report["warnings"] = list(found.report["warnings"]) + findings
         return found
 
@@ -151,7 +151,8 @@ def can_recut(obj):
     if not obj.InputHash:
         return False
     plan = Plan.of(obj)
-    if plan.hash() == obj.InputHash:
+    unread = contents.unread(status.hash_or_problem(plan.words)[0])
+    if unread or plan.hash() == obj.InputHash:  # of parts that were not read nothing is kept
         return False
     return kept.find(obj.Document, plan.hash(without=("tolerance",))) is not None
 
@@ -159,7 +160,9 @@ def can_recut(obj):
 def update_status(obj):
     """Compares inputs and stored result."""
     plan = Plan.of(obj)
-    now, problem = status.hash_or_problem(plan.checked_hash)
+    now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
+    if waits:
+        return
     if now and status.is_displaced(obj):
         now += " moved"
     waiting = any(map(status.is_behind, plan.objects() + convert.targets(plan.pairs)))
@@ -208,7 +211,7 @@ def apply(obj, outcome, hash_at_start):
 
 def fail(obj, text, tried, cancelled=False):
     """Remembers a run that gave nothing; the stored mesh stays as it is. tried: hash of its inputs."""
-    status.mark_failure(obj, Plan.of(obj).hash(), text, tried, cancelled)
+    status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
     status.tell_users(obj)
 
 

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 
-from .. import convert, core
+from .. import contents, convert, core
 from ..convert import InputProblem
 from ..texts import translate
 from ..trajectory.poses import swept_box
@@ -41,7 +41,7 @@ class Plan:
         self.motions = list(motions) if any(m is not motion for m in motions) else []
         self.reference = reference
         self.reference_motion = reference_motion
-        self._words = None  # of the parts and motions, as they were when first asked
+        self._words = None
 
     @classmethod
     def of(cls, obj):
@@ -134,11 +134,17 @@ class Plan:
         options that are left out."""
         return status.hash_or_problem(lambda: self.checked_hash(without))[0]
 
-    def checked_hash(self, without=()):
-        """As hash(); raises InputProblem that says why the inputs are unusable."""
+    def words(self):
+        """Of the parts and motions as they were when this was first asked (contents.words()). Raises
+        InputProblem that says why the inputs are unusable."""
         if self._words is None:
             self._words = [word for group in self.groups() for word in group.words()]
-        return status.VERSION + self._hash(self._words, without)
+        return self._words
+
+    def checked_hash(self, without=()):
+        """As hash(); raises InputProblem that says why the inputs are unusable. Any thread, where the words
+        were prepared for that."""
+        return status.VERSION + self._hash(contents.texts(self.words()), without)
 
     def hash_of_before(self):
         """As version 1 had it; raises InputProblem."""
@@ -151,7 +157,8 @@ class Plan:
             del options[name]
         if not options["position_filter"]:
             del options["position_filter"]  # so are those made before there was one
-        words = [json.dumps(options, sort_keys=True), repr(self.values["MeshDeflection"])]
+        options = json.dumps(contents.steady(options), sort_keys=True)
+        words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
         return hashlib.sha256("\n".join(words + inputs).encode()).hexdigest()[:32]
 
     def cell(self, groups):
@@ -226,16 +233,28 @@ class Plan:
             options["cell"] = self.cell(groups)
         tolerance = STRAIGHT * self.cell(groups)
         return _together(
-            [core.estimate(g.request(g.outline(), tolerance, options)) for g in groups]
+            [core.estimate(g.request(g.outline()(), tolerance, options)) for g in groups]
         )
+
+    def is_outlined(self):
+        """Whether estimate() answers at once: the outermost points of the parts are known."""
+        return all(contents.is_outlined(group.pairs) for group in self.groups())
 
     def closer_estimate(self, read=convert.body_from):
         """A function of a core.Control that gives a better estimate, for another thread: a few steps of the
-        parts are sampled. Solids get triangles for it that are quickly made."""
-        corners = [group.corners() for group in self.groups()]
-        size = min(float(np.ptp(points, axis=0).max()) for points in corners)
+        parts are sampled. Solids get triangles for it that are quickly made. It finds the outermost points
+        as well."""
+        groups = self.groups()
+        size = min(float(np.ptp(group.corners(), axis=0).max()) for group in groups)
+        outlines = [group.outline() for group in groups]
         requests = self.requests(LOOK_DEFLECTION * size, read)
-        return lambda control: _together([core.estimate(r, control) for r in requests])
+
+        def found(control):
+            for outline in outlines:
+                outline()
+            return _together([core.estimate(request, control) for request in requests])
+
+        return found
 
 
 def _together(found):

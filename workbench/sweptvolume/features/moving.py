@@ -7,6 +7,7 @@ import numpy as np
 
 from .. import contents, convert, core
 from ..convert import InputProblem, matrix_of, transform
+from ..quantities import number, quantity
 from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import (
@@ -107,9 +108,9 @@ class Moving:
             )
 
     def words(self):
-        """Texts that change with the geometry and the motion. Raises InputProblem."""
+        """What changes with the geometry and the motion, as contents.words(). Raises InputProblem."""
         self.check()
-        words = [contents.signature(self.pairs)] + motion_feature.words(self.motion)
+        words = contents.words(self.pairs) + motion_feature.words(self.motion)
         if self.reference_motion is not None:
             standing = convert.global_placement(*self.reference)
             words.append(contents.matrices(convert.matrix_of(standing)))
@@ -158,17 +159,22 @@ class Moving:
                 most, where = reach, poses.times[k]
         text = translate(
             "Messages",
-            'the frames of "{0}" lie far apart: near {1:g} s the part may leave its way between two of them '
-            "by about {2:.3g} mm. Read the motion with smaller steps.",
-        ).format(self.motion.Label, where, most)
+            'the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them '
+            "by about {2}. Read the motion with smaller steps.",
+        ).format(self.motion.Label, number(where), quantity(most))
         return most, text
 
     def outline(self):
-        """Outermost points of the parts in the base frame (k,3), and triangles that hold them together, as
-        a body."""
-        points = convert.transform(self.into_base(), contents.outline(self.pairs))
-        strip = np.arange(len(points))[:, None] + np.arange(3)
-        return core.Triangles(points, (strip % len(points)).astype(np.int32))
+        """A function for any thread: outermost points of the parts in the base frame (k,3), and triangles
+        that hold them together, as a body."""
+        matrix, outline = self.into_base(), contents.outline(self.pairs)
+
+        def found():
+            points = convert.transform(matrix, outline())
+            strip = np.arange(len(points))[:, None] + np.arange(3)
+            return core.Triangles(points, (strip % len(points)).astype(np.int32))
+
+        return found
 
     def curved(self):
         """Whether the core gets straight pieces in place of a curved way."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import contents, convert, core
 from ..convert import InputProblem
+from ..quantities import quantity
 from ..texts import translate
 from . import envelope as envelope_feature
 from . import faceted, missing, status
@@ -92,9 +93,18 @@ def input_hash(obj):
 
 def checked_hash(source, wanted):
     """The same, of a source and settings as DEFAULTS. Raises InputProblem."""
+    return hash_of(words_of(source, wanted))
+
+
+def hash_of(words):
+    """Of what words_of() gives; any thread, where it was prepared for that."""
+    return status.VERSION + _short(contents.texts(words))
+
+
+def words_of(source, wanted):
+    """What goes into it, as contents.words(). Raises InputProblem."""
     _check_source(source)
-    words = [contents.signature([convert.root_path(source)])] + _words(source, wanted)
-    return status.VERSION + _short(words)
+    return contents.words([convert.root_path(source)]) + _words(source, wanted)
 
 
 def hash_of_before(obj):
@@ -114,7 +124,7 @@ def _words(source, wanted):
     words = [str(wanted["merge"])]
     # With the defaults as before these properties: solids of older documents stay current.
     if wanted["tolerance"] > 0:
-        words.append(repr(wanted["tolerance"]))
+        words.append(repr(contents.steady(wanted["tolerance"])))
     if wanted["max_faces"] != MAX_FACES:
         words.append("at most {} faces".format(wanted["max_faces"]))
     if envelope_feature.is_envelope(source):
@@ -138,7 +148,12 @@ def _check_source(source):
 def update_status(obj):
     """Compares inputs and stored result; what is made of a stale envelope is stale as well."""
     lost = missing.text(obj)
-    now, problem = status.hash_or_problem(lambda: checked_hash(obj.Source, settings(obj)))
+    given = obj.Source, settings(obj)
+    now, problem, waits = status.inputs_of(
+        obj, lambda: words_of(*given), lambda: checked_hash(*given)
+    )
+    if waits:
+        return
     if now and status.is_displaced(obj):
         now += " moved"
     waiting = obj.Source is not None and status.is_behind(obj.Source)
@@ -152,9 +167,9 @@ def notes_of(obj):
         return ""
     return translate(
         "Messages",
-        "the largest tolerance of an edge is {0:.3g} mm, more than the {1:.3g} mm by which the solid leaves "
-        "the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.",
-    ).format(obj.EdgeTolerance.Value, asked)
+        "the largest tolerance of an edge is {0}, more than the {1} by which the solid leaves the mesh: its "
+        "faces meet no nearer there. A smaller Tolerance gives more faces that fit better.",
+    ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
 
 
 class Request:
@@ -295,7 +310,7 @@ def apply(obj, value, hash_at_start):
 
 def fail(obj, text, tried, cancelled=False):
     """Remembers a run that gave nothing; the stored shape stays as it is. tried: hash of its inputs."""
-    status.mark_failure(obj, input_hash(obj), text, tried, cancelled)
+    status.mark_failure(obj, lambda: input_hash(obj), text, tried, cancelled)
     status.tell_users(obj)
 
 

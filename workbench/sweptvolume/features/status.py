@@ -4,8 +4,9 @@
 It says what a fresh computation would justify. InputHash: of the inputs of the stored result; TriedHash:
 of those of the last run that gave nothing.
 """
-from .. import convert
+from .. import contents, convert
 from ..convert import InputProblem
+from ..texts import translate
 from .base import (
     CANCELLED,
     FAILED,
@@ -19,6 +20,11 @@ from .base import (
 
 #: Before the hashes of today; those of before have none.
 VERSION = "2:"
+#: In place of a hash that nothing stored could be compared with.
+NOT_READ = "not read"
+#: Reads parts (apart.Apart) beside the window and lets an object look again then: function(obj, parts). None:
+#: there is no window, they are read at once.
+read_beside = None
 
 
 def hash_or_problem(make):
@@ -27,6 +33,24 @@ def hash_or_problem(make):
         return make(), ""
     except (InputProblem, RuntimeError, AttributeError) as problem:
         return "", str(problem) or type(problem).__name__
+
+
+def inputs_of(obj, words, make):
+    """(hash, problem, False) as judge() takes them; (.., .., True): the parts are read first, and the object
+    looks again then, with a result that counts as stale until it is known to be current. words: gives
+    contents.words(); make: gives the hash; both raise InputProblem."""
+    found, problem = hash_or_problem(words)
+    if problem or not obj.InputHash and not obj.TriedHash:
+        return "" if problem else NOT_READ, problem, False
+    unread = contents.unread(found)
+    if read_beside is None or not contents.is_much(unread):
+        return hash_or_problem(make) + (False,)
+    if obj.Status == UP_TO_DATE:
+        set_changed(obj, "Status", STALE)
+        text = translate("Messages", "large parts are being read to see whether they have changed.")
+        set_changed(obj, "Message", text)
+    read_beside(obj, unread)
+    return "", "", True
 
 
 def judge(obj, now, problem="", waiting=False, notes=""):
@@ -50,9 +74,10 @@ def judge(obj, now, problem="", waiting=False, notes=""):
 
 
 def mark_failure(obj, now, text, tried, cancelled):
-    """Remembers a run that gave nothing. now: hash of the object's inputs; tried: hash of those of the
-    run, which may have had other settings: then a current result stays what it is."""
-    if obj.InputHash and obj.InputHash == now and tried != now:
+    """Remembers a run that gave nothing. now: gives the hash of the object's inputs; tried: hash of those of
+    the run ("": it did not come to read them), which may have had other settings: then a current result stays
+    what it is."""
+    if obj.InputHash and tried and tried != obj.InputHash and obj.InputHash == now():
         return
     set_changed(obj, "TriedHash", tried)
     set_changed(obj, "Status", CANCELLED if cancelled else FAILED)

@@ -242,7 +242,12 @@ class ClearancePanel(StayingPanel):
     # --- run
 
     def start(self):
-        if not self.begin(lambda: ClearanceTask(self.document, self.plan(), self.obj), self.ended):
+        if not self.begin(
+            lambda: ClearanceTask(self.document, self.plan(), self.obj),
+            self.ended,
+            lambda: self.plan().words(),
+            self.start,
+        ):
             return False
         self.check.setEnabled(False)
         return True

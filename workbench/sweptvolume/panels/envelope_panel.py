@@ -4,7 +4,7 @@ is written to the document before a run has ended well."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import contents, quantities, settings
+from .. import contents, quantities, reading, settings
 from ..convert import InputProblem
 from ..features.envelope_plan import Plan
 from ..features.envelope_properties import BACKENDS, COMPONENTS, MADE_BY
@@ -102,6 +102,7 @@ class EnvelopePanel(StartPanel):
         self.resolution = QtWidgets.QSpinBox()
         self.resolution.setRange(0, MOST_TYPED)
         self.resolution.setSingleStep(16)
+        self.resolution.setGroupSeparatorShown(True)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
         tip = translate("Panels", "Cells along the longest side of the sweep")
@@ -221,6 +222,9 @@ class EnvelopePanel(StartPanel):
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
         )
 
+    def _words(self):
+        return self.plan().words()
+
     def _accuracy_changed(self, *ignored):
         by_cell = self.by.currentData() == "CellSize"
         self.cell.setEnabled(by_cell)
@@ -235,6 +239,12 @@ class EnvelopePanel(StartPanel):
         """Nothing was changed for a moment: estimate and preview."""
         if not widgets.alive(self.document):
             self._close()
+            return
+        if reading.first(
+            self.document, self._words, id(self.form), lambda: self._read(self._changed)
+        ):
+            text = translate("Panels", "The parts are being read ...")
+            widgets.show_message(self.estimate_label, text)
             return
         self.estimate()
         self.ask_preview()
@@ -273,13 +283,14 @@ class EnvelopePanel(StartPanel):
         try:
             guard.check_fields(self.form)
             plan = self.plan()
-            e = plan.estimate()
+            text = self._grid_text(plan.estimate()) if plan.is_outlined() else ""
             self.look.want(plan.closer_estimate(self.bodies.read))
         except Exception as problem:
             self.look.stop()
             guard.tell(self.estimate_label, problem)
             return
-        self._show_estimate(self._grid_text(e))
+        if text:
+            self._show_estimate(text)
 
     def show_estimate(self, found):
         more = translate("Panels", "; about {0}, {1}")
@@ -318,7 +329,12 @@ class EnvelopePanel(StartPanel):
     def start(self, close_when_done=True):
         """Reads the document and starts the run; problems are shown in the panel."""
         self.close_when_done = close_when_done
-        if not self.begin(lambda: EnvelopeTask(self.document, self.plan(), self.obj), self.ended):
+        if not self.begin(
+            lambda: EnvelopeTask(self.document, self.plan(), self.obj),
+            self.ended,
+            self._words,
+            lambda: self.start(close_when_done),
+        ):
             return False
         self.preview_box.setChecked(False)
         self.look.stop()

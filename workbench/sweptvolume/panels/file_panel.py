@@ -62,13 +62,13 @@ class FilePanel:
         poses = csv_file.read(self.path.text(), self.unit.currentData())
         points = pose_arrays(poses.placements)[0]
         size = points.max(axis=0) - points.min(axis=0)
-        text = translate("Panels", "{0} poses, {1:g} to {2:g} s, moving {3} x {4} x {5}")
+        text = translate("Panels", "{0} poses, {1} to {2} s, moving {3} x {4} x {5}")
         widgets.show_message(
             self.message,
             text.format(
                 quantities.count(len(poses)),
-                poses.times[0],
-                poses.times[-1],
+                quantities.number(poses.times[0], quantities.TABLE_DIGITS),
+                quantities.number(poses.times[-1], quantities.TABLE_DIGITS),
                 *map(quantities.quantity, size),
             ),
         )

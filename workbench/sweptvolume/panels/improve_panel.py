@@ -3,6 +3,7 @@
 from PySide import QtCore
 
 from ..features.improve_plan import ImprovePlan
+from ..quantities import TABLE_DIGITS, number
 from ..texts import mark, translate
 from . import focus, path_texts, widgets
 from .path_tasks import ImproveTask
@@ -30,10 +31,10 @@ class ImprovePanel(SearchPanel):
         self.keys.setObjectName("SweptVolumeLockedKeys")
         self.keys.setFixedHeight(96)
         widgets.hint(self.keys, translate("Panels", "Ticked keys stay where and when they are"))
-        text = translate("Panels", "Key {0}, {1:g} s")
+        text = translate("Panels", "Key {0}, {1} s")
         last = len(self.motion.Times) - 1
         for k, time in enumerate(self.motion.Times):
-            item = QtWidgets.QListWidgetItem(text.format(k + 1, round(time, 3)))
+            item = QtWidgets.QListWidgetItem(text.format(k + 1, number(time, TABLE_DIGITS)))
             free = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable
             end = k in (0, last)  # they stay in any case
             item.setFlags(free if end else free | QtCore.Qt.ItemIsUserCheckable)

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The path editor's live clearance: how near the dragged part is to its neighbours, and whether it stops at
 them."""
+import time
+
 from PySide import QtCore
 
-from .. import quantities
+from .. import contents, quantities
 from ..convert import InputProblem, matrix_of
+from ..features import path_plan
 from ..features.moving import middle_of
 from ..features.path_plan import placement_of
 from ..texts import translate
@@ -13,6 +16,10 @@ from ..views.live_distance import LiveDistance
 from . import widgets
 from .live_clearance import LiveClearance
 from .widgets import QtWidgets
+
+
+#: s between two questions: nobody changes the neighbours while the mouse drags a key.
+PAUSE = 0.5
 
 
 class LiveBox(QtCore.QObject):
@@ -27,6 +34,10 @@ class LiveBox(QtCore.QObject):
         super().__init__()
         self.document, self.live, self.drawn = document, None, None
         self.pair, self.body, self.row, self.failed = None, None, -1, False
+        self._read, self._asked = (
+            None,
+            0.0,
+        )  # what stood there when it was read; when it was last asked
         self.show_box = QtWidgets.QCheckBox(
             translate("Panels", "Show the clearance while dragging")
         )
@@ -72,7 +83,14 @@ class LiveBox(QtCore.QObject):
         self.live.want(self._matrix(before), self._matrix(world), stop=True)
 
     def _begun(self):
-        """Whether there is something to measure; reads it from the document where that was not done."""
+        """Whether there is something to measure; reads it from the document where that was not done, or where
+        something else stands there by now."""
+        if self.pair is not None and time.monotonic() - self._asked > PAUSE:
+            stands = self._stands()
+            if stands != self._read:
+                self._forget()
+                self._read = stands
+        self._asked = time.monotonic()
         if self.live is None and self.pair is not None and not self.failed:
             frame = matrix_of(self.body.placement.multiply(self.middle).inverse())
             try:
@@ -82,6 +100,13 @@ class LiveBox(QtCore.QObject):
             except InputProblem as problem:  # no neighbour
                 self._failed(str(problem))
         return self.live is not None
+
+    def _stands(self):
+        """What the neighbours are and where they stand, to be compared; None: there are none."""
+        try:
+            return contents.words(path_plan.beside(self.document, [self.pair]).leaves())
+        except InputProblem:
+            return None
 
     def _matrix(self, world):
         return matrix_of(world.multiply(self.middle))

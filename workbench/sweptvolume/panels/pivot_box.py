@@ -4,11 +4,14 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import convert
+from .. import convert, quantities
 from ..convert import InputProblem
 from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
+
+#: That count, of a coordinate.
+PLACE_DIGITS = 6
 
 #: mm by which a point may miss the middle of the part and is it still.
 SAME = 1e-6
@@ -87,10 +90,8 @@ class PivotBox(QtWidgets.QWidget):
             "the keys are its own.",
         )
         if self.in_part() is not None:
-            here = translate(
-                "Panels", "In the coordinates of the part: {0:.6g}, {1:.6g}, {2:.6g} mm"
-            )
-            text += "\n" + here.format(*self.point)
+            here = translate("Panels", "In the coordinates of the part: {0}, {1}, {2}")
+            text += "\n" + here.format(*(quantities.quantity(x, PLACE_DIGITS) for x in self.point))
         self.kind.setToolTip(text)
 
     def _take(self):

@@ -3,7 +3,8 @@
 wrong."""
 import FreeCADGui as Gui
 
-from .. import runner
+from .. import reading, runner
+from ..texts import translate
 from . import focus, guard, widgets
 from .widgets import QtWidgets
 
@@ -37,14 +38,26 @@ class StartPanel:
             button.setEnabled(on)
 
     @guard.told
-    def begin(self, task, ended):
-        """Starts task() and follows it; ended(run) is called at its end. Returns whether it runs."""
+    def begin(self, task, ended, words=list, again=None):
+        """Starts task() and follows it; ended(run) is called at its end. Returns whether it runs. words:
+        gives contents.words() of the parts; where those are large, again() follows when they are read.
+        """
         widgets.show_message(self.message, "")
         guard.check_fields(self.form)
+        if reading.first(self.document, words, id(self), lambda: self._read(again)):
+            text = translate("Panels", "The parts are being read ...")
+            widgets.show_message(self.message, text)
+            return False
         self.run = runner.start(task())
         self.box.follow(self.run)
         self.run.ended.connect(ended)
         return True
+
+    def _read(self, again):
+        open_ = widgets.shiboken.isValid(self.form)
+        if open_ and widgets.alive(self.document) and self.run is None:
+            widgets.show_message(self.message, "")
+            again()
 
     def accept(self):
         if self.run is None:

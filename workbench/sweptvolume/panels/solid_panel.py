@@ -61,6 +61,7 @@ class SolidPanel(StartPanel):
         self.faces.setObjectName("SweptVolumeMaxFaces")
         self.faces.setRange(0, 999999999)
         self.faces.setSingleStep(1000)
+        self.faces.setGroupSeparatorShown(True)
         self.faces.setValue(values["max_faces"])
         widgets.hint(
             self.faces,
@@ -135,7 +136,7 @@ class SolidPanel(StartPanel):
         widgets.show_message(self.expected, text)
 
     def show_estimate(self, found):
-        text = translate("Panels", "{0} triangles: at most {1} faces,\nabout {2}, {3}")
+        text = translate("Panels", "{0} triangles: at most {1} faces,\nup to about {2}, {3}")
         widgets.show_message(
             self.expected,
             text.format(

@@ -156,6 +156,7 @@ class SourcePanel:
         count = QtWidgets.QSpinBox()
         count.setObjectName("SweptVolumeCount")
         count.setRange(0, 999999999)
+        count.setGroupSeparatorShown(True)
         count.setValue(self.given["count"])
         rows.addRow(translate("Panels", "Poses"), count)
         self.values["count"] = count.value

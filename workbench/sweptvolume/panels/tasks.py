@@ -7,7 +7,7 @@ import tempfile
 
 import FreeCAD as App
 
-from .. import export, quantities
+from .. import contents, export, quantities
 from ..features import clearance, envelope, solid
 from ..runner import Task
 from ..texts import mark, translate
@@ -26,7 +26,8 @@ class PlanTask(Task):
         self.document = document
         self.plan = plan
         self.obj = obj
-        self.hash = plan.hash()
+        self.hash = ""
+        contents.prepared(plan.words())
         self.request = self.read()
         self.watched = [
             o for o in plan.objects() + ([obj] if obj else []) if o.Document is document
@@ -41,6 +42,11 @@ class PlanTask(Task):
         raise NotImplementedError
 
     def work(self, control):
+        self.hash = self.plan.hash()
+        return self.carry_out(control)
+
+    def carry_out(self, control):
+        """Any thread: the run itself."""
         return self.FEATURE.work(self.request, control)
 
     def finish(self, value):
@@ -88,7 +94,7 @@ class EnvelopeTask(PlanTask):
     def make(self):
         return envelope.make_envelope(self.document, [], None)
 
-    def work(self, control):
+    def carry_out(self, control):
         return surface.ready(self.request(control), self.most)
 
     def room(self, value):
@@ -143,10 +149,12 @@ class SolidTask(Task):
         self.source = source or obj.Source
         self.settings = settings or (solid.settings(obj) if obj else solid.DEFAULTS)
         self.request = solid.request_for(self.source, **self.settings)
-        self.hash = solid.checked_hash(self.source, self.settings)
+        self.hash = ""
+        self.words = contents.prepared(solid.words_of(self.source, self.settings))
         self.watched = [self.source] + ([obj] if obj else [])
 
     def work(self, control):
+        self.hash = solid.hash_of(self.words)
         return solid.work(self.request, control)
 
     def drop(self, value):

@@ -7,6 +7,7 @@ at the simulation's start and goes on by its output step. The parts are put back
 import math
 
 from ..convert import InputProblem, global_placement, matrix_of, root_path
+from ..quantities import count, number
 from ..texts import translate
 from .poses import Poses
 
@@ -82,9 +83,11 @@ def shortfall(label, start, end, step, frames):
         return ""
     return translate(
         "Messages",
-        'the simulation "{0}" stopped early: {1} of {2} frames, the last at {3:g} s of {4:g} s. Its solver '
+        'the simulation "{0}" stopped early: {1} of {2} frames, the last at {3} s of {4} s. Its solver '
         "found no position there: look at its joints and formulas, or let it end sooner.",
-    ).format(label, frames, expected, start + step * (frames - 1), end)
+    ).format(
+        label, count(frames), count(expected), number(start + step * (frames - 1)), number(end)
+    )
 
 
 def signature(objects):

@@ -11,6 +11,7 @@ import FreeCAD as App
 import Part
 
 from ..convert import InputProblem, global_placement, root_path
+from ..quantities import count, quantity
 from ..texts import translate
 from .poses import Poses, even_times
 
@@ -62,8 +63,8 @@ def poses_within(objects, accuracy, orientation, duration):
     edges = _path(objects, orientation)
     if not accuracy > 0:
         raise InputProblem(
-            translate("Messages", "an accuracy of {0:g} mm: it must be greater than 0.").format(
-                accuracy
+            translate("Messages", "an accuracy of {0}: it must be greater than 0.").format(
+                quantity(accuracy)
             )
         )
     track = _Track(edges)
@@ -143,8 +144,8 @@ def _adaptive(track, accuracy, turning):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "an accuracy of {0:g} mm takes more than {1} poses along this path: allow more.",
-                ).format(accuracy, MAX_POSES)
+                    "an accuracy of {0} takes more than {1} poses along this path: allow more.",
+                ).format(quantity(accuracy), count(MAX_POSES))
             )
         samples.append(sample)
         lengths.append(length)

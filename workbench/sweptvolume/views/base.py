@@ -4,12 +4,15 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import icon, runner
+from .. import icon, reading, runner
 from ..features.base import kind_of
 from ..features.envelope import CANCELLED, FAILED, NOT_COMPUTED, STALE
 
 #: State -> ending of the icon's name.
 _MARKS = {STALE: "_stale", CANCELLED: "_cancelled", FAILED: "_failed", NOT_COMPUTED: "_empty"}
+
+
+reading.watch()
 
 
 def shown_icon(name):

@@ -39,9 +39,6 @@ bool beginsLikeSolid(const std::string& path) {
 
 #ifdef HAVE_SWEPT_SOLID
 
-/// rad between neighbouring triangles: a circle has 32 sides at least.
-constexpr double kAngle = 0.2;
-
 double longestSide(const std::vector<ImportedSolid>& solids) {
   Eigen::AlignedBox3d box;
   for (const ImportedSolid& solid : solids) {
@@ -73,7 +70,12 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
                 "the tolerance for the triangles of '" + path + "' is " +
                     numberText(body.chordError, kTellingDigits) + " mm; it must be above 0");
   }
-  const std::vector<ImportedSolid> solids = readSolids(path, body.chordError, kAngle, run);
+  if (!(options.angle > 0)) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "the angle between the triangles of '" + path + "' is " +
+                    numberText(options.angle, kTellingDigits) + " rad; it must be above 0");
+  }
+  const std::vector<ImportedSolid> solids = readSolids(path, body.chordError, options.angle, run);
   for (const ImportedSolid& solid : solids) {
     const auto first = static_cast<std::int32_t>(body.mesh.vertices.size());
     body.mesh.vertices.insert(body.mesh.vertices.end(), solid.mesh.vertices.begin(),

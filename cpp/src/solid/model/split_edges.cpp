@@ -27,7 +27,8 @@ Curve withKnot(const Curve& curve, double at) {
   const Vector3d &p1 = curve.poles[2 * span + 1], &p2 = curve.poles[2 * span + 2];
   const Vector3d a = start + w * (p1 - start), b = p1 + w * (p2 - p1), c = p2 + w * (end - p2);
   Curve cut = curve;
-  cut.knots.insert(cut.knots.begin() + static_cast<Size>(span) + 1, at);
+  cut.knots.push_back(at);
+  std::sort(cut.knots.begin(), cut.knots.end());
   const auto place = cut.poles.erase(cut.poles.begin() + static_cast<Size>(2 * span) + 1,
                                      cut.poles.begin() + static_cast<Size>(2 * span) + 3);
   cut.poles.insert(place, {a, Vector3d(a + w * (b - a)), Vector3d(b + w * (c - b)), c});

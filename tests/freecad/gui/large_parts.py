@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts of very many faces are read beside the window: in the panel, in runs, and when a document that was
+just opened is recomputed. Judged by what reading them at once takes here."""
+import math
+import os
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Close,
+    Gaps,
+    Ok,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    say,
+)
+
+V = App.Vector
+SIDES, PARTS = 330, 8
+
+
+def star():
+    """A prism with SIDES sides."""
+    import Part
+
+    points = []
+    for k in range(SIDES):
+        angle, reach = 2 * math.pi * k / SIDES, 50 + 4 * (k % 2) + 0.01 * k
+        points.append(V(reach * math.cos(angle), reach * math.sin(angle), 0))
+    return Part.Face(Part.makePolygon(points + points[:1])).extrude(V(0, 0, 10))
+
+
+def scene(folder):
+    from sweptvolume.features import motion
+
+    doc = new_document("Large")
+    shape = star()
+    for k in range(PARTS):
+        part = doc.addObject("Part::Feature", "Star{}".format(k))
+        part.Shape = shape.copy()  # each of its own
+        part.Placement.Base.z = 30 * k
+    places = [App.Placement(), App.Placement(V(0, 0, 8), App.Rotation())]
+    motion.motion_from_poses(doc, [0, 1], places)
+    doc.recompute()
+    doc.saveAs(os.path.join(folder, "large.FCStd"))
+    return doc
+
+
+def measured(text, steps, limit):
+    """Carries out steps, and judges how long the window's own thread worked between two events."""
+    gaps = Gaps()
+    yield from steps
+    said = gaps.stop()
+    say("{}: longest gap {}; at once {:.0f} ms".format(text, said, 1000 * limit))
+    assert gaps.busy < limit / 2, (text, gaps.busy, limit)
+
+
+def by_panel(show, button, over):
+    """A panel is opened, its run started and awaited."""
+    panel = show()
+    yield 1.0
+    click(button())
+    yield lambda: over(panel)
+
+
+def judged(doc, hull, wanted):
+    """A change that is not seen at once, seen a little later."""
+    from sweptvolume.features import envelope
+
+    doc.recompute()
+    assert hull.Status == envelope.STALE, hull.Status
+    yield lambda: hull.Status == wanted
+
+
+def scenario():
+    from sweptvolume import apart
+    from sweptvolume.features import clearance, envelope
+    from sweptvolume.panels import clearance_panel, envelope_panel
+
+    with tempfile.TemporaryDirectory() as folder:
+        open_workbench()
+        yield
+        doc = scene(folder)
+        yield 0.5
+        began = time.thread_time()
+        for k in range(PARTS):
+            apart.of(doc.getObject("Star{}".format(k))).text()
+        limit = time.thread_time() - began
+        apart._known.clear()  # as they are in a document that was just opened
+        first = doc.Star0, ""
+        steps = by_panel(
+            lambda: envelope_panel.show(doc, [first], doc.Motion),
+            lambda: panel_button(Ok),
+            lambda panel: no_panel(),
+        )
+        yield from measured("envelope", steps, limit)
+        hull = doc.Envelope
+        assert hull.Status == envelope.UP_TO_DATE, hull.Status
+        apart._known.clear()
+        steps = by_panel(
+            lambda: clearance_panel.show(doc, pairs=[first], motion_obj=doc.Motion),
+            lambda: find(QtWidgets.QPushButton, "SweptVolumeCheck"),
+            lambda panel: panel.run is None and panel.obj is not None,
+        )
+        yield from measured("clearance", steps, limit)
+        click(panel_button(Close))
+        yield no_panel
+        check = doc.Clearance
+        assert check.Status == clearance.UP_TO_DATE, check.Status
+        doc.save()
+        App.closeDocument(doc.Name)
+        yield 0.3
+        doc = App.openDocument(os.path.join(folder, "large.FCStd"))
+        yield 0.5
+        hull, check = doc.Envelope, doc.Clearance
+        # Looked at again, and still the same.
+        hull.touch(), check.touch()
+        yield from measured("same", judged(doc, check, clearance.UP_TO_DATE), limit)
+        yield lambda: hull.Status == envelope.UP_TO_DATE
+        assert not [o.Name for o in doc.Objects if "Touched" in o.State]
+        # Another geometry that is as large.
+        doc.Star0.Shape = doc.Star0.Shape.mirror(V(), V(1, 0, 0))
+        yield from measured("other", judged(doc, hull, envelope.STALE), limit)
+        yield lambda: "read" not in hull.Message
+        assert (hull.Status, check.Status) == (envelope.STALE, clearance.STALE)
+        # Closed while parts are read; and what cannot be read is said, once.
+        apart._known.clear()
+        check.touch()
+        doc.recompute()
+        App.closeDocument(doc.Name)
+        yield 0.5
+        doc = App.openDocument(os.path.join(folder, "large.FCStd"))
+        yield 0.3
+        read, calls = apart._read_shape, []
+
+        def broken(shape):
+            calls.append(shape)
+            raise RuntimeError("no points")
+
+        apart._read_shape = broken
+        doc.Envelope.touch()
+        doc.recompute()
+        yield lambda: "no points" in doc.Envelope.Message
+        assert doc.Envelope.Status == envelope.FAILED and len(calls) < 5, len(calls)
+        apart._read_shape = read
+        App.closeDocument(doc.Name)
+        yield 0.3
+
+
+run(scenario)

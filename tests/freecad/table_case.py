@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Table tests of states: every input of every feature, changed in every way."""
+import os
+import shutil
+
+import FreeCAD as App
+
+from case import Case
+from sweptvolume import core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, envelope, solid
+from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
+
+
+def rows(case):
+    """Makes a test of each change."""
+    for name in case.CHANGES:
+        setattr(case, "test_" + name, lambda self, name=name: self.changed(name))
+    return case
+
+
+class Table(Case):
+    """The state after each change and after its undo is what a fresh computation justifies, which is found
+    out by computing afresh in a copy of the document. Subclasses give the document, and rows() their tests.
+    """
+
+    NEEDS_CORE = True
+    #: name -> what a user does to the document.
+    CHANGES = {}
+
+    def results(self):
+        found = [o for o in self.doc.Objects if kind_of(o) and "InputHash" in o.PropertiesList]
+        return [o for o in found if core.has_solids() or kind_of(o) != solid.Solid.KIND]
+
+    def content(self, obj):
+        """What a result shows people, in numbers; None where a run is refused."""
+        if kind_of(obj) == clearance.Clearance.KIND:
+            rows = clearance.report_of(obj)["neighbours"]
+            return [obj.Required.Value] + sorted(
+                (round(row["distance"], 5), row["time_seconds"]) for row in rows
+            )
+        place = obj.getGlobalPlacement()
+        box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
+        numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
+        numbers += (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, obj.Volume.Value)
+        return [round(n, 4) + 0.0 for n in numbers]
+
+    def fresh(self):
+        """{name: content} of the document computed anew, as it is now; None where that is refused."""
+        path = os.path.join(self.folder, "fresh.FCStd")
+        self.doc.saveCopy(path)
+        kept, self.doc = self.doc, App.openDocument(path)
+        try:
+            self.doc.recompute(None, True)
+            found = {}
+            for obj in self.results():
+                try:
+                    {
+                        envelope.Envelope.KIND: envelope,
+                        solid.Solid.KIND: solid,
+                        clearance.Clearance.KIND: clearance,
+                    }[kind_of(obj)].compute(obj)
+                    found[obj.Name] = self.content(obj)
+                except (InputProblem, core.CoreError):
+                    found[obj.Name] = None
+            return found
+        finally:
+            App.closeDocument(self.doc.Name)
+            self.doc = kept
+            os.remove(path)
+            shutil.rmtree(path + "1", ignore_errors=True)
+
+    def look(self, name):
+        fresh = self.fresh()
+        for obj in self.results():
+            with self.subTest(change=name, result=obj.Name, status=obj.Status):
+                anew = fresh[obj.Name]
+                if obj.Status == UP_TO_DATE:
+                    self.assertEqual(self.content(obj), anew)
+                else:
+                    self.assertEqual(obj.Status, STALE if anew is not None else FAILED)
+                    if obj.Status == FAILED:
+                        self.assertTrue(obj.Message)
+
+    def changed(self, name):
+        """A change, and its undo."""
+        self.doc.openTransaction(name)
+        self.CHANGES[name](self.doc)
+        self.doc.commitTransaction()
+        self.doc.recompute()
+        self.look(name)
+        if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
+            self.doc.undo()
+        # FreeCAD's undo leaves what is shown as it is, and what an expression has set.
+        self.doc.Wall.Visibility = self.doc.Envelope.Visibility = True
+        for obj in self.doc.findObjects(Label="Hidden"):
+            obj.Visibility = False
+        self.doc.recompute()
+        self.look(name + ", undone")
+        if "expression" not in name:
+            self.assertEqual(
+                {o.Name: o.Status for o in self.results() if o.Status != UP_TO_DATE}, {}
+            )

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Table: paths that were found, what is checked and swept along them, and what made each place of that; the
+state after each change is what a fresh computation justifies."""
+from case import V, shift, turn
+from sweptvolume.features import clearance, envelope, made_by, path_plan
+from sweptvolume.features.base import UP_TO_DATE, kind_of
+from sweptvolume.trajectory.poses import Poses
+from table_case import Table, rows
+
+#: name -> what a user does to the document of Paths.setUp().
+CHANGES = {}
+
+
+def change(action):
+    CHANGES[action.__name__] = action
+    return action
+
+
+@change
+def nothing_is_remembered(doc):
+    doc.Envelope.MadeBy = "Off"
+
+
+@change
+def remembered_for_the_session(doc):
+    doc.Envelope.MadeBy = "Session"
+
+
+@change
+def a_stop_of_the_path_moves(doc):
+    doc.Motion.Placements = [shift(), shift(15, 1), turn(30, base=V(20, 0, 0))]
+
+
+@change
+def the_path_turns_about_another_point(doc):
+    doc.Motion.Pivot = V(0, 0, 5)
+
+
+@change
+def the_path_is_smooth(doc):
+    doc.Motion.Interpolation = "Spline"
+
+
+@change
+def the_path_goes(doc):
+    doc.removeObject("Motion")
+
+
+@change
+def the_part_stands_elsewhere(doc):
+    doc.Box.Placement = shift(0, 3)
+
+
+@change
+def the_wall_comes_nearer(doc):
+    doc.Wall.Placement = shift(50)
+
+
+@change
+def the_wall_is_hidden(doc):
+    doc.Wall.Visibility = False
+
+
+@change
+def another_wall_is_chosen(doc):
+    other = doc.addObject("Part::Box", "Other")
+    other.Placement = shift(0, 40)
+    doc.Clearance.Neighbours = [(other, "")]
+
+
+@change
+def the_wall_goes(doc):
+    doc.removeObject("Wall")
+
+
+@rows
+class Paths(Table):
+    CHANGES = CHANGES
+
+    def setUp(self):
+        super().setUp()
+        doc = self.doc
+        box, wall = self.box(), self.box("Wall")
+        wall.Placement = shift(60)
+        # As a search writes it: poses of the middle of the part, seen from the document.
+        poses = Poses([0, 1, 2], [shift(), shift(15), turn(30, base=V(20, 0, 0))], pivot=V(5, 5, 5))
+        path_plan.make(doc, [(box, "")], poses)
+        self.envelope([box], doc.Motion, Resolution=16, MadeBy="Document")
+        clearance.make_clearance(
+            doc,
+            Generators=[(box, "")],
+            Motion=doc.Motion,
+            AllVisible=False,
+            Neighbours=[(wall, "")],
+        )
+        doc.recompute()
+        envelope.compute(doc.Envelope)
+        clearance.compute(doc.Clearance)
+        doc.recompute()
+
+    def content(self, obj):
+        found = super().content(obj)
+        if kind_of(obj) == envelope.Envelope.KIND and obj.MadeBy != "Off":
+            record = made_by.find(obj)
+            found += [record.kind.tolist(), record.faces.tolist(), record.time.round(6).tolist()]
+        return found
+
+    def test_records_follow_results_through_undo(self):
+        self.doc.openTransaction("Grow")
+        self.doc.Box.Length = 11
+        self.doc.commitTransaction()
+        self.doc.recompute()
+        envelope.compute(self.doc.Envelope)
+        self.look("grown")
+        for k in range(2):
+            self.doc.undo()
+            self.doc.recompute()
+            self.look("undone {}".format(k))
+        self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD meshes <-> numpy arrays. Units: mm. No GUI.
+
+Meshes go in and out as binary PLY, which was measured to be the quickest way.
+"""
+import io
+import os
+import tempfile
+
+import FreeCAD as App
+import numpy as np
+
+from . import core
+from .body import InputProblem
+from .texts import translate
+
+
+def _far_middle(vertices):
+    """Middle of a mesh that is farther from the origin than 32 times its size, in whole mm, or None."""
+    if not len(vertices) or not np.isfinite(vertices).all():
+        return None
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    middle = np.round((low + high) / 2)
+    return middle if np.abs(middle).max() > 32 * (high - low).max() else None
+
+
+def _ply(vertices, triangles):
+    """As FreeCAD reads a binary PLY file."""
+    head = (
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n"
+        "property float y\nproperty float z\nelement face {}\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    ).format(len(vertices), len(triangles))
+    faces = np.zeros(len(triangles), dtype=[("c", "u1"), ("i", "<i4", 3)])
+    faces["c"] = 3
+    faces["i"] = triangles
+    return head.encode() + np.ascontiguousarray(vertices, "<f4").tobytes() + faces.tobytes()
+
+
+class _Stream:
+    """Bytes to read. FreeCAD asks for some hundred at a time, and between two of these calls other
+    threads come to their turn, which they would not with a stream that is no Python code."""
+
+    def __init__(self, data):
+        self._inner = io.BytesIO(data)
+
+    def read(self, size=-1):
+        return self._inner.read(size)
+
+    def seek(self, *where):
+        return self._inner.seek(*where)
+
+    def tell(self):
+        return self._inner.tell()
+
+
+def mesh_from_arrays(vertices, triangles, beside=False):
+    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept. `beside`: in a thread beside the window's,
+    which goes on meanwhile.
+
+    Far from the origin single precision would bend the mesh: there it is local, with a placement.
+    """
+    import Mesh
+
+    middle = _far_middle(vertices)
+    if middle is not None:
+        mesh = mesh_from_arrays(vertices - middle, triangles, beside)
+        mesh.Placement = App.Placement(App.Vector(*middle), App.Rotation())
+        return mesh
+    mesh = Mesh.Mesh()
+    if beside:
+        try:
+            mesh.read(_Stream(core.mesh_file(vertices, triangles)), "BMS")
+        except Exception as problem:  # a FreeCAD that takes no such stream
+            App.Console.PrintLog("Swept Volume: mesh not read as BMS: {}\n".format(problem))
+        if (mesh.CountPoints, mesh.CountFacets) == (len(vertices), len(triangles)):
+            return mesh
+        mesh = Mesh.Mesh()
+    mesh.read(io.BytesIO(_ply(vertices, triangles)), "PLY")
+    return mesh
+
+
+def _no_room_text():
+    return translate(
+        "Messages",
+        "the mesh could not be written to the temporary folder {0}: make room there, or set the "
+        "environment variable TMPDIR to another folder.",
+    ).format(tempfile.gettempdir())
+
+
+def arrays_from_mesh(mesh):
+    """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
+    local = mesh.copy()
+    local.Placement = App.Placement()
+    handle, path = tempfile.mkstemp(suffix=".ply")
+    os.close(handle)
+    try:
+        local.write(path)
+        with open(path, "rb") as file:
+            data = file.read()
+    finally:
+        os.remove(path)
+    if b"end_header\n" not in data:
+        raise InputProblem(_no_room_text())
+    start = data.index(b"end_header\n") + len(b"end_header\n")
+    head = data[:start].decode("ascii")
+    points = int(head.split("element vertex ")[1].split()[0])
+    facets = int(head.split("element face ")[1].split()[0])
+    if len(data) < start + 12 * points + 13 * facets:
+        raise InputProblem(_no_room_text())
+    vertices = np.frombuffer(data, "<f4", points * 3, start).reshape(-1, 3).astype(float)
+    kind = [("c", "u1"), ("i", "<i4", 3)]
+    triangles = np.frombuffer(data, kind, facets, start + 12 * points)["i"].astype(np.int32)
+    return vertices, triangles
