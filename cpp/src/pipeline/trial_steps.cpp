@@ -38,9 +38,9 @@ constexpr double kLeastShare = 0.2;
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6;
 /// Cells that are probed after each trial, to learn what a probe takes.
 constexpr std::size_t kProbesPerTrial = 2;
-/// A whole sweep has fewer creases for its size than a few steps of it: 0.02 to 0.7 probes of a
-/// crossing were seen in crowded sweeps.
-constexpr double kMaxProbesOfCrossing = 0.5;
+/// A whole sweep has other creases than a few steps of it: 0.0006 to 0.7 probes of a crossing were
+/// seen in crowded sweeps. Within these limits the few steps tell.
+constexpr double kMinProbesOfCrossing = 0.008, kMaxProbesOfCrossing = 0.5;
 /// Steps whose surface is made to count its probes.
 constexpr std::size_t kProbedSteps = 4;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
@@ -270,7 +270,8 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     Trials trials(p, topology, clusters, options, run);
     Cost cost = trials.whole();
     cost.seconds += trials.insideSeconds();
-    const double probes = std::min(kMaxProbesOfCrossing, trials.probesOfCrossing());
+    const double probes =
+        std::clamp(trials.probesOfCrossing(), kMinProbesOfCrossing, kMaxProbesOfCrossing);
     cost.seconds += surface * (kCrossingSeconds + probes * trials.probeSeconds());
     return std::tuple(cost, trials.insideCrossings(), trials.insideBytes());
   });
