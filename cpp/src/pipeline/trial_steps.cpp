@@ -35,12 +35,12 @@ constexpr double kLeastShare = 0.2;
 
 /// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
 /// planned, and of a crossing that becomes surface.
-constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1e-6, kCrossingSeconds = 3e-6;
+constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 /// Cells that are probed after each trial, to learn what a probe takes.
 constexpr std::size_t kProbesPerTrial = 2;
 /// A whole sweep has other creases than a few steps of it: 0.0006 to 0.7 probes of a crossing were
 /// seen in crowded sweeps. Within these limits the few steps tell.
-constexpr double kMinProbesOfCrossing = 0.008, kMaxProbesOfCrossing = 0.5;
+constexpr double kMinProbesOfCrossing = 0.01, kMaxProbesOfCrossing = 0.5;
 /// Steps whose surface is made to count its probes.
 constexpr std::size_t kProbedSteps = 4;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
