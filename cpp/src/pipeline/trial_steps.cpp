@@ -49,6 +49,13 @@ constexpr double kSortedBytes = 16, kElementBytes = 12;
 /// about so many, in a buffer that each thread has.
 constexpr double kItems = 48, kThinCrossings = 1 << 20;
 
+/// As sampling/cpu makes its work items; those of few placements are not thinned.
+double placementsOfItem(const Prepared& p) {
+  const double placements = static_cast<double>(p.motion.placements.size());
+  if (p.motion.continuous) return placements / kItems;
+  return std::min(8192 / static_cast<double>(p.body.mesh.triangles.size()), placements / 64);
+}
+
 Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
   const auto from = [first](const auto& list, std::size_t n) {
     const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
@@ -276,7 +283,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     return std::tuple(cost, trials.insideCrossings(), trials.insideBytes());
   });
   better.seconds = before + sampling.seconds / threads;
-  const bool thins = sampling.crossings > kItems * kThinCrossings;
+  const bool thins = sampling.crossings > kItems * kThinCrossings && placementsOfItem(p) >= 16;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
   // What the check of the body has taken is free again when the motion is sampled, and what the map
   // was made of too.
