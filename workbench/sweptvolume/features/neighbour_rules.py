@@ -115,6 +115,20 @@ def of(rules, root, path):
     return found
 
 
+def merged(rules, shown, given):
+    """Rules after some neighbours were given others. shown: all of which a user saw the rules; given: {pair:
+    Rule} of those of them that ask for something. Rules of what was not seen stay; a rule of a group
+    stays while all that it is for follow it."""
+    if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
+        return dict(rules)
+    kept = {
+        (above, sub): rule
+        for (above, sub), rule in rules.items()
+        if not any(root is above and path.startswith(sub) for root, path in shown)
+    }
+    return {**kept, **given}
+
+
 def drop(obj, gone):
     """An object is being deleted, and its links with it: its rules go too."""
     links = convert.links_in(obj.RuleParts)
