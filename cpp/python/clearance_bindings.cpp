@@ -15,16 +15,44 @@
 namespace swept::python {
 namespace {
 
+NeighbourRule ruleFrom(const py::handle& value) {
+  NeighbourRule rule;
+  if (value.is_none()) return rule;
+  if (py::isinstance<py::str>(value)) return parseRule(value.cast<std::string>());
+  rule.required = value.cast<double>();
+  return rule;
+}
+
+ClearanceNeighbour neighbourFrom(const py::handle& item) {
+  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (parts.size() < 3 || parts.size() > 5)
+    throw py::value_error(
+        "a neighbour is (name, vertices, triangles), and its chord error, and its rule");
+  ClearanceNeighbour neighbour{parts[0].cast<std::string>(), meshFromArrays(parts[1], parts[2])};
+  if (parts.size() > 3) neighbour.chordError = parts[3].cast<double>();
+  if (parts.size() > 4) neighbour.rule = ruleFrom(parts[4]);
+  return neighbour;
+}
+
 constexpr const char* kClearanceDoc =
     R"(clearance(vertices, triangles, motion, neighbours, interpolation='linear', required=0.0,
           tolerance=0.01, body_chord=0.0, interval_tolerance=0.0, curve=200, penetration=True,
-          run=None) -> dict
+          run=None, rules=()) -> dict
 
 Smallest distance of a moving body to each neighbour over the whole motion; nothing between two poses is
-missed. neighbours: list of (name, vertices, triangles) or (name, vertices, triangles, chord error).
-Lengths in mm; motion as in compute(). Returns the report: summary, neighbours (verdict clear | below |
-contact | clash, distance, guaranteed, time_seconds, pose, points, penetration, below and contact as
+missed. neighbours: list of (name, vertices, triangles), or with its chord error, or with that and its rule:
+a required distance, 'contact', 'contact:MM', 'ignore' or None. rules: texts 'NAME=RULE' for those that have
+none of their own, NAME with * and ?. Lengths in mm; motion as in compute(). Returns the report: summary, neighbours (verdict clear | below |
+contact | clash, rule, meets_rule, distance, guaranteed, time_seconds, pose, points, penetration, below and contact as
 time intervals, curve), as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
+
+constexpr const char* kFirstContactsDoc =
+    R"(first_contacts(vertices, triangles, motion, neighbours, interpolation='linear', tolerance=0.01,
+               body_chord=0.0, run=None) -> list of str
+
+For each neighbour the rule that would allow what the body touches at the first pose of its motion: 'contact',
+'contact:MM' where it lies so deep inside, '' where there is nothing to allow. Arguments and errors as those of
+clearance().)";
 
 constexpr const char* kDistanceDoc =
     R"(distance_to_mesh(points, vertices, triangles, run=None) -> float64 (N,)
@@ -35,12 +63,11 @@ py::object pyClearance(const py::object& vertices, const py::object& triangles,
                        const py::object& motion, const py::iterable& neighbours,
                        const std::string& interpolation, double required, double tolerance,
                        double bodyChord, double intervalTolerance, int curve, bool penetration,
-                       const py::object& run) {
+                       const py::object& run, const std::vector<std::string>& rules) {
   const RunPointer context = runFromObject(run);
   const TriMesh body = meshFromArrays(vertices, triangles);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
-  std::vector<ClearanceNeighbour> parts;
-  for (const py::handle& item : neighbours) parts.push_back(neighbourFrom(item));
+  const std::vector<ClearanceNeighbour> parts = neighboursFrom(neighbours, rules);
   ClearanceOptions options;
   options.required = required;
   options.tolerance = tolerance;
@@ -53,6 +80,26 @@ py::object pyClearance(const py::object& vertices, const py::object& triangles,
   const py::object found = parseJson(toJson(report));
   if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
   return found;
+}
+
+std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::object& triangles,
+                                         const py::object& motion, const py::iterable& neighbours,
+                                         const std::string& interpolation, double tolerance,
+                                         double bodyChord, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const TriMesh body = meshFromArrays(vertices, triangles);
+  const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
+  const std::vector<ClearanceNeighbour> parts = neighboursFrom(neighbours, {});
+  ClearanceOptions options;
+  options.tolerance = tolerance;
+  options.bodyChordError = bodyChord;
+  const ClearanceReport report = runWithoutLock(
+      *context, [&] { return firstContacts(body, trajectory, parts, options, *context); });
+  if (report.status != Status::Ok)
+    raise(report.status, report.code, report.message, parseJson(toJson(report)));
+  std::vector<std::string> rules;
+  for (const NeighbourClearance& row : report.neighbours) rules.push_back(ruleText(row.rule));
+  return rules;
 }
 
 py::array pyDistanceToMesh(const py::object& points, const py::object& vertices,
@@ -72,13 +119,20 @@ py::array pyDistanceToMesh(const py::object& points, const py::object& vertices,
 
 }  // namespace
 
-ClearanceNeighbour neighbourFrom(const py::handle& item) {
-  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
-  if (parts.size() != 3 && parts.size() != 4)
-    throw py::value_error(
-        "a neighbour is (name, vertices, triangles) or one more: its chord error");
-  return {parts[0].cast<std::string>(), meshFromArrays(parts[1], parts[2]),
-          parts.size() == 4 ? parts[3].cast<double>() : 0.0};
+std::vector<ClearanceNeighbour> neighboursFrom(const py::iterable& items,
+                                               const std::vector<std::string>& rules) {
+  std::vector<ClearanceNeighbour> list;
+  std::vector<std::string> names;
+  for (const py::handle& item : items) {
+    list.push_back(neighbourFrom(item));
+    names.push_back(list.back().name);
+  }
+  std::vector<NamedRule> named;
+  for (const std::string& text : rules) named.push_back(parseNamedRule(text));
+  const std::vector<NeighbourRule> found = rulesFor(names, named);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (ruleText(list[i].rule).empty()) list[i].rule = found[i];
+  return list;
 }
 
 void bindClearance(py::module_& module) {
@@ -86,7 +140,12 @@ void bindClearance(py::module_& module) {
              py::arg("motion"), py::arg("neighbours"), py::arg("interpolation") = "linear",
              py::arg("required") = 0.0, py::arg("tolerance") = 0.01, py::arg("body_chord") = 0.0,
              py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
-             py::arg("penetration") = true, py::arg("run") = py::none());
+             py::arg("penetration") = true, py::arg("run") = py::none(),
+             py::arg("rules") = py::tuple());
+  module.def("first_contacts", &pyFirstContacts, kFirstContactsDoc, py::arg("vertices"),
+             py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
+             py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
+             py::arg("body_chord") = 0.0, py::arg("run") = py::none());
   module.def("distance_to_mesh", &pyDistanceToMesh, kDistanceDoc, py::arg("points"),
              py::arg("vertices"), py::arg("triangles"), py::arg("run") = py::none());
 }

@@ -4,12 +4,18 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+#include <vector>
+
 #include "swept/clearance.h"
 
 namespace swept::python {
 
-/// From (name, vertices, triangles) or one more: the chord error in mm.
-ClearanceNeighbour neighbourFrom(const pybind11::handle& item);
+/// From (name, vertices, triangles), the chord error in mm, the rule: a number (mm), a text or
+/// None. `rules`: "NAME=RULE" for those without a rule of their own. Throws Error(InvalidInput,
+/// "BadRule").
+std::vector<ClearanceNeighbour> neighboursFrom(const pybind11::iterable& items,
+                                               const std::vector<std::string>& rules);
 
 void bindClearance(pybind11::module_& module);
 

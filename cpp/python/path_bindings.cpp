@@ -21,19 +21,18 @@ namespace {
 constexpr const char* kFindPathDoc =
     R"(find_path(vertices, triangles, goal, neighbours, start=None, extract=None, via=(), clearance=0.0,
           release=0.0, translation_only=False, max_angle=None, interpolation='linear', tolerance=0.01,
-          body_chord=0.0, budget=60.0, seed=1, run=None, watch=None) -> (dict, motion or None)
+          body_chord=0.0, budget=60.0, seed=1, run=None, watch=None, rules=()) -> (dict, motion or None)
 
 A motion that brings the part to its goal and keeps the clearance from every neighbour, between its keys
 as well. goal, start, via: arrays (4, 4). extract, instead of a start: a radius in mm, or a direction
-(x, y, z). neighbours: as for clearance(), or with one more: the clearance that this one asks for (None: the
-common one). Lengths in mm, max_angle in rad, budget in s. watch: a PathWatch. Returns the
+(x, y, z). neighbours and rules: as for clearance(), but no contact at any time. Lengths in mm, max_angle in rad, budget in s. watch: a PathWatch. Returns the
 report (docs/paths.md) and (times, quaternions, translations), or None where none was found. Raises
 InvalidInput (GoalBlocked, StartBlocked, ...), Cancelled.)";
 
 constexpr const char* kImproveDoc =
     R"(improve_path(vertices, triangles, motion, neighbours, interpolation='linear', locked=(),
              more_clearance=False, clearance=0.0, release=0.0, translation_only=False, max_angle=None,
-             tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None) -> (dict, motion or None)
+             tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None, rules=()) -> (dict, motion or None)
 
 A motion made better: what is nearer to a neighbour than the clearance is led another way where one is found,
 what is not is made shorter, with fewer keys; with more_clearance as far from the neighbours as can be had.
@@ -83,12 +82,6 @@ Extraction extractionFrom(const py::object& value) {
   return extraction;
 }
 
-PathNeighbour pathNeighbourFrom(const py::handle& item) {
-  const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
-  if (parts.size() != 5) return {neighbourFrom(item), {}};
-  return {neighbourFrom(parts[py::slice(0, 4, 1)]), parts[4].cast<std::optional<double>>()};
-}
-
 py::array matrixFrom(const Pose& pose) {
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> m;
   m.setIdentity();
@@ -103,8 +96,7 @@ std::unique_ptr<LiveClearance> makeLive(const py::object& vertices, const py::ob
                                         const py::iterable& neighbours, const py::object& run) {
   const RunPointer context = runFromObject(run);
   const TriMesh part = meshFromArrays(vertices, triangles);
-  std::vector<ClearanceNeighbour> parts;
-  for (const py::handle& item : neighbours) parts.push_back(neighbourFrom(item));
+  const std::vector<ClearanceNeighbour> parts = neighboursFrom(neighbours, {});
   return runWithoutLock(*context,
                         [&] { return std::make_unique<LiveClearance>(part, parts, *context); });
 }
@@ -165,7 +157,8 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
                      double clearance, double release, bool translationOnly,
                      const std::optional<double>& maxAngle, const std::string& interpolation,
                      double tolerance, double bodyChord, double budget, std::uint64_t seed,
-                     const py::object& run, PathWatch* watch) {
+                     const py::object& run, PathWatch* watch,
+                     const std::vector<std::string>& rules) {
   const RunPointer context = runFromObject(run);
   const TriMesh part = meshFromArrays(vertices, triangles);
   PathTask task;
@@ -173,8 +166,7 @@ py::tuple pyFindPath(const py::object& vertices, const py::object& triangles,
   if (!start.is_none()) task.start = poseFrom(start, "start");
   if (!extract.is_none()) task.extraction = extractionFrom(extract);
   for (const py::handle& item : via) task.via.push_back(poseFrom(item, "via"));
-  std::vector<PathNeighbour> parts;
-  for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
+  const std::vector<ClearanceNeighbour> parts = neighboursFrom(neighbours, rules);
   const PathOptions options =
       optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, bodyChord, budget, seed,
                   parseInterpolation(interpolation));
@@ -188,12 +180,12 @@ py::tuple pyImprovePath(const py::object& vertices, const py::object& triangles,
                         const std::string& interpolation, const std::vector<std::size_t>& locked,
                         bool moreClearance, double clearance, double release, bool translationOnly,
                         const std::optional<double>& maxAngle, double tolerance, double bodyChord,
-                        double budget, std::uint64_t seed, const py::object& run) {
+                        double budget, std::uint64_t seed, const py::object& run,
+                        const std::vector<std::string>& rules) {
   const RunPointer context = runFromObject(run);
   const TriMesh part = meshFromArrays(vertices, triangles);
   const ImproveTask task{trajectoryFromObject(motion, interpolation), locked, moreClearance};
-  std::vector<PathNeighbour> parts;
-  for (const py::handle& item : neighbours) parts.push_back(pathNeighbourFrom(item));
+  const std::vector<ClearanceNeighbour> parts = neighboursFrom(neighbours, rules);
   const PathOptions options = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance,
                                           bodyChord, budget, seed, task.motion.interpolation);
   return answerOf(
@@ -214,14 +206,15 @@ void bindPath(py::module_& module) {
              py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("budget") = 60.0, py::arg("seed") = 1,
-             py::arg("run") = py::none(), py::arg("watch") = nullptr);
+             py::arg("run") = py::none(), py::arg("watch") = nullptr,
+             py::arg("rules") = py::tuple());
   module.def("improve_path", &pyImprovePath, kImproveDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("neighbours"), py::arg("interpolation") = "linear",
              py::arg("locked") = py::tuple(), py::arg("more_clearance") = false,
              py::arg("clearance") = 0.0, py::arg("release") = 0.0,
              py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
              py::arg("tolerance") = 0.01, py::arg("body_chord") = 0.0, py::arg("budget") = 60.0,
-             py::arg("seed") = 1, py::arg("run") = py::none());
+             py::arg("seed") = 1, py::arg("run") = py::none(), py::arg("rules") = py::tuple());
   py::class_<LiveClearance>(module, "LiveClearance", kLiveDoc)
       .def(py::init(&makeLive), py::arg("vertices"), py::arg("triangles"), py::arg("neighbours"),
            py::arg("run") = py::none())

@@ -33,13 +33,12 @@ from ._calls import (
     Result,
     RunContext,
     check_mesh,
-    clearance,
     compute,
-    distance_to_mesh,
     estimate,
     estimate_solid,
     write_solid,
 )
+from ._clearance import clearance, distance_to_mesh, first_contacts
 from ._paths import find_path, improve_path
 from ._sources import Sources
 from ._values import (
@@ -80,6 +79,7 @@ __all__ = [
     "estimate",
     "estimate_solid",
     "find_path",
+    "first_contacts",
     "improve_path",
     "read_body",
     "read_mesh",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from types import TracebackType
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Dict, List, Optional, Tuple, Type
 
 import numpy as np
 import numpy.typing as npt
@@ -28,7 +28,6 @@ from ._values import (
 logger = logging.getLogger("swept_volume")
 
 Report = Dict[str, Any]
-Neighbour = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, float]]
 
 
 class RunContext(_core.RunContext):
@@ -335,57 +334,3 @@ def estimate_solid(
     """What write_solid() with the same options would take: triangles, faces, megabytes, seconds."""
     body = mesh_of(mesh)
     return _core.estimate_solid(body.vertices, body.triangles, run, **options)
-
-
-def _neighbour(item: Neighbour) -> Tuple[str, Floats, Integers, float]:
-    parts: Sequence[Any] = item if isinstance(item, (tuple, list)) else ()
-    if len(parts) not in (2, 3):
-        raise TypeError("a neighbour is (name, mesh) or (name, mesh, chord error in mm)")
-    mesh = mesh_of(parts[1])
-    chord = float(parts[2]) if len(parts) == 3 else mesh.chord_error
-    return parts[0], mesh.vertices, mesh.triangles, chord
-
-
-def clearance(
-    mesh: MeshLike,
-    motion: MotionLike,
-    neighbours: Iterable[Neighbour],
-    *,
-    interpolation: Optional[str] = None,
-    required: float = 0.0,
-    tolerance: float = 0.01,
-    body_chord: Optional[float] = None,
-    interval_tolerance: Optional[float] = None,
-    curve: int = 200,
-    penetration: bool = True,
-    run: Optional[RunContext] = None,
-) -> Dict[str, Any]:
-    """Smallest distance of a moving body to each neighbour over the whole motion; nothing between two
-    poses is missed. neighbours: (name, mesh) or (name, mesh, chord error). Lengths in mm; chord errors
-    not given are those of the meshes. Returns the report, as docs/clearance.md says."""
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
-    report: Dict[str, Any] = _core.clearance(
-        body.vertices,
-        body.triangles,
-        way._arrays(),
-        [_neighbour(item) for item in neighbours],
-        way.interpolation,
-        required,
-        tolerance,
-        body.chord_error if body_chord is None else body_chord,
-        interval_tolerance or 0.0,
-        curve,
-        penetration,
-        run,
-    )
-    _log(report["warnings"])
-    return report
-
-
-def distance_to_mesh(
-    points: npt.ArrayLike, mesh: MeshLike, *, run: Optional[RunContext] = None
-) -> Floats:
-    """Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed."""
-    body = mesh_of(mesh)
-    checked = frozen(points, np.float64, (-1, 3), "points")
-    return _core.distance_to_mesh(checked, body.vertices, body.triangles, run)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Types of the compiled module. Use the package swept_volume, which has the documented interface."""
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -158,7 +158,18 @@ def clearance(
     curve: int = 200,
     penetration: bool = True,
     run: Optional[RunContext] = None,
+    rules: Sequence[str] = (),
 ) -> Dict[str, Any]: ...
+def first_contacts(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    motion: Any,
+    neighbours: Any,
+    interpolation: str = "linear",
+    tolerance: float = 0.01,
+    body_chord: float = 0.0,
+    run: Optional[RunContext] = None,
+) -> List[str]: ...
 def find_path(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,
@@ -178,6 +189,7 @@ def find_path(
     seed: int = 1,
     run: Optional[RunContext] = None,
     watch: Optional[PathWatch] = None,
+    rules: Sequence[str] = (),
 ) -> Tuple[Dict[str, Any], Any]: ...
 def improve_path(
     vertices: npt.ArrayLike,
@@ -196,6 +208,7 @@ def improve_path(
     budget: float = 60.0,
     seed: int = 1,
     run: Optional[RunContext] = None,
+    rules: Sequence[str] = (),
 ) -> Tuple[Dict[str, Any], Any]: ...
 
 class PathWatch:

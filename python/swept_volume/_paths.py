@@ -7,7 +7,8 @@ from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
 import numpy.typing as npt
 
 from . import _core
-from ._calls import Neighbour, RunContext, _log, _neighbour
+from ._calls import RunContext, _log
+from ._clearance import Neighbour, Rules, _neighbour, rule_texts
 from ._values import MeshLike, Motion, MotionLike, mesh_of, motion_of
 
 
@@ -28,11 +29,13 @@ def find_path(
     body_chord: Optional[float] = None,
     budget: float = 60.0,
     seed: int = 1,
+    rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
     """A motion that brings a part to its goal and keeps the clearance (mm) from every neighbour, between
     its keys as well. goal, start, via: matrices (4, 4); extract, instead of a start: a radius in mm or
-    a direction (x, y, z). Contact is allowed until the part is `release` mm out. max_angle in rad,
+    a direction (x, y, z). Contact is allowed until the part is `release` mm out. rules: as those of
+    clearance(), but no contact at any time. max_angle in rad,
     budget in s. Returns the report (docs/paths.md) and the motion, None where none was found."""
     body = mesh_of(mesh)
     report, arrays = _core.find_path(
@@ -53,6 +56,8 @@ def find_path(
         budget,
         seed,
         run,
+        None,
+        rule_texts(rules),
     )
     _log(report["warnings"])
     return report, None if arrays is None else motion_of(arrays, interpolation)
@@ -74,6 +79,7 @@ def improve_path(
     body_chord: Optional[float] = None,
     budget: float = 60.0,
     seed: int = 1,
+    rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
     """A motion made better: what is nearer to a neighbour than the clearance (mm) is led another way where
@@ -99,6 +105,7 @@ def improve_path(
         budget,
         seed,
         run,
+        rule_texts(rules),
     )
     _log(report["warnings"])
     return report, None if arrays is None else motion_of(arrays, path.interpolation)

@@ -681,6 +681,10 @@ Versucht:
    <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
   </message>
   <message>
+   <source>the rules ignore every neighbour: leave at least one to be checked.</source>
+   <translation>die Regeln übergehen jeden Nachbarn: lassen Sie mindestens einen prüfen.</translation>
+  </message>
+  <message>
    <source>Left out: {0}</source>
    <translation>Ausgelassen: {0}</translation>
   </message>
@@ -701,12 +705,24 @@ Versucht:
    <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
   </message>
   <message>
+   <source>ignored</source>
+   <translation>übergangen</translation>
+  </message>
+  <message>
+   <source>contact</source>
+   <translation>Kontakt</translation>
+  </message>
+  <message>
    <source>smallest {0} at t = {1} s ({2})</source>
    <translation>kleinster Abstand {0} bei t = {1} s ({2})</translation>
   </message>
   <message>
    <source>smallest {0}, at least {1}, at t = {2} s ({3})</source>
    <translation>kleinster Abstand {0}, mindestens {1}, bei t = {2} s ({3})</translation>
+  </message>
+  <message>
+   <source>contact, {0} deep</source>
+   <translation>Kontakt, {0} tief</translation>
   </message>
   <message>
    <source>{0} clash</source>
@@ -719,6 +735,14 @@ Versucht:
   <message>
    <source>{0} too near</source>
    <translation>{0} zu nah</translation>
+  </message>
+  <message>
+   <source>{0} in allowed contact</source>
+   <translation>{0} in erlaubtem Kontakt</translation>
+  </message>
+  <message>
+   <source>{0} ignored</source>
+   <translation>{0} übergangen</translation>
   </message>
   <message>
    <source>deepest {0} at t = {1} s ({2})</source>
@@ -805,6 +829,22 @@ Versucht:
    <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
   </message>
   <message>
+   <source>"{0}": there is no rule "{1}".</source>
+   <translation>"{0}": eine Regel "{1}" gibt es nicht.</translation>
+  </message>
+  <message>
+   <source>"{0}": a length of {1} mm is not possible in a rule.</source>
+   <translation>"{0}": eine Länge von {1} mm ist in einer Regel nicht möglich.</translation>
+  </message>
+  <message>
+   <source>the rules of "{0}" do not fit its parts ({1} parts, {2} kinds, {3} lengths): give them anew.</source>
+   <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
+  </message>
+  <message>
+   <source>two rules contradict each other for "{0}": keep one.</source>
+   <translation>zwei Regeln für "{0}" widersprechen einander: behalten Sie eine.</translation>
+  </message>
+  <message>
    <source>Path of {0}</source>
    <translation>Weg von {0}</translation>
   </message>
@@ -843,6 +883,10 @@ Versucht:
   <message>
    <source>Clearance table</source>
    <translation>Abstandstabelle</translation>
+  </message>
+  <message>
+   <source>Contact, allowed</source>
+   <translation>Kontakt, erlaubt</translation>
   </message>
   <message>
    <source>the cell size must be above 0 mm.</source>
@@ -887,10 +931,6 @@ Versucht:
   <message>
    <source>Edit motion</source>
    <translation>Bewegung bearbeiten</translation>
-  </message>
-  <message>
-   <source>"{0}": a clearance of {1} is not possible.</source>
-   <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
   </message>
   <message>
    <source>The part came {0} away from where it belongs; it is shown there.</source>
@@ -957,6 +997,10 @@ Versucht:
    <translation>"{0}": hier braucht es {1} Zahlen mit Leerzeichen dazwischen.</translation>
   </message>
   <message>
+   <source>"{0}": a clearance of {1} is not possible.</source>
+   <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
+  </message>
+  <message>
    <source>There is no envelope in the document: make one with Create envelope.</source>
    <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
   </message>
@@ -979,6 +1023,10 @@ Versucht:
   <message>
    <source>Select a motion first.</source>
    <translation>Zuerst eine Bewegung auswählen.</translation>
+  </message>
+  <message>
+   <source>Look for contacts</source>
+   <translation>Kontakte suchen</translation>
   </message>
   <message>
    <source>Export envelope</source>
@@ -1246,6 +1294,26 @@ Versucht:
    <translation>Netzabweichung</translation>
   </message>
   <message>
+   <source>length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <source>What the moving parts touch at the first pose of the motion may be touched at any time</source>
+   <translation>Was die bewegten Teile in der ersten Lage der Bewegung berühren, darf jederzeit berührt werden</translation>
+  </message>
+  <message>
+   <source>Nothing touches at the first pose.</source>
+   <translation>In der ersten Lage berührt sich nichts.</translation>
+  </message>
+  <message>
+   <source>Allow what &amp;touches at first</source>
+   <translation>&amp;Berührung am Anfang erlauben</translation>
+  </message>
+  <message>
+   <source>Contact allowed, where it is meant: {0}</source>
+   <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
+  </message>
+  <message>
    <source>Result</source>
    <translation>Ergebnis</translation>
   </message>
@@ -1304,6 +1372,10 @@ Versucht:
   <message>
    <source>{0} (stale: check again)</source>
    <translation>{0} (veraltet: neu prüfen)</translation>
+  </message>
+  <message>
+   <source>Rule: {0}</source>
+   <translation>Regel: {0}</translation>
   </message>
   <message>
    <source>Swept envelope</source>
@@ -1726,10 +1798,6 @@ Versucht:
    <translation>Nachbarn</translation>
   </message>
   <message>
-   <source>What this one asks for; empty: the common clearance below</source>
-   <translation>Was dieser verlangt; leer: der gemeinsame Abstand unten</translation>
-  </message>
-  <message>
    <source>&amp;Add selected</source>
    <translation>Auswahl hin&amp;zufügen</translation>
   </message>
@@ -1788,10 +1856,6 @@ Versucht:
   <message>
    <source>Keys</source>
    <translation>Schlüssel</translation>
-  </message>
-  <message>
-   <source>length</source>
-   <translation>Länge</translation>
   </message>
   <message>
    <source>turns</source>
@@ -1924,6 +1988,34 @@ Versucht:
   <message>
    <source>Warnings: {0}</source>
    <translation>Warnungen: {0}</translation>
+  </message>
+  <message>
+   <source>Distance</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <source>Contact allowed</source>
+   <translation>Kontakt erlaubt</translation>
+  </message>
+  <message>
+   <source>Ignored</source>
+   <translation>Übergangen</translation>
+  </message>
+  <message>
+   <source>Double-click a cell, or press F2, to choose another rule</source>
+   <translation>Doppelklick auf eine Zelle oder F2, um eine andere Regel zu wählen</translation>
+  </message>
+  <message>
+   <source>Rule</source>
+   <translation>Regel</translation>
+  </message>
+  <message>
+   <source>The distance that this one asks for; empty: the common one below. Where contact is allowed: how deep the parts may overlap; empty: not measurably</source>
+   <translation>Der Abstand, den dieser verlangt; leer: der gemeinsame unten. Wo Kontakt erlaubt ist: wie tief die Teile einander durchdringen dürfen; leer: nicht messbar</translation>
+  </message>
+  <message>
+   <source>What this one asks for; empty: the common clearance below</source>
+   <translation>Was dieser verlangt; leer: der gemeinsame Abstand unten</translation>
   </message>
   <message>
    <source>Rules</source>
@@ -2283,6 +2375,18 @@ bis etwa {2}, {3}</translation>
    <translation>Sehnenfehler, mit dem Festkörper vernetzt werden; er wird von den Abständen abgezogen</translation>
   </message>
   <message>
+   <source>Neighbours, or groups of them, that have a rule of their own</source>
+   <translation>Nachbarn, oder Gruppen von ihnen, mit eigener Regel</translation>
+  </message>
+  <message>
+   <source>The rule of each of RuleParts: Required (a distance of its own), Contact (may be touched at any time), Ignore</source>
+   <translation>Die Regel von jedem der RuleParts: Required (ein eigener Abstand), Contact (darf jederzeit berührt werden), Ignore (übergehen)</translation>
+  </message>
+  <message>
+   <source>mm for each of RuleParts: the distance that it asks for, or how deep a contact may be</source>
+   <translation>mm für jeden der RuleParts: der Abstand, den er verlangt, oder wie tief ein Kontakt sein darf</translation>
+  </message>
+  <message>
    <source>State of the result</source>
    <translation>Zustand des Ergebnisses</translation>
   </message>
@@ -2297,6 +2401,10 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Neighbours checked</source>
    <translation>Geprüfte Nachbarn</translation>
+  </message>
+  <message>
+   <source>Worst verdict against the rules: clear, below, contact or clash</source>
+   <translation>Schlechtestes Urteil gegen die Regeln: clear, below, contact oder clash</translation>
   </message>
   <message>
    <source>Smallest distance</source>

@@ -8,6 +8,7 @@ import FreeCAD as App
 from case import Case, V, shift, turn
 from sweptvolume import core
 from sweptvolume.features import clearance, improve_plan, motion, path_plan
+from sweptvolume.features.neighbour_rules import Rule
 
 
 class Paths(Case):
@@ -99,11 +100,11 @@ class Paths(Case):
         pairs = [(part, "")]
         plan = path_plan.PathPlan(
             self.doc, pairs, self.beside(pairs), extract=V(0, 0, 1), Required=0.5,
-            clearances={(walls[2], ""): 0.85}, Release=0.0,
+            rules={(walls[2], ""): Rule(length=0.85)}, Release=0.0,
         )  # fmt: skip
         _, path = path_plan.find(plan)
         self.assertGreaterEqual(self.checked(path, pairs, 0.5)["Floor"]["guaranteed"], 0.84)
-        plan.clearances = {(walls[2], ""): 1.5}  # the floor is 1 mm below
+        plan.rules = {(walls[2], ""): Rule(length=1.5)}  # the floor is 1 mm below
         with self.assertRaises(core.CoreError) as refused:
             path_plan.find(plan)
         self.assertEqual(refused.exception.code, "GoalBlocked")

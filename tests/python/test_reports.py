@@ -90,6 +90,20 @@ def test_reports_of_clearances(report_of, inputs, box):  # noqa: F811
     assert [row["verdict"] for row in report["neighbours"]] == ["clash", "clear"]
     assert report["smallest"] == 0 and "penetration" in report["neighbours"][0]
     assert "smallest" not in report_of(*words, "absent.ply", status=1)
+    report = report_of(
+        *words,
+        inputs / "near.ply",
+        inputs / "far.ply",
+        "--rule",
+        "near=ignore",
+        "--rule",
+        "far=99",
+        status=3,
+    )
+    assert [(row["name"], row["rule"]) for row in report["neighbours"]] == [
+        ("far", {"required": 99})
+    ]
+    assert report["ignored"] == ["near"]
 
 
 def test_reports_of_paths(report_of, inputs, box):  # noqa: F811
@@ -99,6 +113,8 @@ def test_reports_of_paths(report_of, inputs, box):  # noqa: F811
     assert report["verdict"] == "found" and report["keys"] == len(report["path"]) > 2
     assert report["clearance"] >= 2 and report["certificate"][0]["verdict"] == "clear"
     assert "verdict" not in report_of(*words, "--clearance", 20, status=1)
+    report = report_of(*words, inputs / "box.ply", "--clearance", 2, "--rule", "box=ignore")
+    assert report["verdict"] == "found" and report["ignored"] == ["box"]
 
 
 def test_the_schema_refuses_what_is_no_report(call, inputs, validator):  # noqa: F811

@@ -17,10 +17,10 @@ inline PathTask taskOf(const PathCase& c) {
   return task;
 }
 
-inline std::vector<PathNeighbour> neighboursOf(const PathCase& c) {
-  std::vector<PathNeighbour> list;
+inline std::vector<ClearanceNeighbour> neighboursOf(const PathCase& c) {
+  std::vector<ClearanceNeighbour> list;
   for (const TriMesh& mesh : c.neighbours)
-    list.push_back({{"part " + std::to_string(list.size() + 1), mesh, 0}, {}});
+    list.push_back({"part " + std::to_string(list.size() + 1), mesh});
   return list;
 }
 
@@ -55,8 +55,7 @@ inline std::string wrongWith(const PathCase& c, const PathReport& report) {
   // Inside the release zone contact is allowed; the key that leaves it is the first that is clear.
   Trajectory free = report.path;
   if (c.release > 0) free.poses.pop_back();
-  std::vector<ClearanceNeighbour> parts;
-  for (const PathNeighbour& n : neighboursOf(c)) parts.push_back(n.part);
+  const std::vector<ClearanceNeighbour> parts = neighboursOf(c);
   ClearanceOptions options;
   options.required = c.clearance;
   options.curveSamples = 0;

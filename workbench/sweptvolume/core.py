@@ -326,7 +326,7 @@ def write_solid(vertices, triangles, path, control, **options):
 
 
 def clearance(request, neighbours, options, control):
-    """Smallest distances of a moving body to (name, vertices, triangles, chord) each: report (dict).
+    """Smallest distances of a moving body to (name, vertices, triangles, chord, rule) each: report (dict).
 
     `request.options` are not used; raises CoreError.
     """
@@ -334,6 +334,23 @@ def clearance(request, neighbours, options, control):
     with errors():
         return module().clearance(
             vertices, triangles, motion, neighbours, interpolation, run=control.context, **options
+        )
+
+
+def first_contacts(request, neighbours, options, control):
+    """The rules, as texts, that would allow what the body touches at its first pose; arguments as those of
+    clearance(). Raises CoreError."""
+    vertices, triangles, motion, interpolation = arguments(request)
+    with errors():
+        return module().first_contacts(
+            vertices,
+            triangles,
+            motion,
+            neighbours,
+            interpolation,
+            options["tolerance"],
+            options["body_chord"],
+            run=control.context,
         )
 
 

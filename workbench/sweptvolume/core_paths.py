@@ -8,7 +8,7 @@ class PathRequest:
 
     body: has vertices (n,3) mm, in the coordinates that the placements place, and triangles (m,3), made in
     any thread; goal, start: (4,4); extract, instead of a start: mm, or a direction (x, y, z); neighbours:
-    (name, body in the world, chord, clearance or None); options: as the module's find_path()."""
+    (name, body in the world, chord, rule as text or None); options: as the module's find_path()."""
 
     def __init__(self, body, goal, neighbours, start, extract, options):
         self.body = body

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "swept/neighbour_rule.h"
 #include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -21,6 +22,7 @@ struct ClearanceNeighbour {
   std::string name;
   TriMesh mesh;
   double chordError = 0;
+  NeighbourRule rule = {};  ///< what this one asks for instead of the common distance
 };
 
 struct ClearanceOptions {
@@ -35,7 +37,8 @@ struct ClearanceOptions {
 
 /// Clear: at least the required distance. BelowRequired: apart, but nearer than required. Contact:
 /// nearer than tolerance + chord errors, so that it cannot be told from touching. Clash: the solids
-/// share space by more than that.
+/// share space by more than that; where the rule allows contact, by more than that and by more than
+/// the depth that it allows.
 enum class ClearanceVerdict { Clear, BelowRequired, Contact, Clash };
 const char* clearanceVerdictName(ClearanceVerdict verdict);  // clear | below | contact | clash
 
@@ -70,6 +73,7 @@ struct PenetrationResult {
 
 struct NeighbourClearance {
   std::string name;
+  NeighbourRule rule;  ///< that holds for it: a required distance or contact
   ClearanceVerdict verdict = ClearanceVerdict::Clear;
   double distance =
       0;  ///< mm between the triangles, 0 where they meet; at most `tolerance` too large
@@ -90,16 +94,25 @@ struct NeighbourClearance {
   std::int64_t distanceQueries = 0;
   std::int64_t certificates = 0;  ///< spans of motion proven to stay away
   double seconds = 0;
+
+  /// Clear, or in contact where the rule allows it.
+  bool meetsRule() const {
+    return verdict == ClearanceVerdict::Clear ||
+           (verdict == ClearanceVerdict::Contact && rule.contact.has_value());
+  }
 };
 
 struct ClearanceReport {
   Status status = Status::Ok;
   std::string code;
   std::string message;
-  std::vector<NeighbourClearance> neighbours;  ///< in the order given
-  int smallest = -1;    ///< index of the neighbour that comes nearest (deepest clash first)
+  std::vector<NeighbourClearance> neighbours;  ///< in the order given, without the ignored ones
+  std::vector<std::string> ignored;            ///< names
+  /// Index of the neighbour that comes nearest (deepest clash first); of those that may be touched
+  /// only where no other comes into question.
+  int smallest = -1;
   std::string summary;  ///< "12 checked, smallest 3.2 mm at t = 4.1 s (bracket)"
-  double required = 0;
+  double required = 0;  ///< the common one
   double tolerance = 0;
   std::int64_t placements = 0;
   std::int64_t bodyTriangles = 0;
@@ -116,6 +129,14 @@ struct ClearanceReport {
 ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory,
                                const std::vector<ClearanceNeighbour>& neighbours,
                                const ClearanceOptions& options, RunContext& run);
+
+/// What the body touches, or lies in, at the first pose of its motion: contacts that may be meant.
+/// A row for each neighbour, as checkClearance() has it for that pose; its rule is the one that
+/// would allow what is found there (contact, a tenth deeper than what is found), or none for what
+/// is clear and for open meshes, whose depth is not known. Rules of the neighbours are passed over.
+ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
+                              const std::vector<ClearanceNeighbour>& neighbours,
+                              const ClearanceOptions& options, RunContext& run);
 
 /// The report as JSON text (UTF-8); keys as in docs/clearance.md.
 std::string toJson(const ClearanceReport& report);

@@ -1,6 +1,7 @@
 // Installation paths: how a part gets to its place between neighbours, clear of them all the way.
 // In:    the part, where it belongs, where it comes from (or "just out of here"), neighbours with
-//        the clearance asked for. Units: mm, s, rad. All in one world.
+//        their rules (swept/neighbour_rule.h), the clearance asked for. Units: mm, s, rad. All in
+//        one world.
 // Out:   a trajectory of few keys, proven clear between its keys by the clearance engine, with the
 //        interpolation that it names; or an honest answer why there is none.
 // Cost:  milliseconds for a straight way out; seconds where the part has to turn in narrow places.
@@ -21,12 +22,6 @@
 #include "swept/types.h"
 
 namespace swept {
-
-/// A part that stands still. `clearance`: mm that this one asks for instead of the common one.
-struct PathNeighbour {
-  ClearanceNeighbour part;
-  std::optional<double> clearance;
-};
 
 /// Get the part out: at least `radius` mm away, or, with a direction, past all neighbours along it.
 struct Extraction {
@@ -92,6 +87,7 @@ struct PathReport {
   /// mm: the largest clearance for which a path was found instead of the one asked for; -1: none.
   double possibleClearance = -1;
   std::vector<std::string> contacts;  ///< neighbours to which the release zones apply
+  std::vector<std::string> ignored;   ///< neighbours that the rules leave out
   double required = 0;
   double tolerance = 0;
   double release = 0;
@@ -127,11 +123,13 @@ class PathWatch {
   std::optional<Pose> pose_;
 };
 
-/// Never throws except std::bad_alloc; failures are in report.status. Codes besides those of
-/// checkClearance(): GoalBlocked, StartBlocked, ViaBlocked (inside a neighbour, or nearer than the
-/// clearance: which, how much), SamePose (start is goal), NoStart.
+/// Neighbours that ask for a distance of their own get it, ignored ones are left out, contact at
+/// any time is refused (BadRule). Never throws except std::bad_alloc; failures are in
+/// report.status. Codes besides those of checkClearance(): GoalBlocked, StartBlocked, ViaBlocked
+/// (inside a neighbour, or nearer than the clearance: which, how much), SamePose (start is goal),
+/// NoStart.
 PathReport findPath(const TriMesh& part, const PathTask& task,
-                    const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+                    const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options,
                     RunContext& run, PathWatch* watch = nullptr);
 
 /// How a motion is improved.
@@ -148,8 +146,8 @@ struct ImproveTask {
 /// the interpolation is that of the motion. Never throws except std::bad_alloc; codes besides those
 /// of findPath(): BadPose.
 PathReport improvePath(const TriMesh& part, const ImproveTask& task,
-                       const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
-                       RunContext& run);
+                       const std::vector<ClearanceNeighbour>& neighbours,
+                       const PathOptions& options, RunContext& run);
 
 /// The report as JSON text (UTF-8); keys as in docs/paths.md.
 std::string toJson(const PathReport& report);

@@ -40,11 +40,18 @@ void checkClearanceOptions(const ClearanceOptions& o,
   if (parts.empty())
     throw Error(Status::InvalidInput, "NoNeighbours",
                 "no neighbouring part given; choose at least one");
-  for (const ClearanceNeighbour& part : parts)
+  for (const ClearanceNeighbour& part : parts) {
     requireOption("chord error", part.chordError, true, "neighbour '" + part.name + "': ");
+    checkRule(part.rule, "the rule of neighbour '" + part.name + "'");
+  }
 }
 
+constexpr std::size_t kMostFirst = 8;  // indices that a finding names
+
+/// Allowed contacts come last: that they are at 0 is meant.
 bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
+  const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
+  if (meantA != meantB) return meantB;
   if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
     return a.distance - a.chordError < b.distance - b.chordError;
   return a.penetration.depth > b.penetration.depth;
@@ -54,10 +61,13 @@ void summarise(ClearanceReport& report) {
   int clashes = 0;
   int contacts = 0;
   int below = 0;
+  int allowed = 0;
   for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
     const NeighbourClearance& row = report.neighbours[i];
     clashes += row.verdict == ClearanceVerdict::Clash;
-    contacts += row.verdict == ClearanceVerdict::Contact;
+    const bool meant = row.verdict == ClearanceVerdict::Contact && row.rule.contact.has_value();
+    allowed += meant;
+    contacts += row.verdict == ClearanceVerdict::Contact && !meant;
     below += row.verdict == ClearanceVerdict::BelowRequired;
     if (report.smallest < 0 || nearer(row, report.neighbours[report.smallest]))
       report.smallest = static_cast<int>(i);
@@ -70,6 +80,8 @@ void summarise(ClearanceReport& report) {
   add(clashes, clashes == 1 ? "clash" : "clashes");
   add(contacts, contacts == 1 ? "contact" : "contacts");
   add(below, "below required");
+  add(allowed, allowed == 1 ? "allowed contact" : "allowed contacts");
+  add(static_cast<int>(report.ignored.size()), "ignored");
   const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
   const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
   report.summary += (deep ? ", deepest " : ", smallest ") + length + " mm";
@@ -79,20 +91,61 @@ void summarise(ClearanceReport& report) {
   if (!row.name.empty()) report.summary += " (" + row.name + ")";
 }
 
+/// Those that are looked at; the names of the others go into the report.
+std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<ClearanceNeighbour>& all,
+                                                      ClearanceReport& report) {
+  std::vector<const ClearanceNeighbour*> kept;
+  for (const ClearanceNeighbour& part : all) {
+    if (part.rule.ignored)
+      report.ignored.push_back(part.name);
+    else
+      kept.push_back(&part);
+  }
+  if (kept.empty())
+    throw Error(Status::InvalidInput, "NoNeighbours",
+                "the rules ignore every neighbour; leave at least one to be checked");
+  return kept;
+}
+
+/// Contacts that are allowed, where deeper ones could not be ruled out: the deepest, in words.
+void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
+  Finding finding{"ContactNotProven", 0, {}, ""};
+  const NeighbourClearance* worst = nullptr;
+  for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
+    const NeighbourClearance& row = report.neighbours[i];
+    const double most = std::max(row.rule.contact.value_or(0), options.tolerance + row.chordError);
+    if (!row.rule.contact || row.verdict != ClearanceVerdict::Contact ||
+        row.penetration.depthBound <= most)
+      continue;
+    ++finding.count;
+    if (finding.first.size() < kMostFirst) finding.first.push_back(static_cast<std::int64_t>(i));
+    if (worst == nullptr || row.penetration.depthBound > worst->penetration.depthBound)
+      worst = &row;
+  }
+  if (worst == nullptr) return;
+  finding.text = std::to_string(finding.count) +
+                 (finding.count == 1 ? " allowed contact" : " allowed contacts") +
+                 ": no point was found deeper than allowed, but what is proven is less: at '" +
+                 worst->name + "' that nothing is deeper than " +
+                 numberText(worst->penetration.depthBound, 3) + " mm";
+  report.warnings.push_back(finding);
+}
+
 void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& trajectory,
-              const std::vector<ClearanceNeighbour>& neighbours, const ClearanceOptions& options,
+              const std::vector<ClearanceNeighbour>& all, const ClearanceOptions& options,
               RunContext& run) {
   Timer timer;
   run.checkpoint(Phase::Input);
-  checkClearanceOptions(options, neighbours);
+  checkClearanceOptions(options, all);
+  const std::vector<const ClearanceNeighbour*> neighbours = withoutIgnored(all, report);
   const Eigen::Vector3d pivot = pivotOf(trajectory);
   CheckedTrajectory checked = checkTrajectory(trajectory);
   report.warnings = std::move(checked.findings);
   bool mended = false;
   const Part moving = closedPart(seenFromPivot(body, pivot), "the moving body", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
-  for (const ClearanceNeighbour& part : neighbours)
-    report.neighbourTriangles += std::ssize(part.mesh.triangles);
+  for (const ClearanceNeighbour* part : neighbours)
+    report.neighbourTriangles += std::ssize(part->mesh.triangles);
   run.checkpoint(Phase::Motion);
   const Box box = moving.box(moving.tree().root());
   const MotionTree motion(carriedByPivot(checked.trajectory, pivot), box.centre, box.half);
@@ -102,11 +155,12 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   std::atomic<std::uint64_t> done{0};
   tbb::parallel_for(std::size_t{0}, neighbours.size(), [&](std::size_t i) {
     bool neighbourMended = false;
-    const Part still = closedPart(neighbours[i].mesh, "neighbour '" + neighbours[i].name + "'", run,
-                                  neighbourMended);
+    const ClearanceNeighbour& part = *neighbours[i];
+    const Part still = closedPart(part.mesh, "neighbour '" + part.name + "'", run, neighbourMended);
     const CheckedPair pair{moving, mended, still, neighbourMended};
     NeighbourClearance& row = report.neighbours[i];
-    row = checkPair(pair, neighbours[i].name, neighbours[i].chordError, motion, options, run);
+    row = checkPair(pair, {part.name, part.chordError, askedOf(part.rule, options.required)},
+                    motion, options, run);
     row.pose = backFromPivot(row.pose, pivot);
     row.penetration.pose = backFromPivot(row.penetration.pose, pivot);
     run.checkpoint(Phase::Check, ++done, neighbours.size());
@@ -119,6 +173,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   }
   for (const Finding& finding : openFindings(names, closed, moving.closed()))
     report.warnings.push_back(finding);
+  tellUnproven(report, options);
   summarise(report);
   report.seconds.push_back({"search", timer.lap()});
   report.seconds.push_back({"total", timer.seconds()});
@@ -127,6 +182,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
 
 void takeBack(ClearanceReport& report) {
   report.neighbours.clear();
+  report.ignored.clear();
   report.smallest = -1;
   report.summary.clear();
 }
@@ -156,6 +212,29 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
   report.interpolation = interpolationName(trajectory.interpolation);
   fillGuarded(report, run, "clearance check", "parts and motion", takeBack,
               [&] { runCheck(report, body, trajectory, neighbours, options, run); });
+  return report;
+}
+
+ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
+                              const std::vector<ClearanceNeighbour>& neighbours,
+                              const ClearanceOptions& options, RunContext& run) {
+  // A bearing that turns lies a little deeper elsewhere; whole hundredths are easier to read.
+  constexpr double kMore = 1.1, kRound = 0.01;
+  Trajectory first = trajectory;
+  first.interpolation = Interpolation::None;
+  if (first.poses.size() > 1) first.poses.resize(1);
+  std::vector<ClearanceNeighbour> parts = neighbours;
+  for (ClearanceNeighbour& part : parts) part.rule = {};
+  ClearanceOptions touch = options;
+  touch.required = 0;
+  touch.curveSamples = 0;
+  ClearanceReport report = checkClearance(body, first, parts, touch, run);
+  for (NeighbourClearance& row : report.neighbours) {
+    row.rule = {};
+    if (row.verdict == ClearanceVerdict::Contact) row.rule.contact = 0;
+    if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
+      row.rule.contact = kRound * std::ceil(kMore * row.penetration.depth / kRound - 1e-6);
+  }
   return report;
 }
 

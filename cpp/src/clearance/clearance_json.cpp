@@ -23,9 +23,16 @@ Json penetrationJson(const PenetrationResult& p) {
           {"region_max", vectorJson(p.regionMax)}};
 }
 
+Json ruleJson(const NeighbourRule& rule) {
+  if (rule.contact) return {{"contact", *rule.contact}};
+  return {{"required", rule.required.value_or(0)}};
+}
+
 Json rowJson(const NeighbourClearance& row) {
   Json json{{"name", row.name},
+            {"rule", ruleJson(row.rule)},
             {"verdict", clearanceVerdictName(row.verdict)},
+            {"meets_rule", row.meetsRule()},
             {"distance", row.distance},
             {"guaranteed", row.guaranteed},
             {"chord_error", row.chordError},
@@ -67,6 +74,7 @@ std::string toJson(const ClearanceReport& report) {
     json["threads"] = report.threads;
   }
   if (report.smallest >= 0) json["smallest"] = report.smallest;
+  if (!report.ignored.empty()) json["ignored"] = report.ignored;
   json["neighbours"] = std::move(rows);
   json["seconds"] = secondsJson(report.seconds);
   json["warnings"] = findingsJson(report.warnings);

@@ -14,24 +14,27 @@ class PairCheck {
             RunContext& run)
       : parts_(parts), motion_(motion), o_(options), run_(run) {}
 
-  NeighbourClearance operator()(const std::string& name, double chordError) const {
+  NeighbourClearance operator()(const CheckedNeighbour& neighbour) const {
     const Timer timer;
     const PairSearch pair(parts_.body, parts_.neighbour);
     SearchContext context{pair, motion_, run_};
     NeighbourClearance row;
-    row.name = name;
-    row.chordError = o_.bodyChordError + chordError;
+    row.name = neighbour.name;
+    row.rule = neighbour.rule;
+    row.chordError = o_.bodyChordError + neighbour.chordError;
     row.closed = parts_.neighbour.closed();
     const double touch = o_.tolerance + row.chordError;
     const double slack = motion_.isContinuous() ? o_.tolerance : 0.0;
     Minimum least = searchMinimum(context, slack);
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
-      row.penetration =
-          deepestPenetration(context, least, o_.tolerance, o_.penetration ? 40000 : 4000);
+      // Where contact is allowed, parts lie in each other more than once: the search goes on
+      // longer.
+      const std::int64_t effort = row.rule.contact ? 200000 : o_.penetration ? 40000 : 4000;
+      row.penetration = deepestPenetration(context, least, o_.tolerance, effort);
       const bool undecidable = !row.penetration.known && least.distance <= 0 &&
                                !parts_.body.closed() && !parts_.neighbour.closed();
-      if (row.penetration.depth > touch || undecidable)
+      if (row.penetration.depth > std::max(touch, row.rule.contact.value_or(0)) || undecidable)
         row.verdict = ClearanceVerdict::Clash;
       else
         row.verdict = ClearanceVerdict::Contact;
@@ -43,7 +46,8 @@ class PairCheck {
     if (parts_.neighbourMended) row.neighbourTriangle = -1;
     if (parts_.bodyMended) row.bodyTriangle = -1;
     row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);
-    const bool below = o_.required > 0 && row.distance - row.chordError < o_.required;
+    const double required = row.rule.required.value_or(0);
+    const bool below = required > 0 && row.distance - row.chordError < required;
     if (row.verdict == ClearanceVerdict::Clear && below)
       row.verdict = ClearanceVerdict::BelowRequired;
     fillSpans(row, context, touch, below);
@@ -95,7 +99,7 @@ class PairCheck {
         times.push_back({motion_.timeAt(from), motion_.timeAt(to)});
       return times;
     };
-    if (below) row.below = timesBelow(o_.required + row.chordError);
+    if (below) row.below = timesBelow(*row.rule.required + row.chordError);
     if (row.verdict >= ClearanceVerdict::Contact) row.contact = timesBelow(touch);
   }
 
@@ -125,10 +129,15 @@ Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bo
   }
 }
 
-NeighbourClearance checkPair(const CheckedPair& parts, const std::string& name, double chordError,
+NeighbourRule askedOf(const NeighbourRule& own, double commonRequired) {
+  if (own.contact) return {{}, own.contact};
+  return {own.required.value_or(commonRequired)};
+}
+
+NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& neighbour,
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run) {
-  return PairCheck(parts, motion, options, run)(name, chordError);
+  return PairCheck(parts, motion, options, run)(neighbour);
 }
 
 std::vector<Finding> openFindings(const std::vector<std::string>& names,

@@ -22,8 +22,18 @@ struct CheckedPair {
   bool neighbourMended;
 };
 
-/// `chordError`: of the neighbour; that of the body stands in the options. Throws Error(Cancelled).
-NeighbourClearance checkPair(const CheckedPair& parts, const std::string& name, double chordError,
+/// What is known of a neighbour besides its mesh.
+struct CheckedNeighbour {
+  std::string name;
+  double chordError = 0;  ///< mm; that of the body stands in the options
+  NeighbourRule rule;     ///< as askedOf() gives it
+};
+
+/// The rule that holds for a neighbour with this rule of its own: a distance or contact.
+NeighbourRule askedOf(const NeighbourRule& own, double commonRequired);
+
+/// Throws Error(Cancelled).
+NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& neighbour,
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run);
 

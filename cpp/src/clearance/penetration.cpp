@@ -7,6 +7,8 @@
 #include <cmath>
 #include <queue>
 
+#include "clearance/depth_pieces.h"
+
 namespace swept::clearance {
 namespace {
 
@@ -16,20 +18,14 @@ using Eigen::Vector3d;
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr std::size_t kRound = 64;  // pieces a round; fixed, see motion_search.cpp
 
-// A piece of surface: a box of the hierarchy, or a triangle cut out of a leaf's triangle.
-struct Piece {
-  bool ofBody = true;
-  BoxTree::Node node;
-  bool isTriangle = false;
-  Triangle3d corners;
-};
-
 struct Item {
   double bound = 0;    // mm, no point of the piece can be deeper in this part of the motion
   double promise = 0;  // mm, how deep some point may well be: going by it finds deep points early
   std::int64_t number = 0;
   MotionNode motion;
   Piece piece;
+  double excess =
+      0;  // mm, of the bound over the depth at the centre: what a smaller piece may save
   double radius = 0;
   double reach = 0;
 };
@@ -44,80 +40,6 @@ struct Before {
     return x != y ? x < y : a.number > b.number;
   }
 };
-
-struct Probe {
-  double depth = 0;  // at the piece's centre
-  double radius = 0;
-  Vector3d surfacePoint;  // world, at the representative pose
-  double surfaceDepth = 0;
-};
-
-Vector3d centroid(const Triangle3d& c) { return (c[0] + c[1] + c[2]) / 3.0; }
-
-double radiusOf(const Triangle3d& c) {
-  const Vector3d m = centroid(c);
-  return std::sqrt(
-      std::max({(c[0] - m).squaredNorm(), (c[1] - m).squaredNorm(), (c[2] - m).squaredNorm()}));
-}
-
-// Depth of a point of one mesh, given in that mesh's frame, below the other's surface.
-double depthIn(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, bool ofBody,
-               const Vector3d& local) {
-  return ofBody ? pair.neighbour().depth(R * local + t)
-                : pair.body().depth(R.transpose() * (local - t));
-}
-
-Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const Piece& piece) {
-  Probe p;
-  const Part& own = piece.ofBody ? pair.body() : pair.neighbour();
-  Vector3d local;
-  if (piece.isTriangle) {
-    local = centroid(piece.corners);
-    p.radius = radiusOf(piece.corners);
-    p.depth = p.surfaceDepth = depthIn(pair, R, t, piece.ofBody, local);
-  } else {
-    const Box box = own.box(piece.node);
-    p.radius = box.half.norm();
-    p.depth = depthIn(pair, R, t, piece.ofBody, box.centre);
-    local = box.centre;
-    p.surfaceDepth = -std::numeric_limits<double>::infinity();  // the centre is not on the surface
-  }
-  p.surfacePoint = piece.ofBody ? Vector3d(R * local + t) : local;
-  return p;
-}
-
-void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out) {
-  const Part& own = piece.ofBody ? pair.body() : pair.neighbour();
-  if (!piece.isTriangle) {
-    for (std::uint32_t k = 0; k < own.tree().children(piece.node); ++k) {
-      const BoxTree::Node child = BoxTree::child(piece.node, k);
-      Piece p{piece.ofBody, child, child.isItem(), {}};
-      if (child.isItem()) p.corners = own.corners(child.index);
-      out.push_back(p);
-    }
-    return;
-  }
-  const Triangle3d& c = piece.corners;
-  const Vector3d a = 0.5 * (c[0] + c[1]);
-  const Vector3d b = 0.5 * (c[1] + c[2]);
-  const Vector3d d = 0.5 * (c[2] + c[0]);
-  for (const Triangle3d& part : {Triangle3d{c[0], a, d}, Triangle3d{a, c[1], b},
-                                 Triangle3d{d, b, c[2]}, Triangle3d{a, b, d}})
-    out.push_back({piece.ofBody, piece.node, true, part});
-}
-
-std::vector<Piece> roots(const PairSearch& pair) {
-  std::vector<Piece> pieces;
-  for (const bool ofBody : {true, false}) {
-    const Part& own = ofBody ? pair.body() : pair.neighbour();
-    const Part& other = ofBody ? pair.neighbour() : pair.body();
-    if (!other.closed()) continue;
-    Piece p{ofBody, own.tree().root(), own.tree().root().isItem(), {}};
-    if (p.isTriangle) p.corners = own.corners(0);
-    pieces.push_back(p);
-  }
-  return pieces;
-}
 
 class DepthSearch {
  public:
@@ -145,7 +67,11 @@ class DepthSearch {
     }
     double bound = best_.depth + allowed();
     for (const Item& item : queue_) bound = std::max(bound, item.bound);
-    if (!(best_.depth > 0)) return {};
+    if (!(best_.depth > 0)) {
+      PenetrationResult none;
+      none.depthBound = bound;
+      return none;
+    }
     best_.known = true;
     sharpen();
     best_.depthBound = std::max(bound, best_.depth);
@@ -167,7 +93,7 @@ class DepthSearch {
   }
 
   void divide(const Item& item) {
-    const bool byMotion = c_.motion.splits(item.motion) && item.reach > item.radius;
+    const bool byMotion = c_.motion.splits(item.motion) && item.reach > item.excess;
     if (byMotion) {
       nodes_.clear();
       c_.motion.split(item.motion, nodes_);
@@ -189,7 +115,8 @@ class DepthSearch {
       probes_[i] = probe(c_.pair, b.R, b.t, item.piece);
       item.radius = probes_[i].radius;
       item.reach = b.reach;
-      item.bound = std::min(item.bound, probes_[i].depth + item.radius + item.reach);
+      item.excess = probes_[i].most - probes_[i].depth;
+      item.bound = std::min(item.bound, probes_[i].most + item.reach);
       item.promise = probes_[i].depth + 0.3 * (item.radius + item.reach);
     });
     c_.run.checkpoint(Phase::Check);
@@ -380,7 +307,7 @@ bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, do
       ++effort;
       const Probe p = probe(pair, R, t, piece);
       if (p.surfaceDepth >= atLeast) return true;
-      if (p.depth + p.radius > atLeast) queue.push({p.depth + p.radius, piece});
+      if (p.most > atLeast) queue.push({p.most, piece});
     }
     if (queue.empty()) return false;
     const Piece next = queue.top().piece;

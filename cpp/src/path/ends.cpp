@@ -78,16 +78,16 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
 
 }  // namespace
 
-Demand demandOf(const std::vector<PathNeighbour>& neighbours, const PathOptions& options) {
+Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options) {
   Demand demand;
-  for (const PathNeighbour& n : neighbours) {
-    const double required = n.clearance.value_or(options.clearance);
+  for (const ClearanceNeighbour& n : neighbours) {
+    const double required = n.rule.required.value_or(options.clearance);
     demand.required.push_back(required);
-    demand.chordError.push_back(n.part.chordError);
-    demand.names.push_back(n.part.name);
+    demand.chordError.push_back(n.chordError);
+    demand.names.push_back(n.name);
     // A hair more than what counts as clear, so that rounding does not decide.
     demand.apart.push_back(std::max(required, options.tolerance) + options.bodyChordError +
-                           n.part.chordError + 1e-7);
+                           n.chordError + 1e-7);
   }
   demand.bodyChordError = options.bodyChordError;
   demand.tolerance = options.tolerance;
@@ -100,14 +100,13 @@ NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std:
                                   const clearance::MotionTree& motion, double required,
                                   RunContext& run) {
   ClearanceOptions options;
-  options.required = required;
   options.tolerance = demand.tolerance;
   options.bodyChordError = demand.bodyChordError;
   options.curveSamples = 0;
   return clearance::checkPair({scene.part(), scene.partMended(), scene.neighbour(neighbour),
                                scene.neighbourMended(neighbour)},
-                              demand.names[neighbour], demand.chordError[neighbour], motion,
-                              options, run);
+                              {demand.names[neighbour], demand.chordError[neighbour], {required}},
+                              motion, options, run);
 }
 
 Rule End::ruleInside(const Demand& demand) const {

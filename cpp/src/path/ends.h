@@ -26,7 +26,7 @@ struct Demand {
 };
 
 /// What neighbours and options ask for together.
-Demand demandOf(const std::vector<PathNeighbour>& neighbours, const PathOptions& options);
+Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options);
 
 struct End {
   State state;

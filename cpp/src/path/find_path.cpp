@@ -23,7 +23,7 @@ constexpr int kTrials = 400;    // shortcuts that are tried
 class PathFinder {
  public:
   PathFinder(const TriMesh& part, const PathTask& task,
-             const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+             const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options,
              RunContext& run, PathWatch* watch, PathReport& report)
       : o_(options),
         task_(task),
@@ -329,11 +329,11 @@ const char* pathVerdictName(PathVerdict verdict) {
 }
 
 PathReport findPath(const TriMesh& part, const PathTask& task,
-                    const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+                    const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options,
                     RunContext& run, PathWatch* watch) {
-  return guardedPath(part, neighbours, options, run, [&](PathReport& report) {
-    checkPathOptions(task, neighbours, options);
-    PathFinder finder(part, task, neighbours, options, run, watch, report);
+  return guardedPath(part, neighbours, options, run, [&](PathReport& report, const auto& counted) {
+    checkPathOptions(task, counted, options);
+    PathFinder finder(part, task, counted, options, run, watch, report);
     finder.findIt();
     return finder.seconds();
   });

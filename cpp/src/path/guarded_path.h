@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "clearance/guarded_report.h"
@@ -9,9 +11,10 @@
 
 namespace swept::path {
 
-/// work(report) fills the report and gives the seconds that it took; it may throw.
+/// work(report, neighbours) fills the report and gives the seconds that it took; it may throw. Its
+/// neighbours are those that the rules do not ignore.
 template <class Work>
-PathReport guardedPath(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
+PathReport guardedPath(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
                        const PathOptions& options, RunContext& run, const Work& work) {
   PathReport report;
   report.required = options.clearance;
@@ -20,8 +23,14 @@ PathReport guardedPath(const TriMesh& part, const std::vector<PathNeighbour>& ne
   report.seed = options.seed;
   report.interpolation = interpolationName(options.interpolation);
   report.bodyTriangles = std::ssize(part.triangles);
-  for (const PathNeighbour& n : neighbours)
-    report.neighbourTriangles += std::ssize(n.part.mesh.triangles);
+  for (const ClearanceNeighbour& n : neighbours)
+    report.neighbourTriangles += std::ssize(n.mesh.triangles);
+  std::vector<ClearanceNeighbour> some;
+  for (const ClearanceNeighbour& n : neighbours)
+    if (n.rule.ignored) report.ignored.push_back(n.name);
+  if (!report.ignored.empty())
+    std::copy_if(neighbours.begin(), neighbours.end(), std::back_inserter(some),
+                 [](const ClearanceNeighbour& n) { return !n.rule.ignored; });
   const auto takeBack = [](PathReport& taken) {
     const int threads = taken.threads;
     taken = {};
@@ -29,7 +38,9 @@ PathReport guardedPath(const TriMesh& part, const std::vector<PathNeighbour>& ne
   };
   clearance::fillGuarded(report, run, "search", "the parts", takeBack, [&] {
     run.checkpoint(Phase::Input);
-    const double seconds = work(report);
+    for (const ClearanceNeighbour& n : neighbours)
+      checkRule(n.rule, "the rule of neighbour '" + n.name + "'");
+    const double seconds = work(report, report.ignored.empty() ? neighbours : some);
     report.seconds.push_back({"total", seconds});
     run.checkpoint(Phase::Done);
   });

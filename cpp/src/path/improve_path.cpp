@@ -37,7 +37,7 @@ using Stretch = std::vector<Piece>;
 class Improver {
  public:
   Improver(const TriMesh& part, const ImproveTask& task,
-           const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
+           const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options,
            RunContext& run, PathReport& report)
       : o_(options),
         task_(task),
@@ -346,19 +346,19 @@ class Improver {
 }  // namespace
 
 PathReport improvePath(const TriMesh& part, const ImproveTask& task,
-                       const std::vector<PathNeighbour>& neighbours, const PathOptions& options,
-                       RunContext& run) {
+                       const std::vector<ClearanceNeighbour>& neighbours,
+                       const PathOptions& options, RunContext& run) {
   PathOptions o = options;
   o.interpolation = task.motion.interpolation;
-  return guardedPath(part, neighbours, o, run, [&](PathReport& report) {
+  return guardedPath(part, neighbours, o, run, [&](PathReport& report, const auto& counted) {
     PathTask ends;
     ends.start = Pose{};
-    checkPathOptions(ends, neighbours, o);
+    checkPathOptions(ends, counted, o);
     for (const Pose& pose : task.motion.poses) checkedPose(pose, "key");
     // Straight is straight for the pivot: there all is done in coordinates whose origin it is.
     const Eigen::Vector3d pivot = pivotOf(task.motion);
     const ImproveTask carried{carriedByPivot(task.motion, pivot), task.locked, task.moreClearance};
-    Improver improver(seenFromPivot(part, pivot), carried, neighbours, o, run, report);
+    Improver improver(seenFromPivot(part, pivot), carried, counted, o, run, report);
     improver.improve();
     for (Pose& pose : report.path.poses) pose = backFromPivot(pose, pivot);
     report.path.pivot = pivot;

@@ -12,20 +12,17 @@ namespace {
 using clearance::PairDistance;
 using clearance::PairSearch;
 
-std::vector<PathNeighbour> asPathNeighbours(const std::vector<ClearanceNeighbour>& given) {
+const std::vector<ClearanceNeighbour>& atLeastOne(const std::vector<ClearanceNeighbour>& given) {
   if (given.empty())
     throw Error(Status::InvalidInput, "NoNeighbours", "there is no neighbour to keep away from");
-  std::vector<PathNeighbour> neighbours;
-  neighbours.reserve(given.size());
-  for (const ClearanceNeighbour& n : given) neighbours.push_back({n, {}});
-  return neighbours;
+  return given;
 }
 
 }  // namespace
 
 struct LiveClearance::Parts {
   Parts(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours, RunContext& run)
-      : scene(part, asPathNeighbours(neighbours), PathOptions{}, run), memory(scene.memory()) {}
+      : scene(part, atLeastOne(neighbours), PathOptions{}, run), memory(scene.memory()) {}
 
   path::Scene scene;
   path::Memory memory;  ///< the nearest pairs of the last placement, a good guess for the next one

@@ -46,6 +46,7 @@ std::string toJson(const PathReport& report) {
                       {"turn_degrees", report.before->turn * 180 / std::numbers::pi},
                       {"clearance", report.before->clearance}};
   }
+  if (!report.ignored.empty()) json["ignored"] = report.ignored;
   json["steps"] = report.steps;
   json["body_triangles"] = report.bodyTriangles;
   json["neighbour_triangles"] = report.neighbourTriangles;

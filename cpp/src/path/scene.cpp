@@ -31,15 +31,15 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& q, const Vector3d& turn) {
   return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * q).normalized();
 }
 
-std::vector<const TriMesh*> meshesOf(const std::vector<PathNeighbour>& neighbours) {
+std::vector<const TriMesh*> meshesOf(const std::vector<ClearanceNeighbour>& neighbours) {
   std::vector<const TriMesh*> meshes;
-  for (const PathNeighbour& n : neighbours) meshes.push_back(&n.part.mesh);
+  for (const ClearanceNeighbour& n : neighbours) meshes.push_back(&n.mesh);
   return meshes;
 }
 
 }  // namespace
 
-Scene::Scene(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
+Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
              const PathOptions& options, RunContext& run)
     : world_(mainAxes(meshesOf(neighbours)).transpose()),
       own_(mainAxes({&part}).transpose()),
@@ -48,7 +48,7 @@ Scene::Scene(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
       interpolation_(options.interpolation) {
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     run.checkpoint(Phase::Motion, i, neighbours.size());
-    const ClearanceNeighbour& still = neighbours[i].part;
+    const ClearanceNeighbour& still = neighbours[i];
     bool mended = false;
     neighbours_.push_back(clearance::closedPart(turnedMesh(still.mesh, world_),
                                                 "neighbour '" + still.name + "'", run, mended));

@@ -62,7 +62,7 @@ struct Follow {
 class Scene {
  public:
   /// Throws Error(InvalidInput) as Part does, Error(Cancelled).
-  Scene(const TriMesh& part, const std::vector<PathNeighbour>& neighbours,
+  Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
         const PathOptions& options, RunContext& run);
 
   /// The same places with a skin taken off the part and off the neighbours, to guide a search.

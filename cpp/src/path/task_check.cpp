@@ -23,7 +23,7 @@ void requireLength(const char* name, double value, bool mayBeZero) {
 
 }  // namespace
 
-void checkPathOptions(const PathTask& task, const std::vector<PathNeighbour>& neighbours,
+void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour>& neighbours,
                       const PathOptions& o) {
   requireLength("clearance", o.clearance, true);
   requireLength("tolerance", o.tolerance, false);
@@ -40,9 +40,13 @@ void checkPathOptions(const PathTask& task, const std::vector<PathNeighbour>& ne
   if (neighbours.empty())
     throw Error(Status::InvalidInput, "NoNeighbours",
                 "no neighbouring part given; choose at least one");
-  for (const PathNeighbour& n : neighbours) {
-    requireLength("chord error of a neighbour", n.part.chordError, true);
-    if (n.clearance) requireLength("clearance of a neighbour", *n.clearance, true);
+  for (const ClearanceNeighbour& n : neighbours) {
+    requireLength("chord error of a neighbour", n.chordError, true);
+    if (n.rule.contact)
+      throw Error(Status::InvalidInput, "BadRule",
+                  "the rule of neighbour '" + n.name +
+                      "' allows contact at any time, and a search keeps off all neighbours; give a "
+                      "release zone in which the part may touch, or ignore that neighbour");
   }
   if (!task.start && !task.extraction)
     throw Error(Status::InvalidInput, "NoStart",

@@ -11,7 +11,7 @@ namespace swept::path {
 
 /// Throws Error(InvalidInput) BadOption, NoNeighbours, NoStart with what, how much and what is
 /// allowed.
-void checkPathOptions(const PathTask& task, const std::vector<PathNeighbour>& neighbours,
+void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour>& neighbours,
                       const PathOptions& options);
 
 /// Normalised. `what`: "goal", "start", ... Throws Error(InvalidInput) BadPose, OutOfRange.

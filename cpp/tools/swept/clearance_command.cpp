@@ -3,6 +3,7 @@
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <cstdio>
 #include <locale>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -21,7 +22,7 @@ namespace swept::cli {
 namespace {
 
 struct ClearanceJob {
-  std::string generatorPath, generatorFormat, motionPath, csvPath;
+  std::string generatorPath, generatorFormat, motionPath, csvPath, offerPath;
   NeighbourFiles neighbours;
   double generatorUnit = 1.0;
   double motionUnit = 1.0;
@@ -45,6 +46,9 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
           "unit of the generator's numbers (default mm)");
   addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
   addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+  addText(app, "--offer-rules", "FILE", job.offerPath,
+          "only write the contacts at the first pose as rules, to be read and given as --rules; - "
+          "for standard output");
 }
 
 void addOptions(CLI::App& app, ClearanceJob& job) {
@@ -73,20 +77,25 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
              "compare with distances at every pose and N more in each step (slow)");
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all are clear, 3 if one is too near, touches or clashes.\n\nExamples:\n"
+      "Exit status 0 if all meet their rules, 3 if one is too near, touches or "
+      "clashes.\n\nExamples:\n"
       "  swept clearance gripper.stl housing.step bracket.stl --motion path.csv --required 2\n"
+      "  swept clearance gripper.stl housing.step --motion path.csv --required 2 "
+      "--rule 'bolt*=contact' --rule cover=5\n"
       "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet");
 }
 
 void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Trajectory& motion,
                        const std::vector<ClearanceNeighbour>& parts, const ClearanceReport& report,
                        RunContext& run) {
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  std::size_t row = 0;
+  for (const ClearanceNeighbour& part : parts) {
+    if (part.rule.ignored) continue;
     const StampedClearance least =
-        stampedClearance(body, motion, parts[i].mesh, static_cast<int>(job.stamp), run);
+        stampedClearance(body, motion, part.mesh, static_cast<int>(job.stamp), run);
     std::printf("stamped %lld poses against %s: smallest %.9g mm at t = %.9g s; motion %.9g mm\n",
-                static_cast<long long>(least.poses), parts[i].name.c_str(), least.distance,
-                least.timeSeconds, report.neighbours[i].distance);
+                static_cast<long long>(least.poses), part.name.c_str(), least.distance,
+                least.timeSeconds, report.neighbours[row++].distance);
   }
 }
 
@@ -99,8 +108,9 @@ std::string quoted(const std::string& text) {
 void writeCsv(const ClearanceReport& report, const std::string& path) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << "neighbour,verdict,distance_mm,guaranteed_mm,time_s,depth_mm,depth_bound_mm,"
-          "body_x,body_y,body_z,neighbour_x,neighbour_y,neighbour_z,seconds_below\n";
+  text
+      << "neighbour,verdict,distance_mm,guaranteed_mm,time_s,depth_mm,depth_bound_mm,"
+         "body_x,body_y,body_z,neighbour_x,neighbour_y,neighbour_z,seconds_below,rule,meets_rule\n";
   text.precision(12);
   for (const NeighbourClearance& row : report.neighbours) {
     double below = 0;
@@ -110,9 +120,29 @@ void writeCsv(const ClearanceReport& report, const std::string& path) {
          << row.penetration.depthBound;
     for (const Eigen::Vector3d& x : {row.pointOnBody, row.pointOnNeighbour})
       text << ',' << x[0] << ',' << x[1] << ',' << x[2];
-    text << ',' << below << '\n';
+    text << ',' << below << ',' << ruleText(row.rule) << ',' << (row.meetsRule() ? "yes" : "no")
+         << '\n';
   }
+  for (const std::string& name : report.ignored) text << quoted(name) << ",,,,,,,,,,,,,,ignore,\n";
   writeText(text.str(), path);
+}
+
+// Names that several neighbours have get one line, with the deepest contact of them.
+std::string offeredRules(const ClearanceReport& report) {
+  std::map<std::string, double> depths;
+  for (const NeighbourClearance& row : report.neighbours)
+    if (row.rule.contact) depths[row.name] = std::max(depths[row.name], *row.rule.contact);
+  std::string text = "# Contacts at the first pose: " + std::to_string(depths.size()) +
+                     " of the neighbours. Take out what is not meant.\n";
+  for (const auto& [name, depth] : depths) {
+    NeighbourRule rule;
+    rule.contact = depth;
+    text += name + "=" + ruleText(rule) + "\n";
+  }
+  for (const NeighbourClearance& row : report.neighbours)
+    if (row.verdict == ClearanceVerdict::Clash && !row.rule.contact)
+      text += "# " + row.name + ": the surfaces cross, and open meshes have no depth to allow\n";
+  return text;
 }
 
 void printTable(const ClearanceReport& report) {
@@ -122,6 +152,7 @@ void printTable(const ClearanceReport& report) {
     if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
       std::printf(", depth %.4g to %.4g mm", row.penetration.depth, row.penetration.depthBound);
     if (!row.below.empty()) std::printf(", %zu spans below", row.below.size());
+    if (row.verdict == ClearanceVerdict::Contact && row.meetsRule()) std::printf(", allowed");
     std::printf("  (%.2f s, %lld queries, %lld proofs)\n", row.seconds,
                 static_cast<long long>(row.distanceQueries),
                 static_cast<long long>(row.certificates));
@@ -148,6 +179,10 @@ void compute(const ClearanceJob& job, RunContext& run, std::optional<Body>& body
   const std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
   ClearanceOptions options = job.options;
   options.bodyChordError += body->chordError;
+  if (!job.offerPath.empty()) {
+    report = firstContacts(body->mesh, *motion, parts, options, run);
+    return;
+  }
   report = checkClearance(body->mesh, *motion, parts, options, run);
   report.warnings.insert(report.warnings.begin(), body->findings.begin(), body->findings.end());
   if (job.stamp >= 0 && report.status == Status::Ok)
@@ -159,7 +194,9 @@ int runClearance(const ClearanceJob& job) {
   std::vector<RoledFile> inputs{{"the generator", job.generatorPath},
                                 {"the motion", job.motionPath}};
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
-  const std::vector<RoledFile> outputs{{"--csv", job.csvPath}, {"--report", common.report}};
+  if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
+  const std::vector<RoledFile> outputs{
+      {"--csv", job.csvPath}, {"--report", common.report}, {"--offer-rules", job.offerPath}};
   checkIdentity(inputs, outputs, common.noClobber);
   checkAccess({}, outputs);
   ClearanceReport report;
@@ -183,12 +220,17 @@ int runClearance(const ClearanceJob& job) {
     printError(report.status, report.code, report.message);
     return exitStatus(report.status);
   }
+  if (!job.offerPath.empty()) {
+    writeText(offeredRules(report), job.offerPath);
+    printFindings(report.warnings, common.quiet);
+    return kExitOk;
+  }
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
   if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
   printFindings(report.warnings, common.quiet);
   if (common.verbose) printSeconds(report.seconds);
   for (const NeighbourClearance& row : report.neighbours)
-    if (row.verdict != ClearanceVerdict::Clear) return kExitNotClear;
+    if (!row.meetsRule()) return kExitNotClear;
   return kExitOk;
 }
 

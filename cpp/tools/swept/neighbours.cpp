@@ -3,6 +3,8 @@
 #include "neighbours.h"
 
 #include "base/safe_file.h"
+#include "files.h"
+#include "io/line_source.h"
 #include "swept/body.h"
 #include "swept/io.h"
 #ifdef HAVE_SWEPT_SOLID
@@ -23,11 +25,53 @@ void addNeighbourOptions(CLI::App& app, NeighbourFiles& files) {
             "(default 0)");
   addNumber(app, "--deflection", "MM", files.deflection,
             "chord error to which solids, the moving one too, are tessellated (default 0.05)");
+  app.add_option_function<std::vector<std::string>>(
+         "--rule",
+         [&files](const std::vector<std::string>& list) {
+           for (const std::string& text : list) files.rules.push_back(parseNamedRule(text));
+         },
+         "what neighbours of this name (* and ? stand for letters) ask for: a distance in mm, "
+         "contact, contact:MM (may overlap so deep) or ignore; may be given again")
+      ->type_name("NAME=RULE")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addText(app, "--rules", "FILE", files.rulesPath,
+          "rules from a text file, NAME=RULE a line; # begins a remark");
 }
 
 void checkNeighbourOptions(const NeighbourFiles& files) {
   if (!(files.deflection > 0)) badOption("--deflection must be greater than 0 mm");
 }
+
+namespace {
+
+std::vector<NamedRule> readRules(const std::string& path) {
+  std::vector<NamedRule> rules;
+  LineSource lines(inputPath(path));
+  for (std::string line; lines.next(line);) {
+    const auto first = line.find_first_not_of(" \t");
+    if (first == std::string::npos || line[first] == '#') continue;
+    try {
+      rules.push_back(parseNamedRule(line));
+    } catch (const Error& error) {
+      throw Error(error.status(), error.code(),
+                  "'" + path + "', line " + std::to_string(lines.number()) + ": " + error.what());
+    }
+  }
+  return rules;
+}
+
+void giveRules(const NeighbourFiles& files, std::vector<ClearanceNeighbour>& list) {
+  std::vector<NamedRule> rules = files.rules;
+  if (!files.rulesPath.empty())
+    for (const NamedRule& rule : readRules(files.rulesPath)) rules.push_back(rule);
+  std::vector<std::string> names;
+  for (const ClearanceNeighbour& part : list) names.push_back(part.name);
+  const std::vector<NeighbourRule> found = rulesFor(names, rules);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].rule = found[i];
+}
+
+}  // namespace
 
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
                                                [[maybe_unused]] RunContext& run) {
@@ -48,6 +92,7 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
                     "give a mesh (ply, stl, obj, off)");
 #endif
   }
+  giveRules(files, list);
   return list;
 }
 

@@ -15,13 +15,16 @@ struct NeighbourFiles {
   double millimetresPerUnit = 1;  ///< of meshes
   double chordError = 0;          ///< mm, of meshes
   double deflection = 0.05;       ///< mm, to which solids are tessellated
+  std::vector<NamedRule> rules;
+  std::string rulesPath;
 };
 
-/// NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection.
+/// NEIGHBOUR, --neighbour-unit, --neighbour-chord, --deflection, --rule and --rules.
 void addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
 /// Throws what a wrong usage is.
 void checkNeighbourOptions(const NeighbourFiles& files);
-/// A mesh is one neighbour, a solid file one a solid. Throws Error(InvalidInput), Error(Cancelled).
+/// A mesh is one neighbour, a solid file one a solid; each with its rule. Throws
+/// Error(InvalidInput), "BadRule" where rules do not fit; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
 }  // namespace swept::cli

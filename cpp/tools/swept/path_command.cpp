@@ -84,7 +84,7 @@ void addPlaces(CLI::App& app, PathJob& job) {
          },
          "a placement that the path has to pass; may be given again, from start to goal")
       ->type_name("X,Y,Z[,QX,QY,QZ,QW]")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
@@ -143,9 +143,7 @@ PathReport compute(const PathJob& job, RunContext& run) {
   file.millimetresPerUnit = job.partUnit;
   file.tolerance = job.neighbours.deflection;
   const Body part = readInputBody(job.partPath, job.partFormat, file, run);
-  std::vector<PathNeighbour> neighbours;
-  for (ClearanceNeighbour& n : readNeighbours(job.neighbours, run))
-    neighbours.push_back({std::move(n), {}});
+  const std::vector<ClearanceNeighbour> neighbours = readNeighbours(job.neighbours, run);
   PathOptions options = job.options;
   options.bodyChordError += part.chordError;
   options.seed = static_cast<std::uint64_t>(job.seed);
@@ -158,6 +156,7 @@ int runPath(const PathJob& job) {
   const CommonOptions& common = job.common;
   std::vector<RoledFile> inputs{{"the part", job.partPath}};
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
+  if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
   const std::vector<RoledFile> outputs{{"--output", job.output}, {"--report", common.report}};
   checkIdentity(inputs, outputs, common.noClobber);
   checkAccess({}, outputs);

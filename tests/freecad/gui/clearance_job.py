@@ -64,6 +64,7 @@ def scenario():
     yield lambda: doc.getObject("Clearance") is not None
     yield 0.5
     obj = doc.getObject("Clearance")
+    assert list(obj.RuleKinds) == []
     assert obj.Status == clearance.UP_TO_DATE, obj.Status
     assert doc.UndoCount == undo + 1, (doc.UndoCount, undo)
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
@@ -115,6 +116,51 @@ def scenario():
     with open(path, encoding="utf-8") as file:
         lines = file.read().splitlines()
     assert len(lines) == 5 and any("Post" in line for line in lines), lines
+    # Rules: one asks for more, one is ignored; what touches at the first pose is offered.
+    bench = doc.addObject("Part::Box", "Bench")
+    bench.Length, bench.Width, bench.Height = 60, 40, 4
+    bench.Placement.Base = App.Vector(-15, -12, -4)
+    doc.recompute()
+    click(panel_button(Close))
+    yield no_panel
+    select(obj)
+    Gui.runCommand("SweptVolume_Clearance")
+    yield 0.5
+    asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
+    assert asked.rowCount() == 5, asked.rowCount()
+    row_of = {asked.item(r, 0).text(): r for r in range(5)}
+    click(find(QtWidgets.QPushButton, "SweptVolumeTouching"))
+    yield lambda: asked.item(row_of["Bench"], 2).text() == "Contact allowed"
+    assert [asked.item(r, 2).text() for r in range(5)].count("Contact allowed") == 1
+    asked.item(row_of["Far"], 1).setText("12 cm")
+    asked.setCurrentCell(row_of["Post"], 2)
+    asked.editItem(asked.item(row_of["Post"], 2))
+    yield 0.2
+    choice = asked.findChild(QtWidgets.QComboBox)
+    assert choice.count() == 3, choice.count()
+    choice.setCurrentIndex(2)
+    choice.activated.emit(2)
+    yield 0.2
+    assert asked.item(row_of["Post"], 2).text() == "Ignored"
+    shot("15_clearance_rules")
+    undo = doc.UndoCount
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
+    yield lambda: doc.UndoCount == undo + 1
+    yield 0.5
+    kinds = {part.Label: kind for (part, _), kind in zip(obj.RuleParts, obj.RuleKinds)}
+    assert kinds == {"Bench": "Contact", "Far": "Required", "Post": "Ignore"}, kinds
+    assert sorted(obj.RuleLengths) == [0.0, 0.0, 120.0], obj.RuleLengths
+    table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+    shown = {table.item(r, 0).text(): table.item(r, 1).text() for r in range(table.rowCount())}
+    assert sorted(shown) == ["Bench", "Far", "Stop", "Wall"], shown
+    assert shown["Bench"] == "Contact, allowed" and shown["Far"] == "Too near", shown
+    summary = find(QtWidgets.QLabel, "SweptVolumeClearanceSummary").text()
+    assert "1 in allowed contact, 1 ignored" in summary, summary
+    shot("16_clearance_ruled")
+    doc.undo()
+    assert list(obj.RuleKinds) == [], obj.RuleKinds
+    doc.redo()
+    assert sorted(obj.RuleKinds) == ["Contact", "Ignore", "Required"], obj.RuleKinds
     click(panel_button(Close))
     yield no_panel
     assert swept.ViewObject.Visibility and view.colours.getNumChildren() == 0

@@ -12,12 +12,6 @@ namespace {
 
 using namespace test;
 
-std::vector<ClearanceNeighbour> partsOf(const PathCase& c) {
-  std::vector<ClearanceNeighbour> parts;
-  for (const PathNeighbour& n : neighboursOf(c)) parts.push_back(n.part);
-  return parts;
-}
-
 PathOptions patient(const PathCase& c) {
   PathOptions options = optionsOf(c);
   options.budgetSeconds = 1000;
@@ -51,7 +45,7 @@ bool isClear(const PathCase& c, const Trajectory& motion, double required) {
   RunContext run;
   ClearanceOptions options;
   options.required = required;
-  const ClearanceReport report = checkClearance(c.part, motion, partsOf(c), options, run);
+  const ClearanceReport report = checkClearance(c.part, motion, neighboursOf(c), options, run);
   EXPECT_EQ(report.status, Status::Ok) << report.message;
   for (const NeighbourClearance& row : report.neighbours)
     if (row.verdict != ClearanceVerdict::Clear) return false;
@@ -142,14 +136,14 @@ TEST(LiveClearance, AgreesWithTheExactCheckAtEveryPlacement) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     const PathCase c = scatteredCase(seed);
     RunContext run;
-    LiveClearance live(c.part, partsOf(c), run);
+    LiveClearance live(c.part, neighboursOf(c), run);
     const Trajectory way = straightWay(c, 25);
     for (const Pose& pose : way.poses) {
       const LiveDistance found = live.at(pose);
       ClearanceOptions options;
       options.penetration = false;
       Trajectory still{{pose}, Interpolation::None};
-      const ClearanceReport report = checkClearance(c.part, still, partsOf(c), options, run);
+      const ClearanceReport report = checkClearance(c.part, still, neighboursOf(c), options, run);
       const NeighbourClearance& row = report.neighbours[static_cast<std::size_t>(report.smallest)];
       EXPECT_NEAR(found.distance, row.distance, 1e-9);
       (row.distance > 0 ? apart : clashes) += 1;

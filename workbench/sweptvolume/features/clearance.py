@@ -4,6 +4,7 @@
 As with the envelope, `execute` only marks; a run is Plan.request() - work() - apply(). The distances
 come from the true motion; the envelope, where one is given, is only coloured by them.
 """
+import contextlib
 import json
 
 import numpy as np
@@ -12,7 +13,7 @@ from .. import convert, core
 from ..convert import InputProblem
 from ..core_texts import said
 from ..texts import mark, translate
-from . import containers, missing, status
+from . import containers, missing, neighbour_rules, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
     FAILED,
@@ -30,9 +31,11 @@ from .base import (  # noqa: F401 (the states are read from here as well)
 )
 from .clearance_plan import Plan
 from .clearance_properties import INPUT, RESULT
-from .clearance_table import summary
+from .clearance_table import summary, worst
+from .neighbour_rules import PARTS_PROPERTY
 
 TYPE = "App::FeaturePython"
+FAR = 1e9  # mm, where nothing stands
 
 #: Verdict of the core -> what people read.
 VERDICTS = {
@@ -89,6 +92,15 @@ class Clearance(Feature):
     def onChanged(self, obj, name):
         missing.changed(obj, name)
 
+    def shortened(self, obj):
+        """Links begin below the groups around the check, those of rules too."""
+        if PARTS_PROPERTY in obj.PropertiesList:
+            with contextlib.suppress(InputProblem):
+                neighbour_rules.write(obj, neighbour_rules.read(obj))
+
+    def lost(self, obj, gone):
+        neighbour_rules.drop(obj, gone)
+
     def onDocumentRestored(self, obj):
         of_before = "Seen" not in obj.PropertiesList
         with quietly(obj):
@@ -117,10 +129,14 @@ def work(request, control):
     """Any thread: the check itself. Raises core.CoreError, InputProblem."""
     neighbours = request.rows()
     report = core.clearance(request.body, neighbours, request.options, control)
+    if request.ignored:
+        report["ignored"] = request.ignored
     distances = None
     if request.points is not None:
-        distances = np.full(len(request.points), np.inf)
-        for _, vertices, triangles, _ in neighbours:
+        distances = np.full(len(request.points), FAR)
+        for _, vertices, triangles, _, rule in neighbours:
+            if rule is not None and rule.startswith("contact"):
+                continue  # what is meant to touch would hide what comes near
             found = core.distance_to_mesh(request.points, vertices, triangles, control)
             distances = np.minimum(distances, found)
     return Outcome(report, distances, request.notes)
@@ -132,11 +148,30 @@ def apply(obj, outcome, hash_at_start):
     obj.Report = json.dumps(report)
     obj.Summary = summary(report)
     obj.Checked = len(report["neighbours"])
+    obj.Verdict = worst(report)
     obj.Smallest = report["neighbours"][report["smallest"]]["distance"]
     obj.MapDistances = [] if outcome.distances is None else [float(d) for d in outcome.distances]
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     follow_all_visible(obj)
     update_status(obj)
+
+
+def first_contacts(plan, control=None):
+    """What touches at the first pose of a plan's motion: {(root, sub): Rule} that would allow it. Raises
+    core.CoreError, InputProblem."""
+    request = plan.request()
+    return contacts_from(request, offered(request, control or core.Control()))
+
+
+def offered(request, control):
+    """Any thread: the rules, as texts, of the neighbours of a request."""
+    return core.first_contacts(request.body, request.rows(), request.options, control)
+
+
+def contacts_from(request, texts):
+    """The rules of offered(), by parts."""
+    found = zip((n.pair for n in request.neighbours), texts)
+    return {pair: neighbour_rules.from_text(text) for pair, text in found if text}
 
 
 def notes_of(obj):

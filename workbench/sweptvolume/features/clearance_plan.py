@@ -7,45 +7,53 @@ import json
 from .. import contents, convert
 from ..convert import InputProblem
 from ..texts import translate
-from . import containers, missing, status
+from . import containers, missing, neighbour_rules, status
 from . import envelope as envelope_feature
 from .base import kind_of, set_changed
 from .moving import Moving
 
 
 class Neighbour:
-    """A part that stands still: name, convert.Body, and how far its triangles may leave its surface (mm)."""
+    """A part that stands still: name, convert.Body, how far its triangles may leave its surface (mm),
+    where it is in the document (root, sub), and its rule."""
 
-    def __init__(self, name, body, chord):
+    def __init__(self, name, body, chord, pair, rule):
         self.name = name
         self.body = body
         self.chord = chord
+        self.pair = pair
+        self.rule = rule  # neighbour_rules.Rule
 
 
 class Request:
     """Input of one check as plain arrays, no document behind it."""
 
-    def __init__(self, body, neighbours, all_visible, options, points, notes):
+    def __init__(self, body, neighbours, all_visible, options, points, notes, ignored=()):
         self.body = body  # core.Request
         self.neighbours = neighbours
         self.all_visible = all_visible
         self.options = options
         self.points = points  # of the envelope, to be coloured; may be None
         self.notes = notes
+        self.ignored = list(ignored)  # names of neighbours that are not looked at
 
     def rows(self):
-        """Any thread: (name, vertices, triangles, chord) of the neighbours. One of which no triangles can
-        be had is left out with a note where all that are visible are taken. Raises InputProblem."""
-        rows = []
+        """Any thread: (name, vertices, triangles, chord, rule as text or None) of the neighbours. One of
+        which no triangles can be had is left out with a note where all that are visible are taken. Raises
+        InputProblem."""
+        rows, kept = [], []
         for n in self.neighbours:
             try:
-                rows.append((n.name, n.body.vertices, n.body.triangles, n.chord))
+                arrays = n.body.vertices, n.body.triangles
+                rows.append((n.name, *arrays, n.chord, n.rule.text()))
+                kept.append(n)
             except InputProblem as problem:
                 if not self.all_visible:
                     raise
                 self.notes.append(_left_out(problem))
         if not rows:
             raise _no_neighbour()
+        self.neighbours = kept
         return rows
 
 
@@ -60,6 +68,12 @@ def _left_out(problem):
 def _no_neighbour():
     return InputProblem(
         translate("Messages", "no neighbour is given: choose parts or show some others.")
+    )
+
+
+def _all_ignored():
+    return InputProblem(
+        translate("Messages", "the rules ignore every neighbour: leave at least one to be checked.")
     )
 
 
@@ -97,7 +111,9 @@ class Plan:
 
     SETTINGS = ("Required", "Tolerance", "Deflection")
 
-    def __init__(self, document, pairs, motion, neighbours, all_visible, values, envelope=None):
+    def __init__(
+        self, document, pairs, motion, neighbours, all_visible, values, envelope=None, rules=None
+    ):
         self.document = document
         self.pairs = list(pairs)
         self.motion = motion
@@ -105,6 +121,7 @@ class Plan:
         self.all_visible = all_visible
         self.values = dict(values)
         self.envelope = envelope
+        self.rules = dict(rules or {})  # {(root, sub): neighbour_rules.Rule}
         self.lost = ""  # what was deleted that the object needs
         self._words = None
 
@@ -121,6 +138,10 @@ class Plan:
             obj.Envelope,
         )
         plan.lost = missing.text(obj)
+        try:
+            plan.rules = neighbour_rules.read(obj)
+        except InputProblem as problem:
+            plan.lost = plan.lost or str(problem)
         return plan
 
     def write(self, obj):
@@ -132,6 +153,7 @@ class Plan:
             obj.Motion = self.motion
         containers.set_pairs(obj, "Neighbours", self.neighbours)
         obj.AllVisible = self.all_visible
+        neighbour_rules.write(obj, self.rules)
         for name, value in self.values.items():
             set_changed(obj, name, value)
 
@@ -252,6 +274,8 @@ class Plan:
             # Undo brings objects back in another order.
             beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
             words = self.moving().words() + contents.words(beside) + [self._settings()]
+            if neighbour_rules.words(self.rules):
+                words.append(neighbour_rules.words(self.rules))
             if self.envelope is not None:  # whose points are coloured
                 words.append(contents.apart.of(self.envelope))
                 words.append(contents.matrices(convert.matrix_of(_place_of(self.envelope))))
@@ -280,14 +304,14 @@ class Plan:
         chord = chord_of(self.pairs, deflection)
         if moving.curved():
             chord += straight
-        neighbours, notes = self.still_parts(deflection)
+        neighbours, notes, ignored = self.still_parts(deflection)
         off, text = moving.hidden()
         if off > float(self.values["Tolerance"]):
             notes.append(text)
         if moving.motion.Message:
             notes.append(moving.motion.Message)
         if not neighbours:
-            raise _no_neighbour()
+            raise _all_ignored() if ignored else _no_neighbour()
         points = None
         if self.envelope is not None and self.envelope.Mesh.CountFacets:
             points = envelope_arrays(self.envelope)[0]
@@ -302,13 +326,20 @@ class Plan:
             },
             points,
             notes,
+            ignored,
         )
 
     def still_parts(self, deflection):
-        """(neighbours as plain values, notes on what was left out). Raises InputProblem."""
-        neighbours, notes = [], self.left_out()
+        """(neighbours as plain values, notes on what was left out, names of the ignored). Raises
+        InputProblem."""
+        neighbours, notes, ignored = [], self.left_out(), []
         for pair in self.leaves():
             name = convert.label_of(*pair)
+            rule = neighbour_rules.of(self.rules, *pair)
+            neighbour_rules.check(rule, name)
+            if rule.kind == neighbour_rules.IGNORE:
+                ignored.append(name)
+                continue
             try:
                 part = convert.body_from([pair], deflection)
             except InputProblem as problem:
@@ -316,8 +347,8 @@ class Plan:
                     raise
                 notes.append(_left_out(problem))
                 continue
-            neighbours.append(Neighbour(name, part, chord_of([pair], deflection)))
-        return neighbours, notes
+            neighbours.append(Neighbour(name, part, chord_of([pair], deflection), pair, rule))
+        return neighbours, notes, ignored
 
 
 def chord_of(pairs, deflection):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a clearance check: type, name, help, default; of results type, name, help, mode."""
 from ..texts import mark
-from . import missing
+from . import missing, neighbour_rules
 from .base import HIDDEN, READ_ONLY
 
 INPUT = [
@@ -51,6 +51,31 @@ INPUT = [
         ),
         0.05,
     ),
+    (
+        "App::PropertyLinkSubListGlobal",
+        neighbour_rules.PARTS_PROPERTY,
+        mark("Properties", "Neighbours, or groups of them, that have a rule of their own"),
+        None,
+    ),
+    (
+        "App::PropertyStringList",
+        "RuleKinds",
+        mark(
+            "Properties",
+            "The rule of each of RuleParts: Required (a distance of its own), Contact (may be touched at "
+            "any time), Ignore",
+        ),
+        None,
+    ),
+    (
+        "App::PropertyFloatList",
+        "RuleLengths",
+        mark(
+            "Properties",
+            "mm for each of RuleParts: the distance that it asks for, or how deep a contact may be",
+        ),
+        None,
+    ),
 ]
 RESULT = [
     ("App::PropertyString", "Status", mark("Properties", "State of the result"), READ_ONLY),
@@ -62,6 +87,12 @@ RESULT = [
     ),
     ("App::PropertyString", "Summary", mark("Properties", "Result in one line"), READ_ONLY),
     ("App::PropertyInteger", "Checked", mark("Properties", "Neighbours checked"), READ_ONLY),
+    (
+        "App::PropertyString",
+        "Verdict",
+        mark("Properties", "Worst verdict against the rules: clear, below, contact or clash"),
+        READ_ONLY,
+    ),
     ("App::PropertyLength", "Smallest", mark("Properties", "Smallest distance"), READ_ONLY),
     ("App::PropertyString", "Report", mark("Properties", "Report of the run (JSON)"), HIDDEN),
     (

@@ -6,6 +6,7 @@ import csv
 
 from ..quantities import TABLE_DIGITS, length_unit, number, quantity
 from ..texts import translate
+from .neighbour_rules import CONTACT, REQUIRED
 
 #: Title, unit ("mm": that of the preferences) and how to find it in a row of the report.
 _COLUMNS = [
@@ -23,7 +24,40 @@ _COLUMNS = [
     ("Neighbour X", "mm", lambda row, deep: row["point_on_neighbour"][0]),
     ("Neighbour Y", "mm", lambda row, deep: row["point_on_neighbour"][1]),
     ("Neighbour Z", "mm", lambda row, deep: row["point_on_neighbour"][2]),
+    ("Rule", "", lambda row, deep: row["rule"]),
+    ("Meets rule", "", lambda row, deep: "yes" if row["meets_rule"] else "no"),
 ]
+#: Verdicts, the worst first.
+WORST_FIRST = ("clash", "contact", "below", "clear")
+
+
+def meets_rule(row):
+    """Whether a row of a report meets its rule; reports of before there were rules ask for clear."""
+    return row.get("meets_rule", row["verdict"] == "clear")
+
+
+def worst(report):
+    """The worst verdict of rows that do not meet their rule; "clear" where all do."""
+    bad = [row["verdict"] for row in report["neighbours"] if not meets_rule(row)]
+    return min(bad, key=WORST_FIRST.index, default="clear")
+
+
+def rule_of(row, report):
+    """(kind of neighbour_rules.KINDS, mm) of a row."""
+    rule = row.get("rule", {})
+    if "contact" in rule:
+        return CONTACT, rule["contact"]
+    return REQUIRED, rule.get("required", report["required"])
+
+
+def rule_text(row, report):
+    """The rule of a row in the user's language and unit."""
+    kind, length = rule_of(row, report)
+    if kind == REQUIRED:
+        return quantity(length, TABLE_DIGITS)
+    if not length:
+        return translate("Messages", "contact")
+    return translate("Messages", "contact, {0} deep").format(quantity(length, TABLE_DIGITS))
 
 
 def summary(report):
@@ -37,7 +71,16 @@ def summary(report):
         ("contact", translate("Messages", "{0} in contact")),
         ("below", translate("Messages", "{0} too near")),
     ):
-        count = sum(row["verdict"] == verdict for row in rows)
+        count = sum(row["verdict"] == verdict and not meets_rule(row) for row in rows)
+        if count:
+            words.append(text.format(count))
+    for count, text in (
+        (
+            sum(row["verdict"] == "contact" and meets_rule(row) for row in rows),
+            translate("Messages", "{0} in allowed contact"),
+        ),
+        (len(report.get("ignored", [])), translate("Messages", "{0} ignored")),
+    ):
         if count:
             words.append(text.format(count))
     row = rows[nearest]
@@ -68,8 +111,12 @@ def table(report):
     rows = []
     for row in report["neighbours"]:
         deep = row.get("penetration", {})
+        row = dict(row, rule=rule_text(row, report), meets_rule=meets_rule(row))
         cells = [(unit, find(row, deep)) for _, unit, find in _COLUMNS]
         rows.append([value / one if unit == "mm" else value for unit, value in cells])
+    ignored = translate("Messages", "ignored")
+    for name in report.get("ignored", []):
+        rows.append([name] + [""] * (len(_COLUMNS) - 3) + [ignored, ""])
     return rows
 
 

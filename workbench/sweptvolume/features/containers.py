@@ -87,6 +87,9 @@ def shorten(holder):
     for name in _LISTS + _SINGLES:
         if name in holder.PropertiesList:
             set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
+    shortened = getattr(holder.Proxy, "shortened", None)
+    if shortened is not None:
+        shortened(holder)
 
 
 def _touch_checks(document, but=None):

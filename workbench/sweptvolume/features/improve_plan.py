@@ -15,11 +15,11 @@ class ImprovePlan:
     """motion: of ours; pairs: (root, sub) of the parts that move with it; locked: indices of keys that stay;
     more: as much clearance as can be had; the rest as path_plan.PathPlan has it."""
 
-    def __init__(self, motion, pairs, neighbours, locked=(), more=False, clearances=None, **values):
+    def __init__(self, motion, pairs, neighbours, locked=(), more=False, rules=None, **values):
         self.motion, self.pairs, self.neighbours = motion, list(pairs), list(neighbours)
         self.document = motion.Document
         self.locked, self.more = sorted(locked), more
-        self.clearances = dict(clearances or {})
+        self.rules = dict(rules or {})
         self.values = dict(path_plan.DEFAULTS, **values)
 
     def objects(self):
@@ -54,7 +54,7 @@ class ImprovePlan:
             "body_chord": clearance_plan.chord_of(self.pairs, deflection),
         }
         rows = path_plan.rows_beside(
-            self.document, self.pairs, self.neighbours, self.clearances, deflection
+            self.document, self.pairs, self.neighbours, self.rules, deflection
         )
         standing = matrix_of(convert.global_placement(*self.pairs[0]))
         return ImproveRequest(body, rows, options, moving.into_base() @ standing)

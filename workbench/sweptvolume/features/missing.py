@@ -32,10 +32,14 @@ def _value(holder, name):
 
 
 def _links(holder):
-    """Names of the properties that are inputs."""
+    """Names of the properties that are inputs; rules of a part go with it."""
     for name in holder.PropertiesList:
         kind = holder.getTypeIdOfProperty(name)
-        if kind.startswith("App::PropertyLink") and not kind.endswith("Hidden") and name != "Seen":
+        if (
+            kind.startswith("App::PropertyLink")
+            and not kind.endswith("Hidden")
+            and name not in ("Seen", "RuleParts")
+        ):
             yield name
 
 
@@ -104,7 +108,8 @@ def changed(holder, name):
 
 
 class _Observer:
-    """Hears of objects that are deleted, while the links to them still stand."""
+    """Hears of objects that are deleted, while the links to them still stand; tells proxies that want to
+    know (lost(holder, object))."""
 
     def slotDeletedObject(self, obj):  # noqa: N802
         document = obj.Document
@@ -125,6 +130,9 @@ class _Observer:
                     entry = {"property": name, "label": obj.Label, "name": obj.Name, "left": left}
                     found.append(entry)
             _write(holder, found)
+            lost = getattr(holder.Proxy, "lost", None)
+            if lost is not None:
+                lost(holder, obj)
 
 
 def watch():

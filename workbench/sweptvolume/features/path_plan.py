@@ -35,8 +35,8 @@ class PathPlan:
 
     pairs: (root, sub) of the parts that move together; goal: Placement of the first of them seen from the
     document, None: where it stands now; start: likewise, or None with `extract`: mm to get out by, or a
-    direction (Vector); neighbours: (root, sub) of parts that stand still; clearances: {(root, sub): mm} of
-    those that ask for another than the common one."""
+    direction (Vector); neighbours: (root, sub) of parts that stand still; rules: {(root, sub):
+    neighbour_rules.Rule} of those that do not ask for the common distance."""
 
     def __init__(
         self,
@@ -46,14 +46,14 @@ class PathPlan:
         start=None,
         extract=None,
         goal=None,
-        clearances=None,
+        rules=None,
         **values,
     ):
         self.document = document
         self.pairs = list(pairs)
         self.neighbours = list(neighbours)
         self.start, self.extract, self.goal = start, extract, goal
-        self.clearances = dict(clearances or {})
+        self.rules = dict(rules or {})
         self.values = dict(DEFAULTS, **values)
 
     def objects(self):
@@ -94,7 +94,7 @@ class PathPlan:
 
     def _still_parts(self, deflection):
         """As the core takes them."""
-        return rows_beside(self.document, self.pairs, self.neighbours, self.clearances, deflection)
+        return rows_beside(self.document, self.pairs, self.neighbours, self.rules, deflection)
 
     def _options(self, deflection):
         v = self.values
@@ -115,12 +115,13 @@ def beside(document, pairs, neighbours=None):
     return clearance_plan.Plan(document, pairs, None, neighbours or [], neighbours is None, {})
 
 
-def rows_beside(document, pairs, neighbours, clearances, deflection):
+def rows_beside(document, pairs, neighbours, rules, deflection):
     """Neighbours as core_paths.PathRequest has them."""
     still = beside(document, pairs, neighbours)
+    still.rules = rules
     return [
-        (part.name, part.body, part.chord, clearances.get(pair))
-        for pair, part in zip(still.leaves(), still.still_parts(deflection)[0])
+        (part.name, part.body, part.chord, part.rule.text())
+        for part in still.still_parts(deflection)[0]
     ]
 
 

@@ -113,7 +113,7 @@ class FindPathPanel(SearchPanel):
             start=self.start_at.placement(),
             extract=self.start_at.extract(),
             goal=self.goal.placement(),
-            clearances=self.beside.clearances(),
+            rules=self.beside.rules(),
             TranslationOnly=self.straight.isChecked(),
             LargestTurn=float(self.turn.property("rawValue")),
             **self.rules(),

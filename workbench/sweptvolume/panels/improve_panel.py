@@ -66,7 +66,7 @@ class ImprovePanel(SearchPanel):
                 self.beside.pairs,
                 locked=self.locked(),
                 more=self.more.isChecked(),
-                clearances=self.beside.clearances(),
+                rules=self.beside.rules(),
                 **self.rules(),
             )
         )

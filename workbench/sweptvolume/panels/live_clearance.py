@@ -33,7 +33,7 @@ class _Scene:
     def __init__(self, document, pair, matrix):
         body = convert.body_from([pair], DEFLECTION)
         self.body = Seen(body, matrix)
-        still, notes = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
+        still, notes, _ = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
         self.beside = clearance_plan.Request(None, still, True, {}, None, notes)
         #: Nearer than this cannot be told from contact.
         self.chord = clearance_plan.chord_of([pair], DEFLECTION) + max(n.chord for n in still)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that stand still, each with the clearance that it asks for: a table with its buttons."""
-from .. import convert, quantities
+"""Parts that stand still, each with what it asks for: a table with its buttons."""
 from ..convert import InputProblem
 from ..features import path_plan
+from ..features.neighbour_rules import IGNORE, REQUIRED
 from ..texts import translate
-from ..trajectory.edit import number_from
 from . import selection, widgets
-from .widgets import QtCore, QtGui, QtWidgets
+from .rules_table import RulesTable
+from .widgets import QtCore, QtWidgets
 
 
 class NeighboursBox(QtCore.QObject):
@@ -14,23 +14,11 @@ class NeighboursBox(QtCore.QObject):
 
     def __init__(self, document, moving, layout):
         super().__init__()
-        self.document, self.moving, self.pairs = document, moving, []
-        self.one, self.unit = quantities.length_unit()
+        self.document, self.moving = document, moving
         rows = widgets.group(translate("Panels", "Neighbours"), layout)
-        self.table = QtWidgets.QTableWidget(0, 2)
-        self.table.setObjectName("SweptVolumeNeighbours")
-        head = "{} ({})".format(translate("Panels", "Clearance"), self.unit)
-        self.table.setHorizontalHeaderLabels([translate("Panels", "Neighbour"), head])
-        self.table.horizontalHeaderItem(1).setToolTip(
-            translate("Panels", "What this one asks for; empty: the common clearance below")
+        self.table = RulesTable(
+            "SweptVolumeNeighbours", translate("Panels", "Clearance"), (REQUIRED, IGNORE)
         )
-        self.table.setFixedHeight(110)
-        self.table.verticalHeader().hide()
-        self.table.setTabKeyNavigation(False)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        modes = QtWidgets.QHeaderView
-        self.table.horizontalHeader().setSectionResizeMode(0, modes.Stretch)
-        self.table.horizontalHeader().setSectionResizeMode(1, modes.ResizeToContents)
         rows.addRow(self.table)
         line = QtWidgets.QHBoxLayout()
         for name, text, tip, act in (
@@ -59,6 +47,11 @@ class NeighboursBox(QtCore.QObject):
             button.clicked.connect(lambda checked=False, act=act: act())
             line.addWidget(button)
         rows.addRow(line)
+
+    @property
+    def pairs(self):
+        """The parts of the table."""
+        return self.table.pairs
 
     def take_visible(self):
         """All that is visible beside the moving parts."""
@@ -91,42 +84,13 @@ class NeighboursBox(QtCore.QObject):
         )
 
     def _show(self, pairs):
-        """Shows these; what was typed for those that stay is kept."""
-        typed = {pair: self.table.item(row, 1).text() for row, pair in enumerate(self.pairs)}
-        self.pairs = list(pairs)
-        self.table.setRowCount(len(pairs))
-        for row, pair in enumerate(pairs):
-            name = QtWidgets.QTableWidgetItem(convert.label_of(*pair))
-            name.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable)
-            name.setToolTip(name.text())
-            own = QtWidgets.QTableWidgetItem(typed.get(pair, ""))
-            own.setTextAlignment(widgets.number_of(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
-            self.table.setItem(row, 0, name)
-            self.table.setItem(row, 1, own)
-        self.table.resizeRowsToContents()
+        """Shows these; what was given for those that stay is kept."""
+        self.table.show_pairs(pairs)
 
-    def clearances(self):
-        """{pair: mm} of those that ask for one of their own. Raises InputProblem."""
-        found = {}
-        for row, pair in enumerate(self.pairs):
-            text = self.table.item(row, 1).text().strip()
-            if not text:
-                continue
-            value = number_from(text, self.unit) * self.one
-            if value < 0:
-                self.table.setCurrentCell(row, 1)
-                raise InputProblem(
-                    translate("Messages", '"{0}": a clearance of {1} is not possible.').format(
-                        convert.label_of(*pair), text
-                    )
-                )
-            found[pair] = value
-        return found
+    def rules(self):
+        """{pair: Rule} of those that ask for something of their own. Raises InputProblem."""
+        return self.table.rules()
 
     def mark(self, names):
         """Writes the names of these neighbours in bold: they are in the way."""
-        for row in range(self.table.rowCount()):
-            item = self.table.item(row, 0)
-            font = QtGui.QFont(self.table.font())
-            font.setBold(item.text() in names)
-            item.setFont(font)
+        self.table.mark(names)

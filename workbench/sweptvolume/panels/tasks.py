@@ -131,6 +131,26 @@ class ClearanceTask(PlanTask):
         return self.obj.Summary
 
 
+class FirstContactsTask(Task):
+    """What touches at the first pose of a check's motion. found: {(root, sub): Rule} that would allow it."""
+
+    writes = False
+
+    def __init__(self, plan):
+        self.title = translate("Messages", "Look for contacts")
+        self.document = plan.document
+        plan.rules = {}
+        self.request = plan.request()
+        self.watched = [o for o in plan.objects() if o.Document is plan.document]
+        self.found = {}
+
+    def work(self, control):
+        return clearance.offered(self.request, control)
+
+    def finish(self, value):
+        self.found = clearance.contacts_from(self.request, value)
+
+
 def warn_of(report, label):
     """What was given up to get a solid."""
     if report.get("note"):

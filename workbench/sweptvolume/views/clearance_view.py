@@ -54,10 +54,14 @@ class ClearanceView(View):
         name = state_icon("SweptVolume_Clearance", self.Object)
         if name != icon("SweptVolume_Clearance") or not self.Object.Checked:
             return name
-        if self.Object.Smallest.Value <= 0:
+        verdict = self.Object.Verdict
+        if not verdict:  # computed before there were rules
+            near = self.Object.Smallest.Value < self.Object.Required.Value
+            verdict = "below" if near else "clear"
+            verdict = "clash" if self.Object.Smallest.Value <= 0 else verdict
+        if verdict in ("contact", "clash"):
             return shown_icon("SweptVolume_Clearance_clash")
-        near = self.Object.Smallest.Value < self.Object.Required.Value
-        return shown_icon("SweptVolume_Clearance_near") if near else name
+        return shown_icon("SweptVolume_Clearance_near") if verdict == "below" else name
 
     def setupContextMenu(self, view, menu):
         text = translate("Commands", "Check clearance")

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Distances of a moving body to its neighbours over a whole motion, and rules for neighbours."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._calls import RunContext, _log
+from ._values import Floats, Integers, MeshLike, MotionLike, frozen, mesh_of, motion_of
+
+Neighbour = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, float]]
+#: Name of neighbours (* and ? stand for letters) -> distance in mm, "contact", "contact:MM", "ignore".
+Rules = Mapping[str, Union[float, str]]
+
+
+def rule_texts(rules: Optional[Rules]) -> List[str]:
+    """As the core takes them. Raises TypeError."""
+    texts = []
+    for name, rule in (rules or {}).items():
+        if isinstance(rule, bool) or not isinstance(rule, (str, int, float, np.number)):
+            raise TypeError(
+                f"the rule for {name!r} is {rule!r}: a rule is a distance in mm, 'contact', "
+                "'contact:MM' or 'ignore'"
+            )
+        texts.append(f"{name}={rule if isinstance(rule, str) else repr(float(rule))}")
+    return texts
+
+
+def _neighbour(item: Neighbour) -> Tuple[str, Floats, Integers, float]:
+    parts: Sequence[Any] = item if isinstance(item, (tuple, list)) else ()
+    if len(parts) not in (2, 3):
+        raise TypeError("a neighbour is (name, mesh) or (name, mesh, chord error in mm)")
+    mesh = mesh_of(parts[1])
+    chord = float(parts[2]) if len(parts) == 3 else mesh.chord_error
+    return parts[0], mesh.vertices, mesh.triangles, chord
+
+
+def clearance(
+    mesh: MeshLike,
+    motion: MotionLike,
+    neighbours: Iterable[Neighbour],
+    *,
+    interpolation: Optional[str] = None,
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    body_chord: Optional[float] = None,
+    interval_tolerance: Optional[float] = None,
+    curve: int = 200,
+    penetration: bool = True,
+    rules: Optional[Rules] = None,
+    run: Optional[RunContext] = None,
+) -> Dict[str, Any]:
+    """Smallest distance of a moving body to each neighbour over the whole motion; nothing between two
+    poses is missed. neighbours: (name, mesh) or (name, mesh, chord error). Lengths in mm; chord errors
+    not given are those of the meshes. rules: what neighbours ask for instead of the common required
+    distance, {"bolt*": "contact:0.1", "cover": 5.0, "hose": "ignore"}. Returns the report, as
+    docs/clearance.md says."""
+    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    report: Dict[str, Any] = _core.clearance(
+        body.vertices,
+        body.triangles,
+        way._arrays(),
+        [_neighbour(item) for item in neighbours],
+        way.interpolation,
+        required,
+        tolerance,
+        body.chord_error if body_chord is None else body_chord,
+        interval_tolerance or 0.0,
+        curve,
+        penetration,
+        run,
+        rule_texts(rules),
+    )
+    _log(report["warnings"])
+    return report
+
+
+def first_contacts(
+    mesh: MeshLike,
+    motion: MotionLike,
+    neighbours: Iterable[Neighbour],
+    *,
+    interpolation: Optional[str] = None,
+    tolerance: float = 0.01,
+    body_chord: Optional[float] = None,
+    run: Optional[RunContext] = None,
+) -> Dict[str, str]:
+    """What the body touches at the first pose of its motion, as rules for clearance() that allow it:
+    {"flange": "contact", "bearing": "contact:0.09"}; take out what is not meant. Arguments as those of
+    clearance()."""
+    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    parts = [_neighbour(item) for item in neighbours]
+    texts = _core.first_contacts(
+        body.vertices,
+        body.triangles,
+        way._arrays(),
+        parts,
+        way.interpolation,
+        tolerance,
+        body.chord_error if body_chord is None else body_chord,
+        run,
+    )
+    found: Dict[str, str] = {}
+    for (name, *_), text in zip(parts, texts):  # of neighbours with one name, the deepest contact
+        depth = [float(t.partition(":")[2] or 0) for t in (text, found.get(name, ""))]
+        if text and (name not in found or depth[0] > depth[1]):
+            found[name] = text
+    return found
+
+
+def distance_to_mesh(
+    points: npt.ArrayLike, mesh: MeshLike, *, run: Optional[RunContext] = None
+) -> Floats:
+    """Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed."""
+    body = mesh_of(mesh)
+    checked = frozen(points, np.float64, (-1, 3), "points")
+    return _core.distance_to_mesh(checked, body.vertices, body.triangles, run)

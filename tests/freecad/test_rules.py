@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rules of neighbours in a document: what they do to a check, and that they stay with their parts."""
+import os
+
+import FreeCAD as App
+
+from case import Case, shift
+from sweptvolume import convert, core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, clearance_table, neighbour_rules
+from sweptvolume.features.neighbour_rules import CONTACT, IGNORE, REQUIRED, Rule
+
+
+class Rules(Case):
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.box()
+        self.path = self.line()  # 30 mm along x: the box ends at x = 40
+        self.wall = self.box("Wall")
+        self.wall.Placement = shift(x=43.5)
+        self.table = self.box("Table")
+        self.table.Length, self.table.Width, self.table.Height = 80, 40, 5
+        self.table.Placement = shift(x=-20, y=-15, z=-5)
+        self.far = self.box("Far")
+        self.far.Placement = shift(y=25)
+        self.doc.recompute()
+
+    def made(self, rules=None, **settings):
+        obj = clearance.make_clearance(
+            self.doc, Generators=[(self.part, "")], Motion=self.path, **settings
+        )
+        neighbour_rules.write(obj, {(part, ""): rule for part, rule in (rules or {}).items()})
+        self.doc.recompute()
+        return obj
+
+    def usual(self):
+        return self.made(
+            {self.table: Rule(CONTACT), self.wall: Rule(length=3.0), self.far: Rule(IGNORE)}
+        )
+
+    def verdicts(self, obj):
+        rows = clearance.report_of(obj)["neighbours"]
+        return {row["name"]: (row["verdict"], row["meets_rule"]) for row in rows}
+
+    def kept(self, obj):
+        found = neighbour_rules.read(obj).items()
+        return {convert.label_of(*pair): rule.text() for pair, rule in found}
+
+    USUAL = {"Table": "contact", "Wall": "3.0", "Far": "ignore"}
+
+    def test_what_each_asks_for_decides(self):
+        obj = self.made()
+        clearance.compute(obj)
+        self.assertEqual(obj.Verdict, "contact")
+        self.assertEqual(
+            self.verdicts(obj),
+            {"Wall": ("below", False), "Table": ("contact", False), "Far": ("clear", True)},
+        )
+        obj = self.usual()
+        clearance.compute(obj)
+        self.assertEqual(obj.Verdict, "clear")
+        self.assertEqual(self.verdicts(obj), {"Wall": ("clear", True), "Table": ("contact", True)})
+        self.assertTrue(
+            obj.Summary.startswith("2 checked, 1 in allowed contact, 1 ignored, smallest 3.5 mm"),
+            obj.Summary,
+        )
+        rows = clearance_table.table(clearance.report_of(obj))
+        self.assertEqual(
+            {row[0]: row[-2:] for row in rows},
+            {"Wall": ["3 mm", "yes"], "Table": ["contact", "yes"], "Far": ["ignored", ""]},
+        )
+
+    def test_a_change_of_a_rule_makes_the_result_stale(self):
+        obj = self.usual()
+        clearance.compute(obj)
+        for name, value in (
+            ("RuleLengths", [0.0, 3.25, 0.0]),
+            ("RuleKinds", [CONTACT, REQUIRED, REQUIRED]),
+        ):
+            before = list(getattr(obj, name))
+            setattr(obj, name, value)
+            self.doc.recompute()
+            self.assertEqual(obj.Status, clearance.STALE, name)
+            setattr(obj, name, before)
+            self.doc.recompute()
+            self.assertEqual(obj.Status, clearance.UP_TO_DATE, name)
+
+    def test_checks_without_rules_have_the_hash_of_before(self):
+        obj = self.made()
+        plan = clearance.Plan.of(obj)
+        now = plan.hash()
+        plan.rules = {(self.wall, ""): Rule()}  # says nothing
+        self.assertEqual(plan.hash(), now)
+        plan.rules = {(self.wall, ""): Rule(length=5.0)}
+        self.assertNotEqual(plan.hash(), now)
+
+    def test_results_of_before_there_were_rules_open_as_they_were(self):
+        obj = self.made()
+        clearance.compute(obj)
+        hash_then, text = obj.InputHash, obj.Report
+        for name in ("RuleParts", "RuleKinds", "RuleLengths", "Verdict"):
+            obj.removeProperty(name)
+        report = clearance.stored(text, {})
+        for row in report["neighbours"]:
+            del row["rule"], row["meets_rule"]
+        obj.Report = clearance.json.dumps(report)
+        path = os.path.join(self.folder, "old.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        again = self.doc.getObject("Clearance")
+        self.assertEqual((again.Status, again.InputHash), (clearance.UP_TO_DATE, hash_then))
+        self.assertEqual(neighbour_rules.read(again), {})
+        report = clearance.report_of(again)
+        self.assertEqual(clearance_table.summary(report), again.Summary)
+        self.assertEqual(clearance_table.worst(report), "contact")
+        self.assertEqual(clearance_table.table(report)[0][-2:], ["5 mm", "no"])
+
+    def test_rules_survive_saving_copying_and_undo(self):
+        obj = self.usual()
+        clearance.compute(obj)
+        copy = self.doc.copyObject(obj, False)
+        self.assertEqual(self.kept(copy), self.USUAL)
+        self.doc.UndoMode = 1
+        self.doc.openTransaction("rules")
+        neighbour_rules.write(obj, {(self.wall, ""): Rule(CONTACT, 0.5)})
+        self.doc.commitTransaction()
+        self.assertEqual(self.kept(obj), {"Wall": "contact:0.5"})
+        self.doc.undo()
+        self.assertEqual(self.kept(obj), self.USUAL)
+        self.doc.redo()
+        self.assertEqual(self.kept(obj), {"Wall": "contact:0.5"})
+        self.doc.undo()
+        self.doc.recompute()
+        path = os.path.join(self.folder, "kept.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        again = self.doc.getObject("Clearance")
+        self.assertEqual(self.kept(again), self.USUAL)
+        self.assertEqual((again.Status, again.Verdict), (clearance.UP_TO_DATE, "clear"))
+
+    def test_rules_go_with_a_part_that_is_deleted_and_come_back_with_it(self):
+        obj = self.usual()
+        self.doc.UndoMode = 1
+        self.doc.openTransaction("delete")
+        self.doc.removeObject(self.wall.Name)
+        self.doc.commitTransaction()
+        left = {"Table": "contact", "Far": "ignore"}
+        self.assertEqual(self.kept(obj), left)
+        self.doc.recompute()
+        clearance.compute(obj)
+        self.assertEqual(self.verdicts(obj), {"Table": ("contact", True)})
+        for _ in range(self.doc.UndoCount):
+            self.doc.undo()
+            if self.doc.getObject("Wall") is not None:
+                break
+        self.assertEqual(self.kept(obj), self.USUAL)
+
+    def test_a_group_gives_its_rule_to_what_it_holds(self):
+        group = self.doc.addObject("App::Part", "Fixture")
+        group.addObject(self.table)
+        group.addObject(self.wall)
+        self.doc.recompute()
+        obj = self.made()
+        rules = {(group, ""): Rule(CONTACT, 0.2), (group, "Wall."): Rule(length=2.0)}
+        neighbour_rules.write(obj, rules)
+        self.doc.recompute()
+        clearance.compute(obj)
+        rows = {row["name"]: row["rule"] for row in clearance.report_of(obj)["neighbours"]}
+        self.assertEqual(
+            rows, {"Table": {"contact": 0.2}, "Wall": {"required": 2.0}, "Far": {"required": 5.0}}
+        )
+
+    def test_rules_stay_when_the_check_comes_into_a_group(self):
+        obj = self.usual()
+        group = self.doc.addObject("App::Part", "Group")
+        for member in (self.table, obj):
+            group.addObject(member)
+        self.doc.recompute()
+        self.assertEqual(self.kept(obj), self.USUAL)
+        self.assertNotIn("Invalid", obj.State)
+
+    def test_what_touches_at_first_is_offered(self):
+        self.far.Placement = shift(x=-9.7)  # 0.3 mm inside at the first pose
+        self.doc.recompute()
+        plan = clearance.Plan.of(self.made())
+        found = clearance.first_contacts(plan)
+        self.assertEqual(
+            {pair[0].Label: rule.text() for pair, rule in found.items()},
+            {"Table": "contact", "Far": "contact:0.33"},
+        )
+        plan.rules = found
+        obj = self.made()
+        plan.write(obj)
+        self.doc.recompute()
+        clearance.compute(obj)
+        self.assertEqual(self.verdicts(obj)["Far"], ("contact", True))
+
+    def test_impossible_rules_are_named(self):
+        obj = self.usual()
+        for name, value, text in (
+            ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a length of -3 mm is not possible'),
+            ("RuleLengths", [0.0], "do not fit its parts (3 parts, 3 kinds, 1 lengths)"),
+            ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall": there is no rule "Near"'),
+        ):
+            before = list(getattr(obj, name))
+            setattr(obj, name, value)
+            with self.assertRaises(InputProblem) as refused:
+                clearance.compute(obj)
+            self.assertIn(text, str(refused.exception))
+            self.assertEqual(obj.Status, clearance.FAILED)
+            setattr(obj, name, before)
+        obj.RuleParts = [(self.wall, ""), (self.wall, ""), (self.far, "")]
+        with self.assertRaises(InputProblem) as refused:
+            clearance.compute(obj)
+        self.assertIn('two rules contradict each other for "Wall"', str(refused.exception))
+        every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
+        with self.assertRaises(InputProblem) as refused:
+            clearance.compute(self.made(every))
+        self.assertIn("the rules ignore every neighbour", str(refused.exception))
+
+    def test_the_map_leaves_out_what_is_meant_to_touch(self):
+        from sweptvolume.features import envelope
+
+        swept = self.envelope([self.part], self.path, Resolution=20)
+        envelope.compute(swept)
+        obj = clearance.make_clearance(self.doc, Envelope=swept)
+        neighbour_rules.write(obj, {(self.table, ""): Rule(CONTACT), (self.far, ""): Rule(IGNORE)})
+        self.doc.recompute()
+        clearance.compute(obj)
+        self.assertAlmostEqual(min(obj.MapDistances), 3.5, delta=0.2)
+        neighbour_rules.write(obj, {(self.wall, ""): Rule(IGNORE)})
+        self.doc.recompute()
+        clearance.compute(obj)
+        self.assertLess(min(obj.MapDistances), 0.2)
+
+    def test_searches_refuse_contact_at_any_time(self):
+        from sweptvolume.features import path_plan
+
+        plan = path_plan.PathPlan(
+            self.doc, [(self.part, "")], [(self.wall, "")], extract=50.0,
+            rules={(self.wall, ""): Rule(CONTACT)},
+        )  # fmt: skip
+        with self.assertRaises(core.CoreError) as refused:
+            path_plan.find(plan)
+        self.assertEqual(refused.exception.code, "BadRule")

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Neighbours and what each asks for: a table with a length and a rule a row, typed or chosen in its cells."""
+from .. import convert, quantities
+from ..convert import InputProblem
+from ..features.neighbour_rules import CONTACT, IGNORE, KINDS, REQUIRED, Rule
+from ..texts import mark, translate
+from ..trajectory.edit import number_from
+from . import widgets
+from .widgets import QtCore, QtGui, QtWidgets
+
+NAMES = {
+    REQUIRED: mark("Panels", "Distance"),
+    CONTACT: mark("Panels", "Contact allowed"),
+    IGNORE: mark("Panels", "Ignored"),
+}
+NEIGHBOUR, LENGTH, KIND = range(3)
+
+
+def _name(kind):
+    return translate("Panels", NAMES[kind])
+
+
+def _item(text, data):
+    item = QtWidgets.QTableWidgetItem(text)
+    item.setData(QtCore.Qt.UserRole, data)
+    return item
+
+
+def _state(item):
+    """Text and data of a cell, for another."""
+    return item.text(), item.data(QtCore.Qt.UserRole)
+
+
+class _KindDelegate(QtWidgets.QStyledItemDelegate):
+    """A choice of kinds, made when a cell is edited: a table of thousands of rows stays light."""
+
+    def __init__(self, kinds, parent):
+        super().__init__(parent)
+        self.kinds = kinds
+
+    def createEditor(self, parent, option, index):  # noqa: N802
+        box = QtWidgets.QComboBox(parent)
+        for kind in self.kinds:
+            box.addItem(_name(kind), kind)
+        box.activated.connect(lambda *ignored: self.commitData.emit(box))
+        return box
+
+    def setEditorData(self, box, index):  # noqa: N802
+        box.setCurrentIndex(max(0, box.findData(index.data(QtCore.Qt.UserRole))))
+
+    def setModelData(self, box, model, index):  # noqa: N802
+        model.setData(index, box.currentData(), QtCore.Qt.UserRole)
+        model.setData(index, box.currentText(), QtCore.Qt.EditRole)
+
+
+class RulesTable(QtWidgets.QTableWidget):
+    """kinds: those that may be chosen. head: of the column of lengths, without the unit."""
+
+    def __init__(self, name, head, kinds=KINDS, height=110):
+        super().__init__(0, 3)
+        self.setObjectName(name)
+        self.pairs = []
+        self.one, self.unit = quantities.length_unit()
+        self.setHorizontalHeaderLabels(
+            [
+                translate("Panels", "Neighbour"),
+                "{} ({})".format(head, self.unit),
+                translate("Panels", "Rule"),
+            ]
+        )
+        self.horizontalHeaderItem(LENGTH).setToolTip(
+            translate(
+                "Panels",
+                "The distance that this one asks for; empty: the common one below. Where contact is "
+                "allowed: how deep the parts may overlap; empty: not measurably",
+            )
+            if CONTACT in kinds
+            else translate("Panels", "What this one asks for; empty: the common clearance below")
+        )
+        self.horizontalHeaderItem(KIND).setToolTip(
+            translate("Panels", "Double-click a cell, or press F2, to choose another rule")
+        )
+        self._delegate = _KindDelegate(kinds, self)
+        self.setItemDelegateForColumn(KIND, self._delegate)
+        self.setFixedHeight(height)
+        self.verticalHeader().hide()
+        self.setTabKeyNavigation(False)
+        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        modes = QtWidgets.QHeaderView
+        for column in (NEIGHBOUR, LENGTH, KIND):
+            self.horizontalHeader().setSectionResizeMode(
+                column, modes.ResizeToContents if column else modes.Stretch
+            )
+
+    def show_pairs(self, pairs, rules=None):
+        """Shows these; what was given for those that stay is kept. rules: {pair: Rule} instead."""
+        given = {
+            pair: [self.item(row, column) for column in (LENGTH, KIND)]
+            for row, pair in enumerate(self.pairs)
+        }
+        given = {pair: [_state(item) for item in items] for pair, items in given.items()}
+        for pair, rule in (rules or {}).items():
+            text = self._length_text(rule)
+            given[pair] = [(text, (text, rule.length)), (_name(rule.kind), rule.kind)]
+        self.pairs = list(pairs)
+        self.setRowCount(len(self.pairs))
+        for row, pair in enumerate(self.pairs):
+            length_state, kind_state = given.get(pair, [("", None), (_name(REQUIRED), REQUIRED)])
+            name = QtWidgets.QTableWidgetItem(convert.label_of(*pair))
+            name.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable)
+            name.setToolTip(name.text())
+            length = _item(*length_state)
+            length.setTextAlignment(
+                widgets.number_of(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+            )
+            choice = _item(*kind_state)
+            for column, item in ((NEIGHBOUR, name), (LENGTH, length), (KIND, choice)):
+                self.setItem(row, column, item)
+        if len(self.pairs) <= 200:  # each row is measured
+            self.resizeRowsToContents()
+
+    def _length_text(self, rule):
+        if rule.length is None:
+            return ""
+        return quantities.number(rule.length / self.one, quantities.TABLE_DIGITS)
+
+    def rules(self):
+        """{pair: Rule} of those that ask for something of their own. Raises InputProblem."""
+        found = {}
+        for row, pair in enumerate(self.pairs):
+            text = self.item(row, LENGTH).text().strip()
+            rule = Rule(self.item(row, KIND).data(QtCore.Qt.UserRole))
+            if text and rule.kind != IGNORE:
+                shown = self.item(row, LENGTH).data(QtCore.Qt.UserRole)
+                if shown and shown[0] == text:  # not touched: all its digits
+                    rule.length = shown[1]
+                else:
+                    rule.length = number_from(text, self.unit) * self.one
+                if rule.length < 0:
+                    self.setCurrentCell(row, LENGTH)
+                    raise InputProblem(
+                        translate("Messages", '"{0}": a clearance of {1} is not possible.').format(
+                            convert.label_of(*pair), text
+                        )
+                    )
+            if rule.asks():
+                found[pair] = rule
+        return found
+
+    def mark(self, names):
+        """Writes the names of these neighbours in bold: they are in the way."""
+        for row in range(self.rowCount()):
+            item = self.item(row, NEIGHBOUR)
+            font = QtGui.QFont(self.font())
+            font.setBold(item.text() in names)
+            item.setFont(font)
