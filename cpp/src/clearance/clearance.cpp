@@ -4,14 +4,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cmath>
 #include <string>
 
-#include "base/limits.h"
-#include "base/number_text.h"
 #include "base/timer.h"
 #include "clearance/guarded_report.h"
+#include "clearance/options_check.h"
 #include "clearance/pair_check.h"
+#include "clearance/summary.h"
 #include "input/trajectory_check.h"
 #include "motion/pivot.h"
 
@@ -20,63 +19,22 @@ namespace {
 
 using namespace clearance;
 
-void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
-  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
-    return;
-  throw Error(Status::InvalidInput, "BadOption",
-              owner + name + " is " + numberText(value, kTellingDigits) +
-                  " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
-}
-
 void checkClearanceOptions(const ClearanceOptions& o,
                            const std::vector<ClearanceNeighbour>& parts) {
-  requireOption("required distance", o.required, true);
-  requireOption("tolerance", o.tolerance, false);
-  requireOption("chord error of the body", o.bodyChordError, true);
-  requireOption("interval tolerance", o.intervalTolerance, true);
-  if (o.curveSamples < 0 || o.curveSamples > 1000000)
-    throw Error(Status::InvalidInput, "BadOption",
-                "curve samples: " + std::to_string(o.curveSamples) + "; allowed: 0 to 1000000");
+  checkSettings(o);
   if (parts.empty())
     throw Error(Status::InvalidInput, "NoNeighbours",
                 "no neighbouring part given; choose at least one");
   for (const ClearanceNeighbour& part : parts)
-    requireOption("chord error", part.chordError, true, "neighbour '" + part.name + "': ");
-}
-
-bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
-  if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
-    return a.distance - a.chordError < b.distance - b.chordError;
-  return a.penetration.depth > b.penetration.depth;
+    requireLength("neighbour '" + part.name + "': chord error", part.chordError, true);
 }
 
 void summarise(ClearanceReport& report) {
-  int clashes = 0;
-  int contacts = 0;
-  int below = 0;
-  for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
-    const NeighbourClearance& row = report.neighbours[i];
-    clashes += row.verdict == ClearanceVerdict::Clash;
-    contacts += row.verdict == ClearanceVerdict::Contact;
-    below += row.verdict == ClearanceVerdict::BelowRequired;
-    if (report.smallest < 0 || nearer(row, report.neighbours[report.smallest]))
-      report.smallest = static_cast<int>(i);
-  }
-  const NeighbourClearance& row = report.neighbours[report.smallest];
-  report.summary = std::to_string(report.neighbours.size()) + " checked";
-  const auto add = [&](int count, const char* what) {
-    if (count > 0) report.summary += ", " + std::to_string(count) + " " + what;
-  };
-  add(clashes, clashes == 1 ? "clash" : "clashes");
-  add(contacts, contacts == 1 ? "contact" : "contacts");
-  add(below, "below required");
-  const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-  const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
-  report.summary += (deep ? ", deepest " : ", smallest ") + length + " mm";
-  const std::string certain = numberText(row.guaranteed, 4);
-  if (!deep && certain != length) report.summary += ", at least " + certain + " mm,";
-  report.summary += " at t = " + numberText(row.timeSeconds) + " s";
-  if (!row.name.empty()) report.summary += " (" + row.name + ")";
+  std::vector<const NeighbourClearance*> rows;
+  for (const NeighbourClearance& row : report.neighbours) rows.push_back(&row);
+  const Summary summary = summaryOf(rows, std::to_string(rows.size()) + " checked");
+  report.smallest = summary.smallest;
+  report.summary = summary.text;
 }
 
 void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& trajectory,
@@ -132,20 +90,6 @@ void takeBack(ClearanceReport& report) {
 }
 
 }  // namespace
-
-const char* clearanceVerdictName(ClearanceVerdict verdict) {
-  switch (verdict) {
-    case ClearanceVerdict::Clear:
-      return "clear";
-    case ClearanceVerdict::BelowRequired:
-      return "below";
-    case ClearanceVerdict::Contact:
-      return "contact";
-    case ClearanceVerdict::Clash:
-      return "clash";
-  }
-  return "?";
-}
 
 ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory,
                                const std::vector<ClearanceNeighbour>& neighbours,
