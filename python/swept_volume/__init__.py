@@ -40,6 +40,7 @@ from ._calls import (
     estimate_solid,
     write_solid,
 )
+from ._mechanisms import mechanism
 from ._paths import find_path, improve_path
 from ._sources import Sources
 from ._values import (
@@ -81,6 +82,7 @@ __all__ = [
     "estimate_solid",
     "find_path",
     "improve_path",
+    "mechanism",
     "read_body",
     "read_mesh",
     "read_motion",

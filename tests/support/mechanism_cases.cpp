@@ -93,7 +93,7 @@ std::vector<MechanismPart> randomMechanism(unsigned seed) {
   const int count = 3 + static_cast<int>(random.number(0, 3.99));
   for (int i = 0; i < count; ++i) {
     MechanismPart part{"part " + std::to_string(i), randomBody(bodies), {}, 0};
-    part.motion = someMotion(random, random.point(9));
+    part.motion = someMotion(random, random.point(7.5));
     parts.push_back(part);
   }
   // At least one moves, and one that goes with it.

@@ -52,8 +52,8 @@ struct PairClearance {
   double required = 0;  ///< mm, asked of this pair
   Pose poseOfFirst;     ///< at clearance.timeSeconds
   Pose poseOfSecond;
-  /// "Body" is the first part, "neighbour" the second; `name` is empty; `pose` is poseOfFirst. In
-  /// the curve no distance is above the range.
+  /// "Body" is the first part, "neighbour" the second; `name` has both; `pose` is poseOfFirst. In
+  /// the curve no distance is above the range by more than two tolerances.
   NeighbourClearance clearance;
 };
 

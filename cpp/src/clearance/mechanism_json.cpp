@@ -16,12 +16,11 @@ Json listJson(const MechanismReport& report, const std::vector<PartPair>& pairs)
 }
 
 Json pairJson(const MechanismReport& report, const PairClearance& pair) {
-  Json json{{"first", report.names[pair.parts.first]},
-            {"second", report.names[pair.parts.second]},
-            {"required", pair.required},
-            {"pose_of_second", poseJson(pair.poseOfSecond)}};
-  json.update(clearance::rowJson(pair.clearance));
-  return json;
+  return {{"first", report.names[pair.parts.first]},
+          {"second", report.names[pair.parts.second]},
+          {"required", pair.required},
+          {"pose_of_second", poseJson(pair.poseOfSecond)},
+          {"clearance", clearance::rowJson(pair.clearance)}};
 }
 
 }  // namespace

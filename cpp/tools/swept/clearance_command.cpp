@@ -90,12 +90,6 @@ void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Traje
   }
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 void writeCsv(const ClearanceReport& report, const std::string& path) {
   std::ostringstream text;
   text.imbue(std::locale::classic());

@@ -17,11 +17,14 @@ struct NeighbourFiles {
   double deflection = 0.05;       ///< mm, to which solids are tessellated
 };
 
-/// NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection.
-void addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
+/// NEIGHBOUR (the option that is returned), --neighbour-unit, --neighbour-chord and --deflection.
+CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
 /// Throws what a wrong usage is.
 void checkNeighbourOptions(const NeighbourFiles& files);
 /// A mesh is one neighbour, a solid file one a solid. Throws Error(InvalidInput), Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
+
+/// In double quotes, for a table of values with commas between them.
+std::string quoted(const std::string& text);
 
 }  // namespace swept::cli
