@@ -10,6 +10,7 @@
 #include "errors.h"
 #include "job.h"
 #include "swept/clearance.h"
+#include "swept/mechanism.h"
 #include "values.h"
 
 namespace swept::python {
@@ -53,6 +54,16 @@ constexpr const char* kFirstContactsDoc =
 For each neighbour the rule that would allow what the body touches at the first pose of its motion: 'contact',
 'contact:MM' where it lies so deep inside, '' where there is nothing to allow. Arguments and errors as those of
 clearance().)";
+
+constexpr const char* kMechanismDoc =
+    R"(mechanism(parts, required=0.0, tolerance=0.01, range=0.0, interval_tolerance=0.0, curve=200,
+          penetration=True, ignored=(), run=None) -> dict
+
+Smallest distances between parts that move at the same time; nothing between two poses is missed. parts:
+list of (name, vertices, triangles, motion, interpolation, chord error); motion as in compute(), None for a
+part that stands still where its mesh has it. ignored: pairs of names. Lengths in mm, times in s. Returns
+the report: summary, pairs (first, second and what clearance() says of a neighbour; the body is the first
+part), far_pairs, joined, as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kDistanceDoc =
     R"(distance_to_mesh(points, vertices, triangles, run=None) -> float64 (N,)
@@ -102,6 +113,34 @@ std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::o
   return rules;
 }
 
+MechanismPart mechanismPartFrom(const py::handle& item) {
+  const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (part.size() != 6)
+    throw py::value_error(
+        "a part is (name, vertices, triangles, motion, interpolation, chord error)");
+  const py::object motion = part[3];
+  return {part[0].cast<std::string>(), meshFromArrays(part[1], part[2]),
+          motion.is_none() ? Trajectory{{Pose{}}}
+                           : trajectoryFromObject(motion, part[4].cast<std::string>()),
+          part[5].cast<double>()};
+}
+
+py::object pyMechanism(const py::iterable& list, double required, double tolerance, double range,
+                       double intervalTolerance, int curve, bool penetration,
+                       const std::vector<std::pair<std::string, std::string>>& ignored,
+                       const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  std::vector<MechanismPart> parts;
+  for (const py::handle& item : list) parts.push_back(mechanismPartFrom(item));
+  const MechanismOptions options{required, tolerance,   range,  intervalTolerance,
+                                 curve,    penetration, ignored};
+  const MechanismReport report =
+      runWithoutLock(*context, [&] { return checkMechanism(parts, options, *context); });
+  const py::object found = parseJson(toJson(report));
+  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  return found;
+}
+
 py::array pyDistanceToMesh(const py::object& points, const py::object& vertices,
                            const py::object& triangles, const py::object& run) {
   const RunPointer context = runFromObject(run);
@@ -146,6 +185,12 @@ void bindClearance(py::module_& module) {
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("run") = py::none());
+  module.def("mechanism", &pyMechanism, kMechanismDoc, py::arg("parts"), py::arg("required") = 0.0,
+             py::arg("tolerance") = 0.01, py::arg("range") = 0.0,
+             py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
+             py::arg("penetration") = true,
+             py::arg("ignored") = std::vector<std::pair<std::string, std::string>>{},
+             py::arg("run") = py::none());
   module.def("distance_to_mesh", &pyDistanceToMesh, kDistanceDoc, py::arg("points"),
              py::arg("vertices"), py::arg("triangles"), py::arg("run") = py::none());
 }

@@ -39,6 +39,7 @@ from ._calls import (
     write_solid,
 )
 from ._clearance import clearance, distance_to_mesh, first_contacts
+from ._mechanisms import mechanism
 from ._paths import find_path, improve_path
 from ._sources import Sources
 from ._values import (
@@ -81,6 +82,7 @@ __all__ = [
     "find_path",
     "first_contacts",
     "improve_path",
+    "mechanism",
     "read_body",
     "read_mesh",
     "read_motion",

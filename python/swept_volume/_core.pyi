@@ -170,6 +170,17 @@ def first_contacts(
     body_chord: float = 0.0,
     run: Optional[RunContext] = None,
 ) -> List[str]: ...
+def mechanism(
+    parts: Any,
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    range: float = 0.0,
+    interval_tolerance: float = 0.0,
+    curve: int = 200,
+    penetration: bool = True,
+    ignored: Any = (),
+    run: Optional[RunContext] = None,
+) -> Dict[str, Any]: ...
 def find_path(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,

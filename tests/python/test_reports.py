@@ -106,6 +106,23 @@ def test_reports_of_clearances(report_of, inputs, box):  # noqa: F811
     assert report["ignored"] == ["near"]
 
 
+def test_reports_of_mechanisms(report_of, inputs, box):  # noqa: F811
+    _swept.write_mesh(inputs / "near.ply", box[0] + [15, 0, 0], box[1])
+    _swept.write_mesh(inputs / "far.ply", box[0] + [150, 0, 0], box[1])
+    words = ("mechanism", "--moving", inputs / "box.ply", inputs / "slide.csv", "--required", 2)
+    report = report_of(*words, inputs / "near.ply", inputs / "far.ply", "--curve", 5, status=3)
+    (pair,) = report["pairs"]
+    assert (pair["first"], pair["second"], pair["required"]) == ("box", "near", 2)
+    assert pair["clearance"]["verdict"] == "clash" and len(pair["clearance"]["curve"]) == 6
+    assert report["parts"] == ["box", "near", "far"] and report["far_pairs"] == 1
+    assert report["smallest"] == 0 and "penetration" in pair["clearance"]
+    again = report_of(*words, inputs / "near.ply", inputs / "far.ply", "--curve", 5, status=3)
+    assert reproducible(again) == reproducible(report)
+    less = report_of(*words, inputs / "near.ply", "--ignore", "near", "box")
+    assert less["ignored"] == [["box", "near"]] and not less["pairs"]
+    assert "smallest" not in report_of(*words, "absent.ply", status=1)
+
+
 def test_reports_of_paths(report_of, inputs, box):  # noqa: F811
     _swept.write_mesh(inputs / "wall.ply", box[0] * [0.2, 5, 5] + [15, 0, 0], box[1])
     words = ("path", inputs / "box.ply", inputs / "wall.ply", "--start", "60,0,0")

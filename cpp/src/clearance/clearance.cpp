@@ -7,11 +7,12 @@
 #include <cmath>
 #include <string>
 
-#include "base/limits.h"
 #include "base/number_text.h"
 #include "base/timer.h"
 #include "clearance/guarded_report.h"
+#include "clearance/options_check.h"
 #include "clearance/pair_check.h"
+#include "clearance/summary.h"
 #include "input/trajectory_check.h"
 #include "motion/pivot.h"
 
@@ -20,75 +21,27 @@ namespace {
 
 using namespace clearance;
 
-void requireOption(const char* name, double value, bool mayBeZero, const std::string& owner = "") {
-  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
-    return;
-  throw Error(Status::InvalidInput, "BadOption",
-              owner + name + " is " + numberText(value, kTellingDigits) +
-                  " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
-}
-
 void checkClearanceOptions(const ClearanceOptions& o,
                            const std::vector<ClearanceNeighbour>& parts) {
-  requireOption("required distance", o.required, true);
-  requireOption("tolerance", o.tolerance, false);
-  requireOption("chord error of the body", o.bodyChordError, true);
-  requireOption("interval tolerance", o.intervalTolerance, true);
-  if (o.curveSamples < 0 || o.curveSamples > 1000000)
-    throw Error(Status::InvalidInput, "BadOption",
-                "curve samples: " + std::to_string(o.curveSamples) + "; allowed: 0 to 1000000");
+  checkSettings(o);
   if (parts.empty())
     throw Error(Status::InvalidInput, "NoNeighbours",
                 "no neighbouring part given; choose at least one");
   for (const ClearanceNeighbour& part : parts) {
-    requireOption("chord error", part.chordError, true, "neighbour '" + part.name + "': ");
+    requireLength("neighbour '" + part.name + "': chord error", part.chordError, true);
     checkRule(part.rule, "the rule of neighbour '" + part.name + "'");
   }
 }
 
 constexpr std::size_t kMostFirst = 8;  // indices that a finding names
 
-/// Allowed contacts come last: that they are at 0 is meant.
-bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
-  const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
-  if (meantA != meantB) return meantB;
-  if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
-    return a.distance - a.chordError < b.distance - b.chordError;
-  return a.penetration.depth > b.penetration.depth;
-}
-
 void summarise(ClearanceReport& report) {
-  int clashes = 0;
-  int contacts = 0;
-  int below = 0;
-  int allowed = 0;
-  for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
-    const NeighbourClearance& row = report.neighbours[i];
-    clashes += row.verdict == ClearanceVerdict::Clash;
-    const bool meant = row.verdict == ClearanceVerdict::Contact && row.rule.contact.has_value();
-    allowed += meant;
-    contacts += row.verdict == ClearanceVerdict::Contact && !meant;
-    below += row.verdict == ClearanceVerdict::BelowRequired;
-    if (report.smallest < 0 || nearer(row, report.neighbours[report.smallest]))
-      report.smallest = static_cast<int>(i);
-  }
-  const NeighbourClearance& row = report.neighbours[report.smallest];
-  report.summary = std::to_string(report.neighbours.size()) + " checked";
-  const auto add = [&](int count, const char* what) {
-    if (count > 0) report.summary += ", " + std::to_string(count) + " " + what;
-  };
-  add(clashes, clashes == 1 ? "clash" : "clashes");
-  add(contacts, contacts == 1 ? "contact" : "contacts");
-  add(below, "below required");
-  add(allowed, allowed == 1 ? "allowed contact" : "allowed contacts");
-  add(static_cast<int>(report.ignored.size()), "ignored");
-  const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-  const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
-  report.summary += (deep ? ", deepest " : ", smallest ") + length + " mm";
-  const std::string certain = numberText(row.guaranteed, 4);
-  if (!deep && certain != length) report.summary += ", at least " + certain + " mm,";
-  report.summary += " at t = " + numberText(row.timeSeconds) + " s";
-  if (!row.name.empty()) report.summary += " (" + row.name + ")";
+  std::vector<const NeighbourClearance*> rows;
+  for (const NeighbourClearance& row : report.neighbours) rows.push_back(&row);
+  const Summary summary =
+      summaryOf(rows, std::to_string(rows.size()) + " checked", report.ignored.size());
+  report.smallest = summary.smallest;
+  report.summary = summary.text;
 }
 
 /// Those that are looked at; the names of the others go into the report.
@@ -188,20 +141,6 @@ void takeBack(ClearanceReport& report) {
 }
 
 }  // namespace
-
-const char* clearanceVerdictName(ClearanceVerdict verdict) {
-  switch (verdict) {
-    case ClearanceVerdict::Clear:
-      return "clear";
-    case ClearanceVerdict::BelowRequired:
-      return "below";
-    case ClearanceVerdict::Contact:
-      return "contact";
-    case ClearanceVerdict::Clash:
-      return "clash";
-  }
-  return "?";
-}
 
 ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory,
                                const std::vector<ClearanceNeighbour>& neighbours,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/report_json.h"
+#include "clearance/row_json.h"
 #include "swept/clearance.h"
 
 namespace swept {
@@ -28,7 +29,9 @@ Json ruleJson(const NeighbourRule& rule) {
   return {{"required", rule.required.value_or(0)}};
 }
 
-Json rowJson(const NeighbourClearance& row) {
+}  // namespace
+
+Json clearance::rowJson(const NeighbourClearance& row) {
   Json json{{"name", row.name},
             {"rule", ruleJson(row.rule)},
             {"verdict", clearanceVerdictName(row.verdict)},
@@ -56,12 +59,10 @@ Json rowJson(const NeighbourClearance& row) {
   return json;
 }
 
-}  // namespace
-
 std::string toJson(const ClearanceReport& report) {
   Json json = reportHead("clearance", report.status, report.code, report.message);
   Json rows = Json::array();
-  for (const NeighbourClearance& row : report.neighbours) rows.push_back(rowJson(row));
+  for (const NeighbourClearance& row : report.neighbours) rows.push_back(clearance::rowJson(row));
   if (report.placements > 0) {
     json["summary"] = report.summary;
     json["required"] = report.required;

@@ -44,7 +44,8 @@ class MinimumSearch {
       c_.run.checkpoint(Phase::Check);
       round();
     }
-    if (!result_.inside && result_.distance > 0 && c_.motion.isContinuous()) polish();
+    const bool apart = result_.found() && result_.distance > 0;
+    if (apart && c_.motion.isContinuous()) polish();
     return result_;
   }
 
@@ -69,7 +70,7 @@ class MinimumSearch {
       }
       nodes.swap(finer);
     }
-    result_.distance = kInfinity;
+    result_.distance = c_.within;
     for (const MotionNode& node : nodes) {
       const MotionBound b = c_.motion.bound(node);
       const PairDistance d = c_.pair.distanceAt(b.R, b.t, result_.distance, result_.at.pair);
@@ -284,7 +285,7 @@ std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int sam
                                                        double extra) {
   std::vector<double> parameters;
   const double largest = c.motion.largestParameter();
-  const auto& poses = c.motion.trajectory().poses;
+  const auto& poses = c.motion.poses();
   const double start = poses.front().timeSeconds;
   const double end = poses.back().timeSeconds;
   for (int i = 0; i < samples; ++i) {
@@ -309,7 +310,7 @@ std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int sam
       if (c.run.isCancelled()) return;
       const Pose pose = c.motion.poseAt(parameters[i]);
       const PairDistance d =
-          c.pair.distanceAt(pose.rotation.toRotationMatrix(), pose.translation, kInfinity, hint);
+          c.pair.distanceAt(pose.rotation.toRotationMatrix(), pose.translation, c.within, hint);
       ++c.queries;
       hint = d.pair;
       result[i] = {parameters[i], d.distance};

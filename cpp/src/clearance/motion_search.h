@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "clearance/pair_search.h"
@@ -19,6 +20,8 @@ struct SearchContext {
   const PairSearch& pair;
   const MotionTree& motion;
   RunContext& run;
+  /// mm, nothing farther apart than this is measured.
+  double within = std::numeric_limits<double>::infinity();
   std::atomic<std::int64_t> queries{0};
   std::atomic<std::int64_t> certificates{0};
 };
@@ -28,9 +31,11 @@ struct Minimum {
   double parameter = 0;
   PairDistance at;
   bool inside = false;  ///< one part wholly inside the other at `parameter`; distance is then 0
+  bool found() const { return inside || at.pair.body >= 0; }
 };
 
 /// No part of the motion comes nearer than the result minus `slack`; stops early at or below slack.
+/// Where nothing comes nearer than `context.within`, that is the distance, and nothing is found.
 Minimum searchMinimum(SearchContext& context, double slack);
 
 /// Says whether the parts overlap by at least this much at a pose (a sufficient test).
@@ -42,7 +47,7 @@ using OverlapTest =
 std::vector<std::pair<double, double>> spansBelow(SearchContext& context, double level,
                                                   double resolution, const OverlapTest& overlaps);
 
-/// Distances at `samples` moments even in time, plus the one at `extra`.
+/// Distances at `samples` moments even in time, plus the one at `extra`; none above context.within.
 std::vector<std::pair<double, double>> sampleDistances(SearchContext& context, int samples,
                                                        double extra);
 

@@ -14,14 +14,49 @@ using Eigen::Vector3d;
 
 constexpr std::int32_t kBucket = 4;  // members of a cluster without child clusters
 
-template <typename F>
-void forCorners(const Vector3d& centre, const Vector3d& half, F&& f) {
-  for (int k = 0; k < 8; ++k)
-    f(Vector3d(centre +
-               half.cwiseProduct(Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1))));
-}
+// The steps of one body in the world.
+class PathSteps : public MotionSteps {
+ public:
+  /// None where nothing lies between the poses.
+  static std::unique_ptr<const PathSteps> of(const Trajectory& trajectory, const Vector3d& centre,
+                                             const Vector3d& half) {
+    if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2)
+      return nullptr;
+    auto steps = std::make_unique<PathSteps>();
+    steps->steps_.reserve(trajectory.poses.size() - 1);
+    for (std::size_t i = 0; i + 1 < trajectory.poses.size(); ++i) {
+      Step step{{trajectory.poses[i], trajectory.poses[i + 1], trajectory.interpolation}};
+      step.radius = largestRadius(step.path, centre, half);
+      steps->steps_.push_back(step);
+    }
+    return steps;
+  }
+  Pose poseAt(std::int64_t step, double s) const override { return steps_[step].path.poseAt(s); }
+  Flow flowAt(std::int64_t step, double s) const override {
+    const auto& [path, radius] = steps_[step];
+    const Pose pose = path.poseAt(s);
+    return {pose, path.twistAt(pose), path.fastest(radius)};
+  }
+  double bulge(std::int64_t step) const override {
+    const auto& [path, radius] = steps_[step];
+    return path.angle() * path.angle() * radius / 8;
+  }
+
+ private:
+  struct Step {  // from pose i to pose i + 1
+    StepPath path;
+    double radius = 0;  ///< of the body's box about the axis of the turn
+  };
+  std::vector<Step> steps_;
+};
 
 }  // namespace
+
+double largestRadius(const StepPath& path, const Vector3d& centre, const Vector3d& half) {
+  double radius = 0;
+  forCorners(centre, half, [&](const Vector3d& c) { radius = std::max(radius, path.radius(c)); });
+  return radius;
+}
 
 double MotionBound::advance(const Vector3d& n, const Vector3d& centre, const Vector3d& half) const {
   if (kind_ == Kind::Point) return 0;
@@ -55,16 +90,17 @@ double MotionBound::advance(const Vector3d& n, const Vector3d& centre, const Vec
 
 MotionTree::MotionTree(const Trajectory& trajectory, const Vector3d& bodyCentre,
                        const Vector3d& bodyHalf)
-    : trajectory_(trajectory), centre_(bodyCentre), half_(bodyHalf) {
-  const auto poses = static_cast<std::int64_t>(trajectory_.poses.size());
-  continuous_ = trajectory_.interpolation != Interpolation::None && poses > 1;
-  members_ = continuous_ ? poses - 1 : poses;
-  affine_.reserve(trajectory_.poses.size());
-  for (const Pose& pose : trajectory_.poses) affine_.push_back(affineOf(pose));
-  if (continuous_) {
-    steps_.reserve(members_);
-    for (std::int64_t i = 0; i < members_; ++i) steps_.push_back(makeStep(i));
-  }
+    : MotionTree(trajectory.poses, PathSteps::of(trajectory, bodyCentre, bodyHalf), bodyCentre,
+                 bodyHalf) {}
+
+MotionTree::MotionTree(std::vector<Pose> poses, std::unique_ptr<const MotionSteps> steps,
+                       const Vector3d& bodyCentre, const Vector3d& bodyHalf)
+    : poses_(std::move(poses)), steps_(std::move(steps)), centre_(bodyCentre), half_(bodyHalf) {
+  const std::int64_t count = std::ssize(poses_);
+  continuous_ = steps_ != nullptr;
+  members_ = continuous_ ? count - 1 : count;
+  affine_.reserve(poses_.size());
+  for (const Pose& pose : poses_) affine_.push_back(affineOf(pose));
   order_.resize(members_);
   std::iota(order_.begin(), order_.end(), 0);
   if (members_ > 1) {
@@ -85,19 +121,12 @@ MotionTree::Affine MotionTree::affineOf(const Pose& pose) const {
   return a;
 }
 
-MotionTree::Step MotionTree::makeStep(std::int64_t i) const {
-  Step step{{trajectory_.poses[i], trajectory_.poses[i + 1], trajectory_.interpolation}};
-  forCorners(centre_, half_,
-             [&](const Vector3d& c) { step.radius = std::max(step.radius, step.path.radius(c)); });
-  return step;
-}
-
 Pose MotionTree::poseAt(double parameter) const {
   if (!continuous_)
-    return trajectory_.poses[std::clamp<std::int64_t>(std::llround(parameter), 0, members_ - 1)];
+    return poses_[std::clamp<std::int64_t>(std::llround(parameter), 0, members_ - 1)];
   const auto i = std::clamp<std::int64_t>(static_cast<std::int64_t>(parameter), 0, members_ - 1);
   const double s = std::clamp(parameter - static_cast<double>(i), 0.0, 1.0);
-  return steps_[i].path.poseAt(s);
+  return steps_->poseAt(i, s);
 }
 
 double MotionTree::timeAt(double parameter) const { return poseAt(parameter).timeSeconds; }
@@ -134,7 +163,7 @@ void MotionTree::buildCluster(std::int32_t node, std::int32_t first, std::int32_
   c.high = high - rep;
   eachPose([&](std::int32_t member, const Affine& a) {
     const Affine d = a - rep;
-    const double bulge = continuous_ ? steps_[member].bulge() : 0.0;
+    const double bulge = continuous_ ? steps_->bulge(member) : 0.0;
     c.bulge = std::max(c.bulge, bulge);
     forCorners(Vector3d::Zero(), half_, [&](const Vector3d& y) {
       c.reach = std::max(c.reach, (d.leftCols<3>() * y + d.col(3)).norm() + bulge);
@@ -192,43 +221,33 @@ MotionBound MotionTree::bound(const MotionNode& node) const {
     b.reach = c.reach;
     b.parameter = c.representative;
     b.rest_ = c.bulge;
-    const Pose& pose = trajectory_.poses[c.representative];
+    const Pose& pose = poses_[c.representative];
     b.R = pose.rotation.toRotationMatrix();
     b.t = pose.translation;
     return b;
   }
   if (!continuous_) {
-    const Pose& pose = trajectory_.poses[node.member];
+    const Pose& pose = poses_[node.member];
     b.parameter = node.member;
     b.R = pose.rotation.toRotationMatrix();
     b.t = pose.translation;
     return b;
   }
-  const Step& step = steps_[node.member];
   const double middle = 0.5 * (node.from + node.to);
-  const Pose pose = step.path.poseAt(middle);
+  const MotionSteps::Flow flow = steps_->flowAt(node.member, middle);
   b.kind_ = MotionBound::Kind::Flow;
   b.parameter = node.member + middle;
-  b.R = pose.rotation.toRotationMatrix();
-  b.t = pose.translation;
-  const double angle = step.path.angle();
-  b.angular_ = angle * step.path.axis();
-  const Vector3d shift =
-      trajectory_.poses[node.member + 1].translation - trajectory_.poses[node.member].translation;
-  const bool screw = step.path.isScrew();
-  b.linear_ =
-      screw
-          ? Vector3d(step.path.pitch() * step.path.axis() - b.angular_.cross(step.path.axisPoint()))
-          : Vector3d(shift - b.angular_.cross(pose.translation));
+  b.R = flow.pose.rotation.toRotationMatrix();
+  b.t = flow.pose.translation;
+  b.linear_ = flow.twist.linear;
+  b.angular_ = flow.twist.angular;
   b.span_ = 0.5 * (node.to - node.from);
-  b.rest_ = 4 * b.span_ * b.span_ * step.bulge();
+  b.rest_ = 4 * b.span_ * b.span_ * steps_->bulge(node.member);
   double speed = 0;
   forCorners(centre_, half_, [&](const Vector3d& c) {
     speed = std::max(speed, (b.linear_ + b.angular_.cross(b.R * c + b.t)).norm());
   });
-  const double everywhere = screw ? std::hypot(step.path.pitch(), angle * step.radius)
-                                  : shift.norm() + angle * step.radius;
-  b.reach = std::min(b.span_ * speed + b.rest_, b.span_ * everywhere);
+  b.reach = std::min(b.span_ * speed + b.rest_, b.span_ * flow.fastest);
   return b;
 }
 

@@ -4,17 +4,50 @@
 // Out:   for every node a representative pose and a bound on how far any point of the body lies
 //        from where the representative puts it, also along one direction only.
 // Cost:  O(n log n), about 600 bytes a pose.
+// The steps are asked through MotionSteps: those of one body in the world, or of one moving body as
+// seen from another one (relative_motion.h).
 // Why the corners of a box suffice: a displacement is affine in the point, so its length is convex
 // and largest at a corner of any box round the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "motion/step_path.h"
 #include "swept/types.h"
 
 namespace swept::clearance {
+
+/// What a hierarchy has to know of the steps between successive poses; s in [0, 1] within a step.
+/// The body is the box that the hierarchy was given.
+class MotionSteps {
+ public:
+  struct Flow {
+    Pose pose;       ///< at s
+    Twist twist;     ///< at s, per unit of s, in the frame of the poses
+    double fastest;  ///< mm per unit of s, of any point, anywhere in the step
+  };
+  virtual ~MotionSteps() = default;
+  virtual Pose poseAt(std::int64_t step, double s) const = 0;
+  virtual Flow flowAt(std::int64_t step, double s) const = 0;
+  /// In the step no point leaves the chord of its two ends by more than this, mm: an eighth of the
+  /// largest acceleration.
+  virtual double bulge(std::int64_t step) const = 0;
+};
+
+/// f(corner) for the eight corners of a box.
+template <typename F>
+void forCorners(const Eigen::Vector3d& centre, const Eigen::Vector3d& half, F&& f) {
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d sign(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    f(Eigen::Vector3d(centre + half.cwiseProduct(sign)));
+  }
+}
+
+/// mm, how far a corner of the box (body frame) lies from the line that the step turns about.
+double largestRadius(const StepPath& path, const Eigen::Vector3d& centre,
+                     const Eigen::Vector3d& half);
 
 /// A part of the motion: a cluster of members, or [from, to] of one member (a step or a pose).
 struct MotionNode {
@@ -53,6 +86,9 @@ class MotionTree {
  public:
   MotionTree(const Trajectory& trajectory, const Eigen::Vector3d& bodyCentre,
              const Eigen::Vector3d& bodyHalf);
+  /// `poses`: at the ends of the steps, one more than there are steps; two or more.
+  MotionTree(std::vector<Pose> poses, std::unique_ptr<const MotionSteps> steps,
+             const Eigen::Vector3d& bodyCentre, const Eigen::Vector3d& bodyHalf);
 
   MotionNode root() const;
   MotionBound bound(const MotionNode& node) const;
@@ -65,17 +101,11 @@ class MotionTree {
   double largestParameter() const { return continuous_ ? double(members_) : double(members_ - 1); }
   Pose poseAt(double parameter) const;
   double timeAt(double parameter) const;
-  const Trajectory& trajectory() const { return trajectory_; }
+  const std::vector<Pose>& poses() const { return poses_; }
   /// First and last member of a node, all members of it: clusters list theirs.
   void listMembers(const MotionNode& node, std::vector<std::int32_t>& out) const;
 
  private:
-  struct Step {  // from pose i to pose i + 1
-    StepPath path;
-    double radius = 0;  ///< of the body's box about the axis of the turn
-    /// In the step the body leaves the chord of its two ends by at most this, mm.
-    double bulge() const { return path.angle() * path.angle() * radius / 8; }
-  };
   struct Cluster {
     std::int32_t first, last;  ///< members_ order, half open
     std::int32_t right = -1;   ///< second child; the first one follows; -1: children are members
@@ -86,17 +116,16 @@ class MotionTree {
   };
   using Affine = Eigen::Matrix<double, 3, 4>;
 
-  Step makeStep(std::int64_t i) const;
   Affine affineOf(const Pose& pose) const;
   void buildCluster(std::int32_t node, std::int32_t first, std::int32_t last);
   static std::int32_t clusterNodes(std::int32_t members);
 
-  Trajectory trajectory_;
+  std::vector<Pose> poses_;
+  std::unique_ptr<const MotionSteps> steps_;  ///< none: single poses
   Eigen::Vector3d centre_;
   Eigen::Vector3d half_;
   bool continuous_ = false;
   std::int64_t members_ = 0;
-  std::vector<Step> steps_;
   std::vector<Affine> affine_;       ///< per pose: R | R centre + t
   std::vector<std::int32_t> order_;  ///< members sorted into clusters
   std::vector<Cluster> clusters_;

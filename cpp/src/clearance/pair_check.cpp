@@ -17,7 +17,7 @@ class PairCheck {
   NeighbourClearance operator()(const CheckedNeighbour& neighbour) const {
     const Timer timer;
     const PairSearch pair(parts_.body, parts_.neighbour);
-    SearchContext context{pair, motion_, run_};
+    SearchContext context{pair, motion_, run_, parts_.within};
     NeighbourClearance row;
     row.name = neighbour.name;
     row.rule = neighbour.rule;
@@ -26,6 +26,7 @@ class PairCheck {
     const double touch = o_.tolerance + row.chordError;
     const double slack = motion_.isContinuous() ? o_.tolerance : 0.0;
     Minimum least = searchMinimum(context, slack);
+    if (!least.found()) least.distance = std::numeric_limits<double>::infinity();
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
       // Where contact is allowed, parts lie in each other more than once: the search goes on
@@ -51,8 +52,8 @@ class PairCheck {
     if (row.verdict == ClearanceVerdict::Clear && below)
       row.verdict = ClearanceVerdict::BelowRequired;
     fillSpans(row, context, touch, below);
-    for (const auto& [u, d] :
-         sampleDistances(context, o_.curveSamples, parameterOfMinimum(row, least)))
+    for (const auto& [u, d] : sampleDistances(context, least.found() ? o_.curveSamples : 0,
+                                              parameterOfMinimum(row, least)))
       row.curve.push_back({motion_.timeAt(u), d});
     row.distanceQueries = context.queries;
     row.certificates = context.certificates;
@@ -141,7 +142,8 @@ NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& n
 }
 
 std::vector<Finding> openFindings(const std::vector<std::string>& names,
-                                  const std::vector<char>& closed, bool bodyClosed) {
+                                  const std::vector<char>& closed, bool bodyClosed,
+                                  const std::string& one, const std::string& many) {
   std::vector<Finding> findings;
   Finding open{"OpenMesh", 0, {}, ""};
   std::string list;
@@ -155,7 +157,7 @@ std::vector<Finding> openFindings(const std::vector<std::string>& names,
   if (open.count > 0) {
     if (static_cast<std::size_t>(open.count) > open.first.size()) list += ", ...";
     open.text =
-        std::to_string(open.count) + (open.count == 1 ? " neighbour is" : " neighbours are") +
+        std::to_string(open.count) + " " + (open.count == 1 ? one + " is" : many + " are") +
         " open or badly oriented (" + list +
         "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
         "the other side only";

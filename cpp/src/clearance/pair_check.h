@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "clearance/motion_search.h"
@@ -20,6 +21,9 @@ struct CheckedPair {
   bool bodyMended;
   const Part& neighbour;
   bool neighbourMended;
+  /// mm, a pair that never comes nearer gets the distance infinity and no curve. More than the
+  /// required distance, the chord errors and two tolerances together.
+  double within = std::numeric_limits<double>::infinity();
 };
 
 /// What is known of a neighbour besides its mesh.
@@ -37,8 +41,11 @@ NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& n
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run);
 
-/// What is said of neighbours (and of the body) where "inside" has no meaning.
+/// What is said of neighbours (and of the body) where "inside" has no meaning. `one`, `many`: what
+/// a report calls them.
 std::vector<Finding> openFindings(const std::vector<std::string>& names,
-                                  const std::vector<char>& closed, bool bodyClosed);
+                                  const std::vector<char>& closed, bool bodyClosed,
+                                  const std::string& one = "neighbour",
+                                  const std::string& many = "neighbours");
 
 }  // namespace swept::clearance

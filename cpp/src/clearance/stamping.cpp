@@ -26,10 +26,23 @@ std::shared_ptr<Model> modelOf(const TriMesh& mesh) {
   return model;
 }
 
+fcl::Transform3d transformOf(const Pose& pose) {
+  fcl::Transform3d place = fcl::Transform3d::Identity();
+  place.linear() = pose.rotation.toRotationMatrix();
+  place.translation() = pose.translation;
+  return place;
+}
+
 }  // namespace
 
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, RunContext& run) {
+  return stampEveryPose(body, poses, neighbour, std::vector<Pose>(poses.size()), run);
+}
+
+StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
+                              const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
+                              RunContext& run) {
   const std::shared_ptr<Model> moving = modelOf(body);
   const std::shared_ptr<Model> still = modelOf(neighbour);
   const auto nearer = [](const StampedMinimum& a, const StampedMinimum& b) {
@@ -42,13 +55,10 @@ StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& pose
       [&](const tbb::blocked_range<std::int64_t>& range, StampedMinimum best) {
         run.checkpoint(Phase::Check);
         for (std::int64_t i = range.begin(); i < range.end(); ++i) {
-          fcl::Transform3d place = fcl::Transform3d::Identity();
-          place.linear() = poses[i].rotation.toRotationMatrix();
-          place.translation() = poses[i].translation;
           fcl::DistanceRequestd request;
           fcl::DistanceResultd result;
-          fcl::distance<double>(moving.get(), place, still.get(), fcl::Transform3d::Identity(),
-                                request, result);
+          fcl::distance<double>(moving.get(), transformOf(poses[i]), still.get(),
+                                transformOf(neighbourPoses[i]), request, result);
           best = nearer(best, {std::max(0.0, result.min_distance), i});
         }
         return best;

@@ -20,6 +20,11 @@ struct StampedMinimum {
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, RunContext& run);
 
+/// The same where the neighbour moves too: as many poses of it, at the same moments.
+StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
+                              const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
+                              RunContext& run);
+
 /// The trajectory's poses with `between` more, evenly spaced, inside every step (none: unchanged).
 std::vector<Pose> densePoses(const Trajectory& trajectory, int between);
 

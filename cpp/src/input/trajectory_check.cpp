@@ -94,7 +94,7 @@ void requireLength(const char* name, double value) {
 
 }  // namespace
 
-CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
+CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses waits) {
   if (trajectory.poses.empty()) {
     throw Error(Status::InvalidInput, "EmptyTrajectory",
                 "the motion has no poses; give at least one (a single pose re-meshes the body)");
@@ -126,7 +126,8 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory) {
     if (!poses.empty()) {
       // One sign for neighbours, so that interpolation takes the shorter way without asking again.
       if (poses.back().rotation.dot(pose.rotation) < 0) pose.rotation.coeffs() *= -1;
-      if (samePlacement(poses.back(), pose)) {
+      const bool later = pose.timeSeconds > poses.back().timeSeconds;
+      if (samePlacement(poses.back(), pose) && !(waits == RepeatedPoses::Keep && later)) {
         addFirst(repeated, i);
         continue;
       }

@@ -12,6 +12,10 @@
 
 namespace swept {
 
+/// What becomes of a pose that repeats the placement before it at a later time: for the shape of a
+/// sweep it says nothing; where others move meanwhile it says that the body waits.
+enum class RepeatedPoses { Drop, Keep };
+
 struct CheckedTrajectory {
   Trajectory trajectory;
   std::vector<std::int32_t> given;  ///< per pose: its number among those given
@@ -21,7 +25,8 @@ struct CheckedTrajectory {
 /// Throws Error(InvalidInput) with code EmptyTrajectory, BadPose, NotRigid, AmbiguousTurn (only
 /// where poses are interpolated: a turn within 1 degree of 180 between two poses has no shortest
 /// way).
-CheckedTrajectory checkTrajectory(const Trajectory& trajectory);
+CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
+                                  RepeatedPoses repeated = RepeatedPoses::Drop);
 
 /// Throws Error(InvalidInput, "BadOption", name, value and allowed range in the text). Row 16.
 void checkOptions(const Options& options);

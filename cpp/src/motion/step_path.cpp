@@ -50,6 +50,12 @@ double StepPath::radius(const Sphere& body) const {
   return (r - axis_ * axis_.dot(r)).norm() + body.radius;
 }
 
+Twist StepPath::twistAt(const Pose& pose) const {
+  const Eigen::Vector3d angular = angle_ * axis();
+  if (screw_) return {pitch_ * axis() - angular.cross(axisPoint()), angular};
+  return {shift() - angular.cross(pose.translation), angular};
+}
+
 Pose StepPath::poseAt(double s) const {
   Pose pose;
   pose.timeSeconds = from_.timeSeconds + s * (toTime_ - from_.timeSeconds);

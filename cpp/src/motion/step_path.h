@@ -5,6 +5,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cmath>
+
 #include "motion/motion.h"
 #include "swept/types.h"
 
@@ -17,6 +19,12 @@ struct Sphere {
 };
 
 Sphere boundingSphere(const TriMesh& body);
+
+/// Velocities of all points of a rigid body at one moment: linear + angular x point (world).
+struct Twist {
+  Eigen::Vector3d linear;
+  Eigen::Vector3d angular;
+};
 
 /// At any fraction s in [0, 1] of the step.
 class StepPath {
@@ -41,8 +49,18 @@ class StepPath {
   double radius(const Eigen::Vector3d& point) const;
   /// At least the largest radius of the sphere's points.
   double radius(const Sphere& body) const;
+  /// Per unit of s, at the moment at which the body is placed by `pose`, one of poseAt().
+  Twist twistAt(const Pose& pose) const;
+  /// mm per unit of s that the line itself moves (not along itself for a screw: that is `pitch`).
+  double drift() const { return screw_ ? std::abs(pitch_) : shift().norm(); }
+  /// mm per unit of s, no point at most `radius` from the line is faster anywhere in the step.
+  double fastest(double radius) const {
+    return screw_ ? std::hypot(pitch_, angle_ * radius) : shift().norm() + angle_ * radius;
+  }
 
  private:
+  Eigen::Vector3d shift() const { return toTranslation_ - from_.translation; }
+
   Pose from_;
   Eigen::Vector3d toTranslation_;
   double toTime_;

@@ -39,6 +39,7 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
           "the moving body: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
       ->required();
   addNeighbourOptions(app, job.neighbours);
+  addRuleOptions(app, job.neighbours);
   addText(app, "--motion", "FILE", job.motionPath, "poses, as for swept envelope")->required();
   addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
           "format of the generator, instead of its suffix");
@@ -97,12 +98,6 @@ void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Traje
                 static_cast<long long>(least.poses), part.name.c_str(), least.distance,
                 least.timeSeconds, report.neighbours[row++].distance);
   }
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
 }
 
 void writeCsv(const ClearanceReport& report, const std::string& path) {

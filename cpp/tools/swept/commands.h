@@ -13,6 +13,7 @@ using Run = std::function<int()>;
 Run addEnvelopeCommand(CLI::App& program);
 Run addCheckCommand(CLI::App& program);
 Run addClearanceCommand(CLI::App& program);
+Run addMechanismCommand(CLI::App& program);
 Run addPathCommand(CLI::App& program);
 Run addSolidCommand(CLI::App& program);
 

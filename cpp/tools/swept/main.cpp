@@ -25,8 +25,9 @@ namespace {
 using Commands = std::vector<std::pair<std::string, Run>>;
 
 constexpr const char* kExitStatuses =
-    "Exit status: 0 done, 1 failed, 2 wrong usage, 3 not clear (clearance) or no\n"
-    "path (path), 130 and 143 cancelled (128 and the number of the signal). Lengths are in mm.";
+    "Exit status: 0 done, 1 failed, 2 wrong usage, 3 not clear (clearance,\n"
+    "mechanism) or no path (path), 130 and 143 cancelled (128 and the number of the signal). "
+    "Lengths are in mm.";
 
 Commands addCommands(CLI::App& program) {
   Commands commands;
@@ -37,6 +38,7 @@ Commands addCommands(CLI::App& program) {
 #endif
 #ifdef HAVE_SWEPT_CLEARANCE
   commands.emplace_back("clearance", addClearanceCommand(program));
+  commands.emplace_back("mechanism", addMechanismCommand(program));
   commands.emplace_back("path", addPathCommand(program));
 #endif
   CLI::App& manual = *program.add_subcommand("manual", "Prints the manual page.");

@@ -13,18 +13,22 @@
 
 namespace swept::cli {
 
-void addNeighbourOptions(CLI::App& app, NeighbourFiles& files) {
-  app.add_option("NEIGHBOUR", files.paths,
-                 "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one neighbour "
-                 "a solid")
-      ->type_name("FILE")
-      ->required();
+CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files) {
+  CLI::Option* option =
+      app.add_option("NEIGHBOUR", files.paths,
+                     "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one "
+                     "neighbour a solid");
+  option->type_name("FILE")->required();
   addUnit(app, "--neighbour-unit", files.millimetresPerUnit, "unit of neighbours that are meshes");
   addNumber(app, "--neighbour-chord", "MM", files.chordError,
             "how far the triangles of neighbours given as meshes leave their exact surfaces "
             "(default 0)");
   addNumber(app, "--deflection", "MM", files.deflection,
             "chord error to which solids, the moving one too, are tessellated (default 0.05)");
+  return option;
+}
+
+void addRuleOptions(CLI::App& app, NeighbourFiles& files) {
   app.add_option_function<std::vector<std::string>>(
          "--rule",
          [&files](const std::vector<std::string>& list) {
@@ -94,6 +98,12 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
   }
   giveRules(files, list);
   return list;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
 }
 
 }  // namespace swept::cli

@@ -19,12 +19,17 @@ struct NeighbourFiles {
   std::string rulesPath;
 };
 
-/// NEIGHBOUR, --neighbour-unit, --neighbour-chord, --deflection, --rule and --rules.
-void addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
+/// NEIGHBOUR (the option that is returned), --neighbour-unit, --neighbour-chord and --deflection.
+CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
+/// --rule and --rules.
+void addRuleOptions(CLI::App& app, NeighbourFiles& files);
 /// Throws what a wrong usage is.
 void checkNeighbourOptions(const NeighbourFiles& files);
 /// A mesh is one neighbour, a solid file one a solid; each with its rule. Throws
 /// Error(InvalidInput), "BadRule" where rules do not fit; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
+
+/// In double quotes, for a table of values with commas between them.
+std::string quoted(const std::string& text);
 
 }  // namespace swept::cli

@@ -65,6 +65,7 @@ void addPlaces(CLI::App& app, PathJob& job) {
           "the part: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
       ->required();
   addNeighbourOptions(app, job.neighbours);
+  addRuleOptions(app, job.neighbours);
   addConverted(
       app, "--goal", "X,Y,Z[,QX,QY,QZ,QW]",
       [&job](const std::string& t) { job.task.goal = poseOf("--goal", t); },

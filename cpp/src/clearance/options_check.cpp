@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "clearance/options_check.h"
+
+#include <cmath>
+
+#include "base/limits.h"
+#include "base/number_text.h"
+
+namespace swept::clearance {
+
+void requireLength(const std::string& name, double value, bool mayBeZero) {
+  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
+    return;
+  throw Error(Status::InvalidInput, "BadOption",
+              name + " is " + numberText(value, kTellingDigits) +
+                  " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
+}
+
+void checkSettings(const ClearanceOptions& o) {
+  requireLength("required distance", o.required, true);
+  requireLength("tolerance", o.tolerance, false);
+  requireLength("chord error of the body", o.bodyChordError, true);
+  requireLength("interval tolerance", o.intervalTolerance, true);
+  if (o.curveSamples < 0 || o.curveSamples > 1000000)
+    throw Error(Status::InvalidInput, "BadOption",
+                "curve samples: " + std::to_string(o.curveSamples) + "; allowed: 0 to 1000000");
+}
+
+}  // namespace swept::clearance

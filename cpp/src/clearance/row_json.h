@@ -1,0 +1,12 @@
+// One row of a clearance report as JSON, for reports of one moving body and of mechanisms.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/report_json.h"
+#include "swept/clearance.h"
+
+namespace swept::clearance {
+
+Json rowJson(const NeighbourClearance& row);
+
+}  // namespace swept::clearance

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "clearance/summary.h"
+
+#include "base/number_text.h"
+
+namespace swept {
+namespace clearance {
+namespace {
+
+/// Allowed contacts come last: that they are at 0 is meant.
+bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
+  const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
+  if (meantA != meantB) return meantB;
+  if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
+    return a.distance - a.chordError < b.distance - b.chordError;
+  return a.penetration.depth > b.penetration.depth;
+}
+
+}  // namespace
+
+Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
+                  std::size_t ignored) {
+  Summary summary{-1, head};
+  int clashes = 0;
+  int contacts = 0;
+  int below = 0;
+  int allowed = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    clashes += rows[i]->verdict == ClearanceVerdict::Clash;
+    const bool contact = rows[i]->verdict == ClearanceVerdict::Contact;
+    const bool meant = contact && rows[i]->rule.contact.has_value();
+    allowed += meant;
+    contacts += contact && !meant;
+    below += rows[i]->verdict == ClearanceVerdict::BelowRequired;
+    if (summary.smallest < 0 || nearer(*rows[i], *rows[summary.smallest]))
+      summary.smallest = static_cast<int>(i);
+  }
+  if (rows.empty()) return summary;
+  const NeighbourClearance& row = *rows[summary.smallest];
+  const auto add = [&](int count, const char* what) {
+    if (count > 0) summary.text += ", " + std::to_string(count) + " " + what;
+  };
+  add(clashes, clashes == 1 ? "clash" : "clashes");
+  add(contacts, contacts == 1 ? "contact" : "contacts");
+  add(below, "below required");
+  add(allowed, allowed == 1 ? "allowed contact" : "allowed contacts");
+  add(static_cast<int>(ignored), "ignored");
+  const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
+  const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
+  summary.text += (deep ? ", deepest " : ", smallest ") + length + " mm";
+  const std::string certain = numberText(row.guaranteed, 4);
+  if (!deep && certain != length) summary.text += ", at least " + certain + " mm,";
+  summary.text += " at t = " + numberText(row.timeSeconds) + " s";
+  if (!row.name.empty()) summary.text += " (" + row.name + ")";
+  return summary;
+}
+
+}  // namespace clearance
+
+const char* clearanceVerdictName(ClearanceVerdict verdict) {
+  switch (verdict) {
+    case ClearanceVerdict::Clear:
+      return "clear";
+    case ClearanceVerdict::BelowRequired:
+      return "below";
+    case ClearanceVerdict::Contact:
+      return "contact";
+    case ClearanceVerdict::Clash:
+      return "clash";
+  }
+  return "?";
+}
+
+}  // namespace swept

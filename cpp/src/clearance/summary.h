@@ -1,0 +1,21 @@
+// One line about many rows of a clearance report, and which of them is the nearest.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swept/clearance.h"
+
+namespace swept::clearance {
+
+struct Summary {
+  int smallest = -1;  ///< the nearest row (deepest clash first, allowed contacts last); -1: no rows
+  std::string text;   ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
+};
+
+/// `head`: what the text begins with, as "12 checked". `ignored`: how many rules left out.
+Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
+                  std::size_t ignored = 0);
+
+}  // namespace swept::clearance

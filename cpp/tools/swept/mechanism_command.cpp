@@ -1,0 +1,221 @@
+// swept mechanism --moving PART MOTION ...: smallest distances of parts that move at the same time.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifdef HAVE_SWEPT_CLEARANCE
+#include <cstdio>
+#include <locale>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "commands.h"
+#include "files.h"
+#include "neighbours.h"
+#include "options.h"
+#include "runner.h"
+#include "swept/body.h"
+#include "swept/io.h"
+#include "swept/mechanism.h"
+
+namespace swept::cli {
+namespace {
+
+struct MechanismJob {
+  std::vector<std::string> moving;   ///< part, motion, part, motion, ...
+  std::vector<std::string> ignored;  ///< name, name, ...
+  NeighbourFiles still;
+  std::string csvPath;
+  double partUnit = 1.0;
+  double motionUnit = 1.0;
+  Interpolation interpolation = Interpolation::Linear;
+  MechanismOptions options;
+  std::int64_t curve = 0;
+  std::int64_t stamp = -1;
+  CommonOptions common;
+};
+
+/// An option that takes two words and may be given often.
+void addTwoWords(CLI::App& app, const std::string& name, const std::string& kind,
+                 std::vector<std::string>& words, const std::string& about) {
+  app.add_option(name, words, about)->type_size(2)->type_name(kind)->allow_extra_args(false);
+}
+
+void addOptions(CLI::App& app, MechanismJob& job) {
+  addTwoWords(app, "--moving", "PART MOTION", job.moving,
+              "a part that moves and its poses, as for swept envelope; its name is that of the "
+              "file. Give the option once for each part");
+  addNeighbourOptions(app, job.still)->required(false);
+  addUnit(app, "--moving-unit", job.partUnit, "unit of moving parts that are meshes (default mm)");
+  addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
+  addConverted(
+      app, "--interpolation", "linear|screw",
+      [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
+      "motion between two poses (default linear); with screw, parts that keep their place to each "
+      "other at two poses keep it between them");
+  addNumber(app, "--required", "MM", job.options.required,
+            "distance asked for (default 0: contact and clash only)");
+  addNumber(app, "--tolerance", "MM", job.options.tolerance,
+            "how far the smallest distance may be off (default 0.01)");
+  addNumber(app, "--range", "MM", job.options.range,
+            "pairs that come nearer than this are listed (default a tenth of the size of the "
+            "parts)");
+  addTwoWords(app, "--ignore", "PART PART", job.ignored,
+              "a pair by name that is not looked at, as parts that a joint holds together");
+  addNumber(app, "--interval-tolerance", "MM", job.options.intervalTolerance,
+            "travel to which ends of time intervals are found (default 10 tolerances)");
+  addInteger(app, "--curve", job.curve, 0, 1000000,
+             "points of the graph of distance over time in the report (default 0)");
+  app.add_flag_callback(
+      "--no-penetration", [&job] { job.options.penetration = false; },
+      "do not measure how deep a clash goes");
+  addInteger(app, "--stamp", job.stamp, 0, 1000000,
+             "compare with distances at every pose and N more in each step (slow)");
+  addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+  addCommonOptions(app, job.common);
+  app.footer(
+      "Exit status 0 if all pairs are clear, 3 if two parts come too near, touch or clash.\n\n"
+      "Examples:\n"
+      "  swept mechanism --moving boom.stl boom.csv --moving arm.stl arm.csv frame.step "
+      "--ignore boom arm --required 5\n"
+      "  swept mechanism --moving left.ply left.csv --moving right.ply right.csv --csv -");
+}
+
+/// Solids of one file may have one name; here each part needs its own.
+void makeNamesUnique(std::vector<ClearanceNeighbour>& parts) {
+  std::map<std::string, int> seen;
+  for (ClearanceNeighbour& part : parts)
+    if (const int count = ++seen[part.name]; count > 1) part.name += " " + std::to_string(count);
+}
+
+std::vector<MechanismPart> readParts(const MechanismJob& job, RunContext& run,
+                                     std::vector<Finding>& findings) {
+  std::vector<MechanismPart> parts;
+  BodyFileOptions files;
+  files.millimetresPerUnit = job.partUnit;
+  files.tolerance = job.still.deflection;
+  for (std::size_t i = 0; i + 1 < job.moving.size(); i += 2) {
+    Body body = readInputBody(job.moving[i], "", files, run);
+    const std::string name = pathFromUtf8(job.moving[i]).stem().string();
+    for (Finding& finding : body.findings) {
+      finding.text = name + ": " + finding.text;
+      findings.push_back(std::move(finding));
+    }
+    parts.push_back({name, std::move(body.mesh),
+                     readInputMotion(job.moving[i + 1], job.motionUnit, job.interpolation,
+                                     Eigen::Vector3d::Zero()),
+                     body.chordError});
+  }
+  std::vector<ClearanceNeighbour> still = readNeighbours(job.still, run);
+  makeNamesUnique(still);
+  for (ClearanceNeighbour& part : still)
+    parts.push_back({part.name, std::move(part.mesh), {{Pose{}}}, part.chordError});
+  return parts;
+}
+
+void compareWithStamps(const MechanismJob& job, const std::vector<MechanismPart>& parts,
+                       const MechanismReport& report, RunContext& run) {
+  for (const PairClearance& pair : report.pairs) {
+    const StampedClearance least = stampedPair(parts[pair.parts.first], parts[pair.parts.second],
+                                               report.time, static_cast<int>(job.stamp), run);
+    std::printf("stamped %lld moments of %s: smallest %.9g mm at t = %.9g s; motion %.9g mm\n",
+                static_cast<long long>(least.poses), pair.clearance.name.c_str(), least.distance,
+                least.timeSeconds, pair.clearance.distance);
+  }
+}
+
+void writeCsv(const MechanismReport& report, const std::string& path) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "first,second,verdict,distance_mm,guaranteed_mm,required_mm,time_s,depth_mm,"
+          "depth_bound_mm,first_x,first_y,first_z,second_x,second_y,second_z,seconds_below\n";
+  text.precision(12);
+  for (const PairClearance& pair : report.pairs) {
+    const NeighbourClearance& row = pair.clearance;
+    double below = 0;
+    for (const TimeInterval& span : row.below) below += span.to - span.from;
+    text << quoted(report.names[pair.parts.first]) << ',' << quoted(report.names[pair.parts.second])
+         << ',' << clearanceVerdictName(row.verdict) << ',' << row.distance << ',' << row.guaranteed
+         << ',' << pair.required << ',' << row.timeSeconds << ',' << row.penetration.depth << ','
+         << row.penetration.depthBound;
+    for (const Eigen::Vector3d& x : {row.pointOnBody, row.pointOnNeighbour})
+      text << ',' << x[0] << ',' << x[1] << ',' << x[2];
+    text << ',' << below << '\n';
+  }
+  writeText(text.str(), path);
+}
+
+void printTable(const MechanismReport& report) {
+  for (const PairClearance& pair : report.pairs) {
+    const NeighbourClearance& row = pair.clearance;
+    std::printf("%-36s %-8s %12.6g mm at t = %.6g s", row.name.c_str(),
+                clearanceVerdictName(row.verdict), row.distance, row.timeSeconds);
+    if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
+      std::printf(", depth %.4g to %.4g mm", row.penetration.depth, row.penetration.depthBound);
+    std::printf("  (%.2f s)\n", row.seconds);
+  }
+  std::printf("%lld pairs stay farther apart than %.4g mm, %zu keep their place, %zu ignored\n",
+              static_cast<long long>(report.farPairs), report.range, report.joined.size(),
+              report.ignored.size());
+  std::printf("%s; %.2f s\n", report.summary.c_str(),
+              report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
+}
+
+int runMechanism(const MechanismJob& job) {
+  const CommonOptions& common = job.common;
+  std::vector<RoledFile> inputs;
+  for (std::size_t i = 0; i < job.moving.size(); ++i)
+    inputs.push_back({i % 2 == 0 ? "a moving part" : "a motion", job.moving[i]});
+  for (const std::string& path : job.still.paths) inputs.push_back({"a part that stands", path});
+  const std::vector<RoledFile> outputs{{"--csv", job.csvPath}, {"--report", common.report}};
+  checkIdentity(inputs, outputs, common.noClobber);
+  checkAccess({}, outputs);
+  MechanismReport report;
+  RunContext run;
+  run.threads = static_cast<int>(common.threads);
+  try {
+    runWatched(run, common.quiet, [&] {
+      checkAccess(inputs, {});
+      std::vector<Finding> findings;
+      const std::vector<MechanismPart> parts = readParts(job, run, findings);
+      report = checkMechanism(parts, job.options, run);
+      report.warnings.insert(report.warnings.begin(), findings.begin(), findings.end());
+      if (job.stamp >= 0 && report.status == Status::Ok) compareWithStamps(job, parts, report, run);
+    });
+  } catch (const Error& error) {
+    report = {};
+    takeError(report, error.status(), error.code(), error.what());
+  }
+  if (!common.report.empty()) writeText(toJson(report), common.report);
+  if (report.status != Status::Ok) {
+    printError(report.status, report.code, report.message);
+    return exitStatus(report.status);
+  }
+  if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
+  if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
+  printFindings(report.warnings, common.quiet);
+  if (common.verbose) printSeconds(report.seconds);
+  for (const PairClearance& pair : report.pairs)
+    if (pair.clearance.verdict != ClearanceVerdict::Clear) return kExitNotClear;
+  return kExitOk;
+}
+
+}  // namespace
+
+Run addMechanismCommand(CLI::App& program) {
+  const auto job = std::make_shared<MechanismJob>();
+  CLI::App& app = *program.add_subcommand(
+      "mechanism",
+      "Smallest distances between parts that move at the same time, each on a motion of its own, "
+      "and to parts that stand still; nothing between two poses is missed.");
+  addOptions(app, *job);
+  return [job] {
+    checkNeighbourOptions(job->still);
+    if (job->moving.empty()) badOption("--moving PART MOTION is missing: no part moves");
+    for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
+      job->options.ignored.emplace_back(job->ignored[i], job->ignored[i + 1]);
+    job->options.curveSamples = static_cast<int>(job->curve);
+    return runMechanism(*job);
+  };
+}
+
+}  // namespace swept::cli
+#endif  // HAVE_SWEPT_CLEARANCE

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Clearances of mechanisms: parts that move at the same time."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._calls import RunContext, _log
+from ._values import MeshLike, MotionLike, mesh_of, motion_of
+
+MechanismPart = Union[
+    Tuple[str, MeshLike, Optional[MotionLike]], Tuple[str, MeshLike, Optional[MotionLike], float]
+]
+
+
+def _part(item: MechanismPart) -> Tuple[Any, ...]:
+    parts: Sequence[Any] = item if isinstance(item, (tuple, list)) else ()
+    if len(parts) not in (3, 4):
+        raise TypeError("a part is (name, mesh, motion) or (name, mesh, motion, chord error in mm)")
+    mesh = mesh_of(parts[1])
+    motion = None if parts[2] is None else motion_of(parts[2], None)
+    chord = float(parts[3]) if len(parts) == 4 else mesh.chord_error
+    way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+    return (parts[0], mesh.vertices, mesh.triangles, *way, chord)
+
+
+def mechanism(
+    parts: Iterable[MechanismPart],
+    *,
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    range: float = 0.0,
+    interval_tolerance: Optional[float] = None,
+    curve: int = 200,
+    penetration: bool = True,
+    ignored: Iterable[Tuple[str, str]] = (),
+    run: Optional[RunContext] = None,
+) -> Dict[str, Any]:
+    """Smallest distance between each two of the parts over the time that all motions share; nothing
+    between two poses is missed. parts: (name, mesh, motion) or (name, mesh, motion, chord error), motion
+    None for a part that stands still where its mesh has it. Times in s, lengths in mm. Pairs that come
+    nearer than `range` (0: a tenth of the size of the parts) are measured and listed; ignored: pairs of
+    names that are not looked at. Returns the report, as docs/clearance.md says. Raises InvalidInput
+    (NoParts, PartTwice, UnknownPart, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes), Cancelled.
+    """
+    report: Dict[str, Any] = _core.mechanism(
+        [_part(item) for item in parts],
+        required,
+        tolerance,
+        range,
+        interval_tolerance or 0.0,
+        curve,
+        penetration,
+        [tuple(pair) for pair in ignored],
+        run,
+    )
+    _log(report["warnings"])
+    return report

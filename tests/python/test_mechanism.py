@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts that move at the same time, from Python and from the program."""
+import csv
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import swept_volume as sv
+from bodies import box
+from test_program import call, inputs  # noqa: F401
+
+
+def slide(start, end, times=(0.0, 1.0), **options):
+    """A motion from start to end without a turn."""
+    turn = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
+    return sv.Motion(times, turn, [start, end], **options)
+
+
+CUBE = sv.Mesh(*box((-5, -5, -5), (5, 5, 5)))
+PASSING = [
+    ("left", CUBE, slide((-40, 0, 0), (40, 0, 0))),
+    ("right", CUBE, slide((40, 13, 0), (-40, 13, 0))),
+]
+
+
+def test_two_that_pass_each_other():
+    report = sv.mechanism(PASSING, required=4)
+    (pair,) = report["pairs"]
+    row = pair["clearance"]
+    assert row["distance"] == pytest.approx(3, abs=0.01) and row["verdict"] == "below"
+    assert report["from_seconds"] == 0 and report["to_seconds"] == 1
+    # Nothing is nearer: both bodies placed at moments of their own choice, measured by distances of corners.
+    for t in np.linspace(0, 1, 41):
+        left, right = np.array([-40 + 80 * t, 0, 0]), np.array([40 - 80 * t, 13, 0])
+        gap = np.maximum(np.abs(left - right) - 10, 0)
+        assert np.linalg.norm(gap) >= row["guaranteed"]
+    place = pair["pose_of_second"]["translation"]
+    assert place[0] == pytest.approx(40 - 80 * row["time_seconds"], abs=1e-6)
+
+
+def test_pairs_are_ignored_and_bad_input_is_named():
+    assert sv.mechanism(PASSING, ignored=[("right", "left")])["pairs"] == []
+    with pytest.raises(sv.InvalidInput, match="'left' is there twice"):
+        sv.mechanism([PASSING[0], PASSING[0]])
+    late = ("late", CUBE, slide((0, 0, 0), (9, 0, 0), times=(5.0, 6.0)))
+    with pytest.raises(sv.InvalidInput, match="'late' begins at t = 5 s") as error:
+        sv.mechanism([PASSING[0], late])
+    assert error.value.code == "NoCommonTime"
+    with pytest.raises(TypeError, match="a part is"):
+        sv.mechanism([("left", CUBE)])
+
+
+def test_a_run_is_cancelled_soon():
+    angles = np.linspace(0, 40, 4000)
+    turn = np.stack([0 * angles, 0 * angles, np.sin(angles / 2), np.cos(angles / 2)], 1)
+
+    def gear(k):
+        return sv.Motion(angles, turn, np.outer(np.ones(4000), [6.0 * k, 0, 0]))
+
+    parts = [(str(k), CUBE, gear(k)) for k in range(9)]
+    for k, (name, mesh, motion) in enumerate(parts):  # every second one turns the other way
+        if k % 2:
+            parts[k] = (name, mesh, sv.Motion(angles, turn * [1, 1, -1, 1], motion.translations))
+    run = sv.RunContext()
+    ended = []
+
+    def work():
+        with pytest.raises(sv.Cancelled):
+            sv.mechanism(parts, run=run)
+        ended.append(time.perf_counter())
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    while run.progress <= 0 and thread.is_alive():
+        time.sleep(0.001)
+    run.cancel()
+    thread.join()
+    assert ended
+
+
+def test_the_program_writes_a_table(call, inputs):  # noqa: F811
+    for name, motion in (("left", PASSING[0][2]), ("right", PASSING[1][2])):
+        sv.write_mesh(inputs / (name + ".ply"), CUBE)
+        rows = np.column_stack([motion.times, motion.translations, motion.quaternions])
+        header = "t,tx,ty,tz,qx,qy,qz,qw"
+        np.savetxt(inputs / (name + ".csv"), rows, delimiter=",", header=header, comments="")
+    words = ["mechanism", "--csv", "-", "--quiet", "--required", "4"]
+    for name in ("left", "right"):
+        words += ["--moving", inputs / (name + ".ply"), inputs / (name + ".csv")]
+    done = call(*words)
+    assert done.returncode == 3, done.stderr
+    (row,) = csv.DictReader(done.stdout.splitlines())
+    assert (row["first"], row["second"], row["verdict"]) == ("left", "right", "below")
+    assert float(row["distance_mm"]) == pytest.approx(3, abs=0.01)
+    assert call(*words, "--ignore", "left", "right").returncode == 0
+    for extra, named in (
+        (["--ignore", "left", "boom"], "'boom'"),
+        ([inputs / "left.ply"], "'left' is there twice"),
+        (["--moving", inputs / "left.ply"], "--moving needs a value"),
+    ):
+        done = call(*words, *extra)
+        assert done.returncode in (1, 2) and named in done.stderr, done.stderr
