@@ -89,12 +89,16 @@ class Rules(Case):
 
     def test_checks_without_rules_have_the_hash_of_before(self):
         obj = self.made()
-        plan = clearance.Plan.of(obj)
-        now = plan.hash()
-        plan.rules = {(self.wall, ""): Rule()}  # says nothing
-        self.assertEqual(plan.hash(), now)
-        plan.rules = {(self.wall, ""): Rule(length=5.0)}
-        self.assertNotEqual(plan.hash(), now)
+
+        def hash_with(rules):
+            plan = clearance.Plan.of(obj)  # looks at its inputs once
+            plan.rules = rules
+            return plan.hash()
+
+        now = hash_with({})
+        self.assertEqual(clearance.Plan.of(obj).hash(), now)
+        self.assertEqual(hash_with({(self.wall, ""): Rule()}), now)  # says nothing
+        self.assertNotEqual(hash_with({(self.wall, ""): Rule(length=5.0)}), now)
 
     def test_results_of_before_there_were_rules_open_as_they_were(self):
         obj = self.made()
