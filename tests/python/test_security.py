@@ -112,20 +112,28 @@ STILL = b"0,0,0,0,0,0,0,1\n1,1,0,0,0,0,0,1\n"
 BOX = b"OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"  # a corner
 
 
+#: Runs a command in a small address space and writes its peak of memory (kB). A process begins with the
+#: peak of the one that starts it, so that this one has to be small itself.
+WATCH = """
+import os, resource, subprocess, sys
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+child = subprocess.Popen(sys.argv[2:], preexec_fn=limit)
+_, status, used = os.wait4(child.pid, 0)
+open(sys.argv[1], "w").write(str(used.ru_maxrss))
+sys.exit(os.waitstatus_to_exitcode(status))
+"""
+
+
 def envelope(program, folder, body, motion):
-    """Runs the program in a small address space; (exit code, what it said, megabytes at most)."""
-
-    def limit():
-        resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
-
+    """Runs the program; (exit code, what it said, megabytes at most)."""
+    peak = folder / "peak.txt"
     command = [program, "envelope", body, "--motion", motion, "--output", folder / "out.ply"]
-    child = subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=limit
-    )
-    said = child.stdout.read()
-    _, status, used = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
-    return child.returncode, said, used.ru_maxrss / 1024
+    done = subprocess.run(
+        [sys.executable, "-c", WATCH, peak, *command],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    )  # fmt: skip
+    return done.returncode, done.stdout, int(peak.read_text()) / 1024
 
 
 @pytest.mark.parametrize("name", PROMISES)
