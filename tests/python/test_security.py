@@ -2,9 +2,7 @@
 """Files are read without trust, nothing is run from them, temporary files are private, no network."""
 import ast
 import gzip
-import os
 import re
-import resource
 import struct
 import subprocess
 import sys
