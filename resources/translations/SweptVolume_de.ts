@@ -374,6 +374,10 @@
    <translation>Es gibt kein Nachbarteil, gegen das geprüft werden könnte.</translation>
   </message>
   <message>
+   <source>A rule for a neighbour cannot be used: correct or remove it.</source>
+   <translation>Eine Regel für ein Nachbarteil ist nicht verwendbar: berichtigen oder entfernen.</translation>
+  </message>
+  <message>
    <source>The part does not fit where it belongs: a neighbour is in the way.</source>
    <translation>Das Teil passt nicht an seinen Platz: ein Nachbar ist im Weg.</translation>
   </message>
@@ -424,6 +428,10 @@
   <message>
    <source>Triangles back to back were left out.</source>
    <translation>Dreiecke Rücken an Rücken wurden weggelassen.</translation>
+  </message>
+  <message>
+   <source>How deep an allowed contact goes is not proven.</source>
+   <translation>Wie tief ein erlaubter Kontakt reicht, ist nicht bewiesen.</translation>
   </message>
   <message>
    <source>Poses have the time of the one before; their order was kept.</source>

@@ -43,6 +43,7 @@ _TEXTS = {
     "OutOfMemory": mark("Core", "The memory was not enough: take a larger cell."),
     "Cancelled": mark("Core", "Cancelled."),
     "NoNeighbours": mark("Core", "There is no neighbour to be checked against."),
+    "BadRule": mark("Core", "A rule for a neighbour cannot be used: correct or remove it."),
     "GoalBlocked": mark(
         "Core", "The part does not fit where it belongs: a neighbour is in the way."
     ),
@@ -63,6 +64,7 @@ _TEXTS = {
     "DegenerateTriangles": mark("Core", "Triangles without an area were left out."),
     "DuplicateTriangles": mark("Core", "Triangles that repeat others were left out."),
     "OppositeTriangles": mark("Core", "Triangles back to back were left out."),
+    "ContactNotProven": mark("Core", "How deep an allowed contact goes is not proven."),
     "EqualTimes": mark("Core", "Poses have the time of the one before; their order was kept."),
     "Flipped": mark("Core", "The part was inside out and was turned over."),
     "MixedOrientation": mark("Core", "Triangles of the part face different ways."),

@@ -26,7 +26,7 @@ void checkFinite(const Pose& pose, std::size_t index) {
   if (what != nullptr) {
     throw Error(Status::InvalidInput, "BadPose",
                 poseName(index) + ": " + what +
-                    " is not a finite number; correct or remove this pose (poses count from 0)");
+                    " is not a finite number; correct or remove this pose (the first one is pose 1)");
   }
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
     throw Error(Status::InvalidInput, "BadPose",
