@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/parallel_tasks.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace swept {
+namespace {
+
+// Beside a task that fails at once, the loops of the others do all of their work.
+TEST(ParallelTasks, AFailureCutsNoLoopOfOtherTasksShort) {
+  constexpr std::size_t kTasks = 16, kItems = 2000;
+  for (int round = 0; round < 50; ++round) {
+    std::vector<std::size_t> done(kTasks, kItems);
+    const auto work = [&](std::size_t task) {
+      if (task == 7) throw std::runtime_error("seven");
+      if (task == 9) throw std::runtime_error("nine");
+      std::vector<int> marks(kItems, 0);
+      parallelFor(kItems, [&](std::size_t i) { marks[i] = 1; });
+      done[task] = static_cast<std::size_t>(std::accumulate(marks.begin(), marks.end(), 0));
+    };
+    try {
+      parallelTasks(kTasks, work);
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "seven");  // the first, whichever came first
+    }
+    for (std::size_t task = 0; task < kTasks; ++task) EXPECT_EQ(done[task], kItems) << task;
+  }
+}
+
+}  // namespace
+}  // namespace swept
