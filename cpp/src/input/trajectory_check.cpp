@@ -24,9 +24,10 @@ void checkFinite(const Pose& pose, std::size_t index) {
   if (!pose.translation.allFinite()) what = "the translation";
   if (!pose.rotation.coeffs().allFinite()) what = "the rotation";
   if (what != nullptr) {
-    throw Error(Status::InvalidInput, "BadPose",
-                poseName(index) + ": " + what +
-                    " is not a finite number; correct or remove this pose (the first one is pose 1)");
+    throw Error(
+        Status::InvalidInput, "BadPose",
+        poseName(index) + ": " + what +
+            " is not a finite number; correct or remove this pose (the first one is pose 1)");
   }
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
     throw Error(Status::InvalidInput, "BadPose",
