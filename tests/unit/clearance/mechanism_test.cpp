@@ -17,7 +17,6 @@ namespace {
 using Eigen::Vector3d;
 using namespace swept::test;
 
-
 Pose at(double time, const Vector3d& by) { return poseOf(time, placement({0, 0, 1}, 0, by)); }
 Pose turned(double time, double degrees, const Vector3d& by) {
   return poseOf(time, placement({0, 0, 1}, degrees, by));
