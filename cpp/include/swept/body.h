@@ -51,9 +51,9 @@ struct NamedPart {
   double chordError = 0;  ///< mm
 };
 
-/// Parts that keep their own names: a mesh file is one, named after the file; of a STEP or BREP file
-/// each solid is one, named after its product. Throws Error(InvalidInput, "BadFile" | "NoSurface" |
-/// "BadFormat"), Error(Cancelled).
+/// Parts that keep their own names: a mesh file is one, named after the file; of a STEP or BREP
+/// file each solid is one, named after its product. Throws Error(InvalidInput, "BadFile" |
+/// "NoSurface" | "BadFormat"), Error(Cancelled).
 std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
                                  RunContext& run);
 
