@@ -8,7 +8,7 @@ from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import Poses, even_times
-from . import containers, missing, motion_source, status
+from . import containers, missing, motion_source, moved_parts, status
 from .base import STALE, Feature, attach_view, kind_of, quietly, set_changed
 from .motion_frame import container_of, from_world, seen_from_document
 from .motion_properties import PROPERTIES, SETTINGS, UNITS
@@ -166,6 +166,7 @@ def store(obj, poses, touch=True):
         obj.Times = times
         obj.Placements = placements
     set_changed(obj, "Message", poses.note)
+    set_changed(obj, "MovedToo", poses.moved)
 
 
 def _same(a, b):
@@ -220,7 +221,7 @@ def motion_from_source(document, kind, objects, interpolation="", frame="Absolut
 
 
 def _motion_of(document, settings, interpolation, frame):
-    poses = sources.read(settings)
+    poses = moved_parts.read(document, settings)
     obj = make_motion(document)
     motion_source.keep(obj, settings)
     obj.SourceHash = motion_source.signature(obj)

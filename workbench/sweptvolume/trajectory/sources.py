@@ -104,9 +104,14 @@ def _cam(settings):
     )
 
 
-def _watched(settings):
+def watched(settings):
+    """The part that a source of FROM_JOINTS is read for. Raises InputProblem."""
     pair = assembly.pair if settings.kind == "Simulation" else driven.pair
-    part = pair(settings.objects)[1]
+    return pair(settings.objects)[1]
+
+
+def _watched(settings):
+    part = watched(settings)
     return frames.poses_of(run(settings, [part]), part)
 
 
