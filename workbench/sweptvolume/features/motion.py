@@ -182,7 +182,12 @@ def change_source(obj, values):
 def reload_source(obj):
     """Reads the source again, whatever its kind (not for stored poses)."""
     missing.check(obj)
-    store(obj, motion_source.read(obj))
+    take(obj, motion_source.read(obj))
+
+
+def take(obj, poses):
+    """Keeps poses that were read from the source of a motion, as the motion has them."""
+    store(obj, poses)
     obj.SourceHash = motion_source.signature(obj)
 
 
@@ -221,13 +226,19 @@ def motion_from_source(document, kind, objects, interpolation="", frame="Absolut
 
 
 def _motion_of(document, settings, interpolation, frame):
-    poses = moved_parts.read(document, settings)
+    obj = motion_of_read(document, settings, moved_parts.read(document, settings))
+    obj.Interpolation = interpolation
+    obj.Frame = frame
+    return obj
+
+
+def motion_of_read(document, settings, poses):
+    """A motion of a source that was read just now. poses: seen from the document."""
     obj = make_motion(document)
     motion_source.keep(obj, settings)
     obj.SourceHash = motion_source.signature(obj)
     store(obj, poses)
-    obj.Interpolation = interpolation
-    obj.Frame = frame
+    obj.Interpolation = sources.interpolation_of(settings.kind)
     if settings.kind in sources.FROM_JOINTS:  # the part that was watched
         set_parts(obj, [convert.root_path(settings.objects[1])])
     return obj
@@ -283,7 +294,9 @@ __all__ = [
     "set_tangents",
     "settings_of",
     "STALE",
+    "motion_of_read",
     "store",
+    "take",
     "tangents_of",
     "UNITS",
     "words",
