@@ -88,6 +88,19 @@ class Motions(SliderCrank):
         again = self.motions(5)
         self.assertEqual([m.Name for m in again][::2], [found[0].Name, found[2].Name])
 
+    def test_reload_reads_all_in_one_run(self):
+        found = self.motions(5)
+        self.rod.setExpression("Placement.Base.z", "3 mm")
+        self.doc.recompute()
+        self.assertEqual({m.Name: m.Status for m in found}[found[1].Name], STALE)
+        self.assertEqual([m.Name for m in joint_motions.alike(found[0])], [m.Name for m in found])
+        joint_motions.reload(found[0])
+        self.doc.recompute()
+        self.assertEqual([m.Status for m in found], ["", "", ""])
+        self.assertEqual({round(p.Base.z, 9) for p in found[1].Placements}, {3.0})
+        other = self.source(7)
+        self.assertFalse(joint_motions.is_of_source(found[0], other))
+
     def test_the_outermost_rigid_group_is_the_part(self):
         doc = self.doc
         group = doc.addObject("App::Part", "Arm")

@@ -5,7 +5,7 @@ from ..convert import InputProblem
 from ..texts import translate
 from ..trajectory import sources
 from . import motion as motion_feature
-from . import motion_source, moved_parts
+from . import missing, motion_source, moved_parts
 from .base import objects_of_kind
 
 
@@ -17,11 +17,13 @@ def is_of_source(obj, settings):
     return own.objects[0] is settings.objects[0] and own.values == settings.values
 
 
-def begin(document, settings):
-    """A moved_parts.Run of a source of sources.FROM_JOINTS; settings: its first object is the source. Raises
-    InputProblem."""
+def begin(document, settings, parts=()):
+    """A moved_parts.Run of a source of sources.FROM_JOINTS; settings: its first object is the source. parts:
+    objects that are watched in any case, and have to recompute in every frame. Raises InputProblem.
+    """
+    objects = settings.objects[:1] + list(parts)
     return moved_parts.Run(
-        document, sources.Settings(settings.kind, objects=settings.objects[:1], **settings.values)
+        document, sources.Settings(settings.kind, objects=objects, **settings.values)
     )
 
 
@@ -69,6 +71,31 @@ def take(document, settings, run):
 def of_source(document, settings):
     """As take(), with the run."""
     return take(document, settings, begin(document, settings).run())
+
+
+def alike(obj):
+    """All motions of a document with the source of one of them, that one too; empty where it is no source of
+    several parts."""
+    if obj.SourceType not in sources.FROM_JOINTS or len(obj.SourceObjects) != 2:
+        return []
+    settings = motion_source.settings_of(obj)
+    found = objects_of_kind(obj.Document, motion_feature.Motion.KIND)
+    return [m for m in found if is_of_source(m, settings) and len(m.SourceObjects) == 2]
+
+
+def reload(obj):
+    """Reads the source of a motion again in one run, for all motions of it. Raises InputProblem."""
+    motions = alike(obj)
+    for each in motions:
+        missing.check(each)
+    run = begin(obj.Document, motion_source.settings_of(obj), [m.SourceObjects[1] for m in motions])
+    run.run()
+    moved = convert.targets(run.moved())
+    for each in motions:
+        part = each.SourceObjects[1]
+        poses = run.poses_at(convert.root_path(part))
+        poses.moved = [other for other in moved if other is not part]
+        motion_feature.take(each, motion_source.inside(each, poses))
 
 
 def sources_in(document):

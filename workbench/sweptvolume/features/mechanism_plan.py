@@ -17,6 +17,10 @@ from .moving import Seen, grouped
 from .still_parts import StillParts, chord_of, left_out_text
 
 
+#: How much coarser than for distances solids are where they are only looked at.
+DRAWN = 4
+
+
 class Part:
     """name: of its own; pair: (root, sub); body: what has vertices and triangles; chord: mm; run: its motion
     as core.Request, None where it stands."""
@@ -215,21 +219,37 @@ class Plan(StillParts):
         text = "\n".join(contents.texts(self.words()))
         return status.VERSION + hashlib.sha256(text.encode()).hexdigest()[:32]
 
+    def asked_pairs(self):
+        """Keys of pair_rules of all pairs that are looked at: one of the two moves at least."""
+        moving, still = self.pairs, self.leaves()
+        return [pair_rules.key(*pair) for pair in itertools.combinations(moving, 2)] + [
+            pair_rules.key(*pair) for pair in itertools.product(moving, still)
+        ]
+
+    def names(self):
+        """{(root, sub): name} of all parts: their labels, with a number where one is there twice."""
+        found, seen = {}, {}
+        for pair in self.pairs + self.leaves():
+            name = convert.label_of(*pair)
+            count = seen[name] = seen.get(name, 0) + 1
+            found[pair] = name if count == 1 else "{} ({})".format(name, count)
+        return found
+
     # --- the run
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""
         deflection = max(float(self.values["Deflection"]), 1e-4)
         tolerance = float(self.values["Tolerance"])
-        parts, notes = [], []
+        parts, notes, names = [], [], self.names()
         for group in self.groups():
-            parts += self._moving_parts(group, deflection, 0.5 * tolerance)
+            parts += self._moving_parts(group, names, deflection, 0.5 * tolerance)
             off, text = group.hidden()
             notes += [text] if off > tolerance else []
             notes += [group.motion.Message] if group.motion.Message else []
         if self._has_standing():
             still, more, _ = self.still_parts(deflection)
-            parts += [Part(n.name, n.pair, n.body, n.chord) for n in still]
+            parts += [Part(names[n.pair], n.pair, n.body, n.chord) for n in still]
             notes += more
         if len(parts) < 2:
             raise InputProblem(
@@ -238,7 +258,6 @@ class Plan(StillParts):
                     "one part alone has no distance: add a second one that moves or stands still.",
                 )
             )
-        _name_apart(parts)
         options = {
             "required": float(self.values["Required"]),
             "tolerance": tolerance,
@@ -248,7 +267,19 @@ class Plan(StillParts):
             parts, self.pair_rules, self.all_visible, options, list(dict.fromkeys(notes))
         )
 
-    def _moving_parts(self, group, deflection, straight):
+    def seen(self):
+        """(body in the frame that its motion places, placement at a time (s) as a function) of each moving
+        part, for pictures: coarse. Raises InputProblem."""
+        found, deflection = [], DRAWN * max(float(self.values["Deflection"]), 0.05)
+        for group in self.groups():
+            into_base, course = group.into_base(), group.course()
+            for pair in group.pairs:
+                body = Seen(convert.body_from([pair], deflection), into_base)
+                found.append((pair, (body, course)))
+        order = {pair: seen for pair, seen in found}
+        return [order[pair] for pair in self.pairs]
+
+    def _moving_parts(self, group, names, deflection, straight):
         """The parts of one motion; straight: mm by which straight pieces may leave a curved way."""
         into_base, run = group.into_base(), None
         parts = []
@@ -256,14 +287,5 @@ class Plan(StillParts):
             body = Seen(convert.body_from([pair], deflection), into_base, group.motion)
             run = run or group.request(body, straight, {})
             chord = chord_of([pair], deflection) + (straight if group.curved() else 0.0)
-            parts.append(Part(convert.label_of(*pair), pair, body, chord, run))
+            parts.append(Part(names[pair], pair, body, chord, run))
         return parts
-
-
-def _name_apart(parts):
-    """Labels may be there twice; the core wants a name for each part."""
-    seen = {}
-    for part in parts:
-        count = seen[part.name] = seen.get(part.name, 0) + 1
-        if count > 1:
-            part.name += " ({})".format(count)

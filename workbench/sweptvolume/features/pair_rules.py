@@ -68,6 +68,14 @@ def of(rules, one, other):
     return found
 
 
+def merged(rules, shown, given):
+    """As neighbour_rules.merged(), for pairs."""
+    if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
+        return dict(rules)
+    kept = {p: r for p, r in rules.items() if all(of({p: r}, *pair) == Rule() for pair in shown)}
+    return {**kept, **given}
+
+
 def drop(obj, gone):
     """An object is being deleted, and its links with it: rules of which it is a part go too."""
     links = convert.links_in(obj.RuleParts)

@@ -140,6 +140,7 @@ def kind_for(found):
     if len(found) == 1:
         obj = found[0]
         for kind, test in (
+            ("Simulation", assembly.is_simulation),
             ("Robot", robot.is_trajectory),
             ("CAM", cam.is_path),
             ("Array", array.is_array),

@@ -84,6 +84,35 @@ class MovingPart(Overlay):
         self.shown.whichChild = -3  # all
 
 
+class MovingParts(Overlay):
+    """Parts that move at the same time, each at a placement of its own; not drawn before the first. parts:
+    (as surface.drawn() gives it, whether it is solid) of each."""
+
+    def __init__(self, document, parts):
+        from pivy import coin
+
+        super().__init__(document)
+        self.places, self.paints, self.shown = [], [], []
+        for drawn, solid in parts:
+            place, shown = coin.SoMatrixTransform(), coin.SoSwitch()
+            shown.addChild(place)
+            shown.addChild(surface.group_of(drawn, solid))
+            self.paints.append(self.add(KEY_COLOUR, 0.45, shown))
+            self.places.append(place)
+            self.shown.append(shown)
+
+    def show(self, placements, marked=()):
+        """marked: numbers of those that are seen in another colour."""
+        for k, placement in enumerate(placements):
+            self.places[k].matrix = _matrix(placement)
+            self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR
+            self.shown[k].whichChild = -3  # all
+
+    def hide(self):
+        for shown in self.shown:
+            shown.whichChild = -1
+
+
 class Ghosts(Overlay):
     """A part (vertices, triangles) at its keys and on the way, and the way with its frames."""
 
