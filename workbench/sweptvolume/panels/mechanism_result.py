@@ -37,9 +37,10 @@ class ResultPanel(check_result.ResultPanel):
     def shown(self):
         self.clear_view()
         times = {row["time_seconds"] for row in self.report["neighbours"]}
-        self.player.set_times(
-            sorted(times | {self.whole["from_seconds"], self.whole["to_seconds"]})
-        )
+        ends = {self.whole["from_seconds"], self.whole["to_seconds"]}
+        self.player.blockSignals(True)  # nothing is drawn before somebody asks for it
+        self.player.set_times(sorted(times | ends))
+        self.player.blockSignals(False)
 
     def show_row(self, index):
         """All parts at the time of a row, its two in another colour, and the line."""

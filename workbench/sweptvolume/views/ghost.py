@@ -4,7 +4,8 @@ the way itself, a coarse envelope."""
 import FreeCADGui as Gui
 import numpy as np
 
-from ..convert import matrix_of
+from ..convert import InputProblem, matrix_of
+from ..texts import translate
 from . import path, surface
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
@@ -13,13 +14,26 @@ ENVELOPE_COLOUR, CLASH_COLOUR = (0.35, 0.60, 0.90), (0.90, 0.10, 0.10)
 MOVING_TRIANGLES, KEY_TRIANGLES = 6000, 1500
 
 
+def view_of(document):
+    """The 3D view of a document that is active, else its first: a spreadsheet may lie before it. Raises
+    InputProblem where there is none."""
+    gui = Gui.getDocument(document.Name)
+    active = gui.activeView()
+    views = [active] if hasattr(active, "getSceneGraph") else []
+    views += gui.mdiViewsOfType("Gui::View3DInventor")
+    if not views:
+        text = translate("Messages", '"{0}" has no 3D view: open one in the menu Window.')
+        raise InputProblem(text.format(document.Label))
+    return views[0]
+
+
 class Overlay:
     """Nodes in the active view of a document until removed; the mouse does not see them."""
 
     def __init__(self, document):
         from pivy import coin
 
-        self.graph = Gui.getDocument(document.Name).activeView().getSceneGraph()
+        self.graph = view_of(document).getSceneGraph()
         self.root = coin.SoSeparator()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
