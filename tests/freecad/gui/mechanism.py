@@ -71,6 +71,9 @@ def scenario():
     yield from motions_of_all_parts(doc, sheet)
     for name in ("Motion", "Motion001", "Motion002"):
         doc.getObject(name).ViewObject.Visibility = False
+    to_3d_view()
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
     Gui.Selection.clearSelection()
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.3
