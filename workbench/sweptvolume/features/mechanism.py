@@ -9,7 +9,13 @@ import numpy as np
 from .. import core
 from ..texts import translate
 from . import check, mechanism_table, neighbour_rules, pair_rules
-from .base import NOT_COMPUTED, UP_TO_DATE, attach_view, kind_of, stored  # noqa: F401
+from .base import (  # noqa: F401 (the states are read from here as well)
+    NOT_COMPUTED,
+    UP_TO_DATE,
+    attach_view,
+    kind_of,
+    stored,
+)
 from .check import Check, fail  # noqa: F401 (fail is read from here as well)
 from .clearance import POSE, ROW
 from .mechanism_plan import Plan

@@ -101,7 +101,7 @@ class ResultPanel(check_result.ResultPanel):
         """Whether the parts are drawn; else they are read, and what is wanted follows."""
         if self.ghosts is not None:
             return True
-        if self.shapes is None and self.obj is not None and self.obj.Status == mechanism.UP_TO_DATE:
+        if self.shapes is None and self.obj is not None:
             plan = mechanism.Plan.of(self.obj)
             names = plan.names()
             self.names = [names[pair] for pair in plan.pairs]
