@@ -211,6 +211,45 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   for (const PairClearance& pair : less.pairs) EXPECT_NE(pair.parts, (PartPair{1, 2}));
 }
 
+/// Two balls that spin in place while one swings to and from the other: too near for a while, or
+/// deep in each other. The times are those of the formula, and a long clash takes few distances:
+/// one deep point is enough at a moment.
+TEST(Mechanism, TimesOfSpinningBalls) {
+  const double radius = 20, swing = 12, seconds = 4;
+  const TriMesh ball = makeBall(Vector3d::Zero(), radius, 4);
+  for (const double apart : {46.0, 36.0}) {
+    std::vector<Pose> still, swinging;
+    for (int i = 0; i <= 200; ++i) {
+      const double time = seconds * i / 200;
+      const double x = apart + swing * std::cos(M_PI * time);
+      still.push_back(turned(time, 1.8 * i, {0, 0, 0}));
+      swinging.push_back(turned(time, -2.7 * i, {x, 0, 0}));
+    }
+    MechanismOptions options;
+    options.required = 5;
+    options.curveSamples = 0;
+    const MechanismReport report =
+        check({partOf("still", ball, still), partOf("swinging", ball, swinging)}, options);
+    const NeighbourClearance& row = only(report);
+    const auto touching = [&](double level) {  // s in each swing of two seconds
+      return 2 * std::acos((apart - 2 * radius - level) / swing) / M_PI;
+    };
+    const auto lengths = [](const std::vector<TimeInterval>& spans) {
+      double sum = 0;
+      for (const TimeInterval& span : spans) sum += span.to - span.from;
+      return sum;
+    };
+    ASSERT_EQ(row.below.size(), 2u) << apart;
+    // The balls have facets: they are up to 0.2 mm smaller, which is 0.02 s where the swing is
+    // slow.
+    EXPECT_NEAR(lengths(row.below), 2 * touching(5), 0.1);
+    EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
+    ASSERT_EQ(row.contact.size(), 2u) << apart;
+    EXPECT_NEAR(lengths(row.contact), 2 * touching(0), 0.2);
+    EXPECT_LT(row.distanceQueries, 6000) << apart;
+  }
+}
+
 /// Three cubes in a row that rise and fall side by side: the first two 1 mm apart, the last two 0.2
 /// mm into each other.
 TEST(Mechanism, APairHasARuleOfItsOwn) {
