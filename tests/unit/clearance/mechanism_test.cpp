@@ -246,7 +246,7 @@ TEST(Mechanism, TimesOfSpinningBalls) {
     EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
     ASSERT_EQ(row.contact.size(), 2u) << apart;
     EXPECT_NEAR(lengths(row.contact), 2 * touching(0), 0.2);
-    EXPECT_LT(row.distanceQueries, 6000) << apart;
+    EXPECT_LT(row.distanceQueries, 3000) << apart;
   }
 }
 
