@@ -41,9 +41,10 @@ def mechanism(
     between two poses is missed. parts: (name, mesh, motion) or (name, mesh, motion, chord error), motion
     None for a part that stands still where its mesh has it. Times in s, lengths in mm. Pairs that come
     nearer than `range` (0: a tenth of the size of the parts) are measured and listed; ignored: pairs of
-    names that are not looked at; rules: (name, name, rule) of pairs that ask for something of their own, a rule
-    as clearance() takes it (mm, 'contact', 'contact:MM', 'ignore'). Returns the report, as docs/clearance.md says. Raises InvalidInput
-    (NoParts, PartTwice, UnknownPart, BadRule, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes), Cancelled.
+    names that are not looked at; rules: (name, name, rule) of pairs that ask for something of their own, a
+    rule as clearance() takes it (mm, 'contact', 'contact:MM', 'ignore'). Returns the report, as
+    docs/clearance.md says. Raises InvalidInput (NoParts, PartTwice, UnknownPart, BadRule, NothingMoves,
+    NoCommonTime, NotInterpolated, EqualTimes), Cancelled.
     """
     report: Dict[str, Any] = _core.mechanism(
         [_part(item) for item in parts],

@@ -169,8 +169,6 @@ class Distances(SliderCrank):
             compare(told, near - 1e-3)
 
     def test_crank_and_slider_that_meet(self):
-        self.slider.Shape = self.slider.Shape.copy().fuse(self.slider.Shape)
-        self.doc.recompute()
         import Part
 
         long_ = Part.makeBox(60, 4, 4, V(-60, -2, 0))  # a tail towards the crank
