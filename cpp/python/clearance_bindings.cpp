@@ -6,6 +6,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <array>
+
 #include "arrays.h"
 #include "errors.h"
 #include "job.h"
@@ -57,12 +59,12 @@ clearance().)";
 
 constexpr const char* kMechanismDoc =
     R"(mechanism(parts, required=0.0, tolerance=0.01, range=0.0, interval_tolerance=0.0, curve=200,
-          penetration=True, ignored=(), run=None) -> dict
+          penetration=True, rules=(), run=None) -> dict
 
 Smallest distances between parts that move at the same time; nothing between two poses is missed. parts:
 list of (name, vertices, triangles, motion, interpolation, chord error); motion as in compute(), None for a
-part that stands still where its mesh has it. ignored: pairs of names. Lengths in mm, times in s. Returns
-the report: summary, pairs (first, second and what clearance() says of a neighbour; the body is the first
+part that stands still where its mesh has it. rules: (name, name, rule) of pairs, a rule as clearance() has
+them. Lengths in mm, times in s. Returns the report: summary, pairs (first, second and what clearance() says of a neighbour; the body is the first
 part), far_pairs, joined, as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kDistanceDoc =
@@ -127,13 +129,14 @@ MechanismPart mechanismPartFrom(const py::handle& item) {
 
 py::object pyMechanism(const py::iterable& list, double required, double tolerance, double range,
                        double intervalTolerance, int curve, bool penetration,
-                       const std::vector<std::pair<std::string, std::string>>& ignored,
+                       const std::vector<std::array<std::string, 3>>& rules,
                        const py::object& run) {
   const RunPointer context = runFromObject(run);
   std::vector<MechanismPart> parts;
   for (const py::handle& item : list) parts.push_back(mechanismPartFrom(item));
-  const MechanismOptions options{required, tolerance,   range,  intervalTolerance,
-                                 curve,    penetration, ignored};
+  MechanismOptions options{required, tolerance, range, intervalTolerance, curve, penetration, {}};
+  for (const auto& [first, second, text] : rules)
+    options.rules.push_back({first, second, parseRule(text)});
   const MechanismReport report =
       runWithoutLock(*context, [&] { return checkMechanism(parts, options, *context); });
   const py::object found = parseJson(toJson(report));
@@ -185,12 +188,11 @@ void bindClearance(py::module_& module) {
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("run") = py::none());
-  module.def("mechanism", &pyMechanism, kMechanismDoc, py::arg("parts"), py::arg("required") = 0.0,
-             py::arg("tolerance") = 0.01, py::arg("range") = 0.0,
-             py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
-             py::arg("penetration") = true,
-             py::arg("ignored") = std::vector<std::pair<std::string, std::string>>{},
-             py::arg("run") = py::none());
+  module.def(
+      "mechanism", &pyMechanism, kMechanismDoc, py::arg("parts"), py::arg("required") = 0.0,
+      py::arg("tolerance") = 0.01, py::arg("range") = 0.0, py::arg("interval_tolerance") = 0.0,
+      py::arg("curve") = 200, py::arg("penetration") = true,
+      py::arg("rules") = std::vector<std::array<std::string, 3>>{}, py::arg("run") = py::none());
   module.def("distance_to_mesh", &pyDistanceToMesh, kDistanceDoc, py::arg("points"),
              py::arg("vertices"), py::arg("triangles"), py::arg("run") = py::none());
 }

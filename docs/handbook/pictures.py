@@ -32,6 +32,7 @@ from driver import (  # noqa: E402
 )
 
 import engine_bay  # noqa: E402
+import mechanism_pictures  # noqa: E402
 import path_pictures  # noqa: E402
 
 CSV = "# a lift and a quarter turn\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,0,0,5,0,0,0,1\n"
@@ -429,6 +430,7 @@ def scenario():
     for part in (bay, demo, joint, slider, selected, made_by, preferences):
         yield from part()
     yield from path_pictures.ways(picture)
+    yield from mechanism_pictures.crank(picture)
     yield
 
 

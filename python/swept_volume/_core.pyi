@@ -185,7 +185,7 @@ def mechanism(
     interval_tolerance: float = 0.0,
     curve: int = 200,
     penetration: bool = True,
-    ignored: Any = (),
+    rules: Any = (),
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]: ...
 def find_path(

@@ -34,14 +34,17 @@ def mechanism(
     curve: int = 200,
     penetration: bool = True,
     ignored: Iterable[Tuple[str, str]] = (),
+    rules: Iterable[Tuple[str, str, Union[str, float]]] = (),
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
     """Smallest distance between each two of the parts over the time that all motions share; nothing
     between two poses is missed. parts: (name, mesh, motion) or (name, mesh, motion, chord error), motion
     None for a part that stands still where its mesh has it. Times in s, lengths in mm. Pairs that come
     nearer than `range` (0: a tenth of the size of the parts) are measured and listed; ignored: pairs of
-    names that are not looked at. Returns the report, as docs/clearance.md says. Raises InvalidInput
-    (NoParts, PartTwice, UnknownPart, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes), Cancelled.
+    names that are not looked at; rules: (name, name, rule) of pairs that ask for something of their own, a
+    rule as clearance() takes it (mm, 'contact', 'contact:MM', 'ignore'). Returns the report, as
+    docs/clearance.md says. Raises InvalidInput (NoParts, PartTwice, UnknownPart, BadRule, NothingMoves,
+    NoCommonTime, NotInterpolated, EqualTimes), Cancelled.
     """
     report: Dict[str, Any] = _core.mechanism(
         [_part(item) for item in parts],
@@ -51,7 +54,7 @@ def mechanism(
         interval_tolerance or 0.0,
         curve,
         penetration,
-        [tuple(pair) for pair in ignored],
+        [(*pair, "ignore") for pair in ignored] + [(a, b, str(rule)) for a, b, rule in rules],
         run,
     )
     _log(report["warnings"])

@@ -107,6 +107,14 @@
    <translation>Kleinster Abstand der bewegten Teile zu jedem Nachbarn über die ganze Bewegung. Eine Hülle, Teile und eine Bewegung oder eine frühere Prüfung auswählen</translation>
   </message>
   <message>
+   <source>Check mechanism</source>
+   <translation>Mechanismus prüfen</translation>
+  </message>
+  <message>
+   <source>Smallest distance between each two of several parts that move at the same time, over the whole motion. Select their motions, or an earlier check; else all motions that know their parts are taken</source>
+   <translation>Kleinster Abstand zwischen je zwei von mehreren Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Ihre Bewegungen oder eine frühere Prüfung auswählen; sonst werden alle Bewegungen genommen, die ihre Teile kennen</translation>
+  </message>
+  <message>
    <source>Create envelope...</source>
    <translation>Hülle erzeugen …</translation>
   </message>
@@ -191,8 +199,8 @@
    <translation>Bewegung aus gesteuertem Wert...</translation>
   </message>
   <message>
-   <source>Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch dimension, a variable of an assembly. Select the object with the value, then the part</source>
-   <translation>Macht eine Bewegung eines Teils, während ein Wert einen Bereich durchläuft: eine Tabellenzelle, ein Skizzenmaß, eine Variable einer Baugruppe. Erst das Objekt mit dem Wert wählen, dann das Teil</translation>
+   <source>Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch dimension, a variable of an assembly. Select the object with the value, then the part; without a part, motions of all parts that move</source>
+   <translation>Macht eine Bewegung eines Teils, während ein Wert einen Bereich durchläuft: eine Zelle einer Tabelle, ein Maß einer Skizze, eine Variable einer Baugruppe. Das Objekt mit dem Wert auswählen, dann das Teil; ohne Teil entstehen Bewegungen aller Teile, die sich bewegen</translation>
   </message>
   <message>
    <source>Motion from file...</source>
@@ -215,8 +223,8 @@
    <translation>Bewegung aus Bahnobjekt …</translation>
   </message>
   <message>
-   <source>Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM path; from a path and a second curve that orients; from an assembly simulation and a part. It stays linked to it</source>
-   <translation>Macht eine Bewegung aus dem gewählten Linienzug, der Skizze, der Roboterbahn, der Link- oder Draft-Anordnung oder dem CAM-Pfad; aus einem Weg und einer zweiten Kurve, die ausrichtet; aus einer Baugruppen-Simulation und einem Teil. Sie bleibt damit verknüpft</translation>
+   <source>Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM path; from a path and a second curve that orients; from an assembly simulation, of a part or of all that move. It stays linked to it</source>
+   <translation>Macht eine Bewegung aus dem gewählten Draht, der Skizze, Roboterbahn, Link- oder Draft-Anordnung oder CAM-Bahn; aus einer Bahn und einer zweiten Kurve, die ausrichtet; aus der Simulation einer Baugruppe, von einem Teil oder von allen, die sich bewegen. Sie bleibt damit verknüpft</translation>
   </message>
   <message>
    <source>New motion...</source>
@@ -239,8 +247,8 @@
    <translation>Bewegung neu laden</translation>
   </message>
   <message>
-   <source>Reads the file or the source of the selected motion again</source>
-   <translation>Liest Datei oder Quelle der ausgewählten Bewegung neu</translation>
+   <source>Reads the file or the source of the selected motion again; all motions of one driver or simulation together</source>
+   <translation>Liest die Datei oder die Quelle der gewählten Bewegung neu; alle Bewegungen eines Antriebs oder einer Simulation zusammen</translation>
   </message>
   <message>
    <source>Keyboard to the tree or panel</source>
@@ -517,8 +525,8 @@
    <translation>"{0}" hat weniger als zwei Schlüssel: es gibt keinen Weg.</translation>
   </message>
   <message>
-   <source>Select the object with the value, then the part that it moves.</source>
-   <translation>Wählen Sie das Objekt mit dem Wert aus, dann das Teil, das es bewegt.</translation>
+   <source>Select the object with the value, and the part that it moves.</source>
+   <translation>Das Objekt mit dem Wert auswählen und das Teil, das er bewegt.</translation>
   </message>
   <message>
    <source>Select the object whose value is driven (spreadsheet, sketch, variables), then the part that it moves.</source>
@@ -685,20 +693,12 @@ Versucht:
    <translation>Abstand</translation>
   </message>
   <message>
-   <source>no neighbour is given: choose parts or show some others.</source>
-   <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
-  </message>
-  <message>
    <source>the rules ignore every neighbour: leave at least one to be checked.</source>
    <translation>die Regeln übergehen jeden Nachbarn: lassen Sie mindestens einen prüfen.</translation>
   </message>
   <message>
-   <source>Left out: {0}</source>
-   <translation>Ausgelassen: {0}</translation>
-  </message>
-  <message>
-   <source>Left out: {0} (envelopes and their solids are checked where they are chosen as neighbours).</source>
-   <translation>Ausgelassen: {0} (Hüllen und ihre Volumenkörper werden geprüft, wenn sie als Nachbarn gewählt sind).</translation>
+   <source>{0} moved as well when this motion was read, and stand still in this check: use Check mechanism for parts that move at the same time.</source>
+   <translation>{0} bewegten sich mit, als diese Bewegung gelesen wurde, und stehen in dieser Prüfung still: für Teile, die sich gleichzeitig bewegen, Mechanismus prüfen verwenden.</translation>
   </message>
   <message>
    <source>"{0}" is no envelope: choose another one.</source>
@@ -707,10 +707,6 @@ Versucht:
   <message>
    <source>the parts of "{0}" have motions of their own: check each part with its motion.</source>
    <translation>die Teile von „{0}“ haben eigene Bewegungen: jedes Teil mit seiner Bewegung prüfen.</translation>
-  </message>
-  <message>
-   <source>"{0}" is chosen as a neighbour and is a moving part itself: choose another one.</source>
-   <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
   </message>
   <message>
    <source>ignored</source>
@@ -797,8 +793,64 @@ Versucht:
    <translation>{0}, verbessert</translation>
   </message>
   <message>
+   <source>no neighbour is given: choose parts or show some others.</source>
+   <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
+  </message>
+  <message>
    <source>"{0}" only stands at its poses: choose what it does between them first.</source>
    <translation>"{0}" steht nur an ihren Posen: wählen Sie zuerst, was sie dazwischen tut.</translation>
+  </message>
+  <message>
+   <source>"{0}" moves no visible part: show the parts, or choose another source.</source>
+   <translation>„{0}“ bewegt kein sichtbares Teil: die Teile zeigen oder eine andere Quelle wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" is left out: it is seen through a link, and no motion can name it. Make its parts members of the assembly.</source>
+   <translation>„{0}“ wird ausgelassen: Es ist nur durch eine Verknüpfung zu sehen, und keine Bewegung kann es benennen. Seine Teile zu Mitgliedern der Baugruppe machen.</translation>
+  </message>
+  <message>
+   <source>Check mechanism</source>
+   <translation>Mechanismus prüfen</translation>
+  </message>
+  <message>
+   <source>Mechanism</source>
+   <translation>Mechanismus</translation>
+  </message>
+  <message>
+   <source>{0} moving parts and {1} motions: give one motion for each part.</source>
+   <translation>{0} bewegte Teile und {1} Bewegungen: für jedes Teil eine Bewegung angeben.</translation>
+  </message>
+  <message>
+   <source>there is no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s.</source>
+   <translation>Es gibt keine gemeinsame Zeit: „{0}“ endet bei {1} s, und „{2}“ beginnt bei {3} s.</translation>
+  </message>
+  <message>
+   <source>"{0}" has no motion: choose one for it.</source>
+   <translation>„{0}“ hat keine Bewegung: eine wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" is there twice: give each part one motion.</source>
+   <translation>„{0}“ ist zweimal da: jedem Teil eine Bewegung geben.</translation>
+  </message>
+  <message>
+   <source>"{0}" and "{1}": one holds the other, so that it would move twice. Take one of them away.</source>
+   <translation>„{0}“ und „{1}“: Eines enthält das andere, das sich so zweimal bewegen würde. Eines von beiden wegnehmen.</translation>
+  </message>
+  <message>
+   <source>"{0}" only jumps from pose to pose: parts that move at the same time need a motion between them. Choose another interpolation.</source>
+   <translation>„{0}“ springt nur von Lage zu Lage: Teile, die sich gleichzeitig bewegen, brauchen eine Bewegung dazwischen. Eine andere Interpolation wählen.</translation>
+  </message>
+  <message>
+   <source>one part alone has no distance: add a second one that moves or stands still.</source>
+   <translation>Ein Teil allein hat keinen Abstand: ein zweites hinzufügen, das sich bewegt oder stillsteht.</translation>
+  </message>
+  <message>
+   <source>{0}, none nearer than {1}</source>
+   <translation>{0}, keines näher als {1}</translation>
+  </message>
+  <message>
+   <source>{0} pairs checked</source>
+   <translation>{0} Paare geprüft</translation>
   </message>
   <message>
    <source>{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo the deletion.</source>
@@ -837,6 +889,10 @@ Versucht:
    <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
   </message>
   <message>
+   <source>two rules contradict each other for "{0}": keep one.</source>
+   <translation>zwei Regeln für "{0}" widersprechen einander: behalten Sie eine.</translation>
+  </message>
+  <message>
    <source>"{0}": there is no rule "{1}".</source>
    <translation>"{0}": eine Regel "{1}" gibt es nicht.</translation>
   </message>
@@ -849,8 +905,8 @@ Versucht:
    <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
   </message>
   <message>
-   <source>two rules contradict each other for "{0}": keep one.</source>
-   <translation>zwei Regeln für "{0}" widersprechen einander: behalten Sie eine.</translation>
+   <source>the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} lengths): give them anew.</source>
+   <translation>Die Regeln von „{0}“ passen nicht zu den Teilen ({1} Teile, zwei für jede Regel, {2} Arten, {3} Längen): neu angeben.</translation>
   </message>
   <message>
    <source>Path of {0}</source>
@@ -883,6 +939,18 @@ Versucht:
   <message>
    <source>large parts are being read to see whether they have changed.</source>
    <translation>große Teile werden gelesen, um zu sehen, ob sie sich geändert haben.</translation>
+  </message>
+  <message>
+   <source>Left out: {0}</source>
+   <translation>Ausgelassen: {0}</translation>
+  </message>
+  <message>
+   <source>Left out: {0} (envelopes and their solids are checked where they are chosen as neighbours).</source>
+   <translation>Ausgelassen: {0} (Hüllen und ihre Volumenkörper werden geprüft, wenn sie als Nachbarn gewählt sind).</translation>
+  </message>
+  <message>
+   <source>"{0}" is chosen as a neighbour and is a moving part itself: choose another one.</source>
+   <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
   </message>
   <message>
    <source>the mesh could not be written to the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
@@ -939,6 +1007,14 @@ Versucht:
   <message>
    <source>Edit motion</source>
    <translation>Bewegung bearbeiten</translation>
+  </message>
+  <message>
+   <source>Motions of all parts</source>
+   <translation>Bewegungen aller Teile</translation>
+  </message>
+  <message>
+   <source>"{0}" does not know its part: add the part, then choose it.</source>
+   <translation>„{0}“ kennt sein Teil nicht: das Teil hinzufügen und dann die Bewegung wählen.</translation>
   </message>
   <message>
    <source>The part came {0} away from where it belongs; it is shown there.</source>
@@ -1041,6 +1117,10 @@ Versucht:
    <translation>Hülle exportieren</translation>
   </message>
   <message>
+   <source>Read parts</source>
+   <translation>Teile lesen</translation>
+  </message>
+  <message>
    <source>{0} triangles, {1}, {2}</source>
    <translation>{0} Dreiecke, {1}, {2}</translation>
   </message>
@@ -1053,10 +1133,6 @@ Versucht:
   <message>
    <source>Cancelled. Nothing was changed.</source>
    <translation>Abgebrochen. Nichts wurde geändert.</translation>
-  </message>
-  <message>
-   <source>Read parts</source>
-   <translation>Teile lesen</translation>
   </message>
   <message>
    <source>Cancelled: the document or an object is gone.</source>
@@ -1077,10 +1153,6 @@ Versucht:
   <message>
    <source>"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.</source>
    <translation>„{0}“ gehört zu keiner Baugruppe, die dieses FreeCAD bewegen kann: Simulationen brauchen FreeCAD 1.1.</translation>
-  </message>
-  <message>
-   <source>"{0}" gave no frames: does it run in its own panel?</source>
-   <translation>„{0}“ ergab keine Bilder: läuft sie in ihrem eigenen Aufgabenbereich?</translation>
   </message>
   <message>
    <source>choose one CAM (Path) object.</source>
@@ -1123,6 +1195,10 @@ Versucht:
    <translation>„{0}“ beginnt in Richtung des Weges „{1}“: sie sagt nicht, wo oben ist. Sie seitlich versetzen.</translation>
   </message>
   <message>
+   <source>"{0}" = {1:g}: the document does not recompute.</source>
+   <translation>„{0}“ = {1:g}: Das Dokument lässt sich nicht neu berechnen.</translation>
+  </message>
+  <message>
    <source>choose the object whose value is driven, then the part to watch.</source>
    <translation>das Objekt wählen, dessen Wert gesteuert wird, dann das zu verfolgende Teil.</translation>
   </message>
@@ -1133,10 +1209,6 @@ Versucht:
   <message>
    <source>"{0}" of "{1}" follows the expression {2}: drive what it reads.</source>
    <translation>„{0}“ von „{1}“ folgt dem Ausdruck {2}: steuern, was dieser liest.</translation>
-  </message>
-  <message>
-   <source>"{0}" = {1:g}: the document does not recompute.</source>
-   <translation>„{0}“ = {1:g}: Das Dokument lässt sich nicht neu berechnen.</translation>
   </message>
   <message>
    <source>the clipboard holds no rows of numbers.</source>
@@ -1157,6 +1229,10 @@ Versucht:
   <message>
    <source>row {0} of what is pasted has {1} columns: give t, x, y, z, or these and yaw, pitch, roll.</source>
    <translation>Zeile {0} des Eingefügten hat {1} Spalten: Geben Sie t, x, y, z oder diese und Gieren, Nicken, Rollen an.</translation>
+  </message>
+  <message>
+   <source>"{0}" gave no frames: does it run in its own panel?</source>
+   <translation>„{0}“ ergab keine Bilder: läuft sie in ihrem eigenen Aufgabenbereich?</translation>
   </message>
   <message>
    <source>choose at least one object with a placement.</source>
@@ -1214,6 +1290,10 @@ Versucht:
    <source>no smooth way leads from pose {0} to pose {1}: their times, placements or given velocities are beyond all measure.</source>
    <translation>Von Lage {0} zu Lage {1} führt kein glatter Weg: Zeiten, Platzierungen oder gegebene Geschwindigkeiten sind jenseits allen Maßes.</translation>
   </message>
+  <message>
+   <source>"{0}" has no 3D view: open one in the menu Window.</source>
+   <translation>„{0}“ hat keine 3D-Ansicht: im Menü Fenster eine öffnen.</translation>
+  </message>
  </context>
  <context>
   <name>SweptVolume_Panels</name>
@@ -1244,6 +1324,42 @@ Versucht:
   <message>
    <source>the edge between {0} and {1}</source>
    <translation>die Kante zwischen {0} und {1}</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <translation>Ergebnis</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Urteil</translation>
+  </message>
+  <message>
+   <source>at s</source>
+   <translation>bei s</translation>
+  </message>
+  <message>
+   <source>Between the meshes; the line above has taken off how far these may leave the parts</source>
+   <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
+  </message>
+  <message>
+   <source>CSV...</source>
+   <translation>CSV …</translation>
+  </message>
+  <message>
+   <source>Spreadsheet</source>
+   <translation>Tabelle</translation>
+  </message>
+  <message>
+   <source>depth</source>
+   <translation>Tiefe</translation>
+  </message>
+  <message>
+   <source>{0} (stale: check again)</source>
+   <translation>{0} (veraltet: neu prüfen)</translation>
+  </message>
+  <message>
+   <source>Rule: {0}</source>
+   <translation>Regel: {0}</translation>
   </message>
   <message>
    <source>No curve yet: check first.</source>
@@ -1322,32 +1438,8 @@ Versucht:
    <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
   </message>
   <message>
-   <source>Result</source>
-   <translation>Ergebnis</translation>
-  </message>
-  <message>
    <source>Neighbour</source>
    <translation>Nachbar</translation>
-  </message>
-  <message>
-   <source>Verdict</source>
-   <translation>Urteil</translation>
-  </message>
-  <message>
-   <source>at s</source>
-   <translation>bei s</translation>
-  </message>
-  <message>
-   <source>Between the meshes; the line above has taken off how far these may leave the parts</source>
-   <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
-  </message>
-  <message>
-   <source>CSV...</source>
-   <translation>CSV …</translation>
-  </message>
-  <message>
-   <source>Spreadsheet</source>
-   <translation>Tabelle</translation>
   </message>
   <message>
    <source>Colour the envelope by distance</source>
@@ -1372,18 +1464,6 @@ Versucht:
   <message>
    <source>The envelope has changed since the check: check again.</source>
    <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
-  </message>
-  <message>
-   <source>depth</source>
-   <translation>Tiefe</translation>
-  </message>
-  <message>
-   <source>{0} (stale: check again)</source>
-   <translation>{0} (veraltet: neu prüfen)</translation>
-  </message>
-  <message>
-   <source>Rule: {0}</source>
-   <translation>Regel: {0}</translation>
   </message>
   <message>
    <source>Swept envelope</source>
@@ -1582,6 +1662,10 @@ Versucht:
    <translation>Größte Drehung</translation>
   </message>
   <message>
+   <source>Running "{0}" ...</source>
+   <translation>„{0}“ läuft ...</translation>
+  </message>
+  <message>
    <source>&amp;Improve path</source>
    <translation>Weg ver&amp;bessern</translation>
   </message>
@@ -1762,6 +1846,38 @@ Versucht:
    <translation>Was diese Stelle erzeugt hat, ist nicht bekannt.</translation>
   </message>
   <message>
+   <source>Mechanism</source>
+   <translation>Mechanismus</translation>
+  </message>
+  <message>
+   <source>0: a tenth of the size of the parts, and at least what the rules need</source>
+   <translation>0: ein Zehntel der Größe der Teile, mindestens aber, was die Regeln brauchen</translation>
+  </message>
+  <message>
+   <source>{0} parts that stand: {1}</source>
+   <translation>{0} stehende Teile: {1}</translation>
+  </message>
+  <message>
+   <source>Other visible parts, which stand still</source>
+   <translation>Andere sichtbare Teile, die stillstehen</translation>
+  </message>
+  <message>
+   <source>Parts that touch when the common time begins, as at their joints, may touch at any time</source>
+   <translation>Teile, die sich zu Beginn der gemeinsamen Zeit berühren, etwa an ihren Gelenken, dürfen sich jederzeit berühren</translation>
+  </message>
+  <message>
+   <source>Pair</source>
+   <translation>Paar</translation>
+  </message>
+  <message>
+   <source>List pairs nearer than</source>
+   <translation>Paare auflisten näher als</translation>
+  </message>
+  <message>
+   <source>{0} deep</source>
+   <translation>{0} tief</translation>
+  </message>
+  <message>
    <source>none: select it, then press Pick</source>
    <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
@@ -1802,16 +1918,12 @@ Versucht:
    <translation>Raster</translation>
   </message>
   <message>
-   <source>Neighbours</source>
-   <translation>Nachbarn</translation>
-  </message>
-  <message>
    <source>&amp;Add selected</source>
    <translation>Auswahl hin&amp;zufügen</translation>
   </message>
   <message>
-   <source>Adds the solids and meshes selected in the tree</source>
-   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
+   <source>Adds the parts selected in the tree, and the parts of selected motions</source>
+   <translation>Fügt die im Baum gewählten Teile hinzu und die Teile gewählter Bewegungen</translation>
   </message>
   <message>
    <source>&amp;Remove</source>
@@ -1820,6 +1932,26 @@ Versucht:
   <message>
    <source>Takes the marked parts out of the list</source>
    <translation>Nimmt die markierten Teile aus der Liste</translation>
+  </message>
+  <message>
+   <source>Take a&amp;ll its parts</source>
+   <translation>A&amp;lle seine Teile nehmen</translation>
+  </message>
+  <message>
+   <source>Runs it once and takes every part that moves: motions that the document has of it are read again, others are made</source>
+   <translation>Lässt es einmal laufen und nimmt jedes Teil, das sich bewegt: Bewegungen davon, die es im Dokument schon gibt, werden neu gelesen, andere gemacht</translation>
+  </message>
+  <message>
+   <source>(choose)</source>
+   <translation>(wählen)</translation>
+  </message>
+  <message>
+   <source>Neighbours</source>
+   <translation>Nachbarn</translation>
+  </message>
+  <message>
+   <source>Adds the solids and meshes selected in the tree</source>
+   <translation>Fügt die im Baum ausgewählten Festkörper und Netze hinzu</translation>
   </message>
   <message>
    <source>All &amp;visible</source>
@@ -2102,6 +2234,10 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Motion from driven value</source>
    <translation>Bewegung aus gesteuertem Wert</translation>
+  </message>
+  <message>
+   <source>Every part that moves gets a motion: no part is chosen.</source>
+   <translation>Jedes Teil, das sich bewegt, erhält eine Bewegung: Es ist kein Teil gewählt.</translation>
   </message>
   <message>
    <source>How far the straight way between two poses may leave the path; corners are always poses</source>
@@ -2547,6 +2683,34 @@ bis etwa {2}, {3}</translation>
    <translation>Dauer des Laufs (s)</translation>
   </message>
   <message>
+   <source>Parts that move, each with the motion of the same number</source>
+   <translation>Teile, die sich bewegen, jedes mit der Bewegung derselben Nummer</translation>
+  </message>
+  <message>
+   <source>The motion of each of the moving parts, over common time</source>
+   <translation>Die Bewegung jedes der bewegten Teile, über gemeinsame Zeit</translation>
+  </message>
+  <message>
+   <source>Check the other visible parts as well, which stand still, instead of Neighbours</source>
+   <translation>Auch die anderen sichtbaren Teile prüfen, die stillstehen, statt Neighbours</translation>
+  </message>
+  <message>
+   <source>Pairs that come nearer than this are listed; 0: a tenth of the size of the parts</source>
+   <translation>Paare, die sich näher kommen, werden aufgelistet; 0: ein Zehntel der Größe der Teile</translation>
+  </message>
+  <message>
+   <source>Pairs of parts, or of groups, that have a rule of their own: first, second, first ...</source>
+   <translation>Paare von Teilen oder Gruppen mit eigener Regel: erstes, zweites, erstes ...</translation>
+  </message>
+  <message>
+   <source>mm for each pair of RuleParts: the distance that it asks for, or how deep a contact may be</source>
+   <translation>mm für jedes Paar von RuleParts: der verlangte Abstand, oder wie tief eine Berührung sein darf</translation>
+  </message>
+  <message>
+   <source>Pairs of parts that were checked, far ones as well</source>
+   <translation>Geprüfte Paare von Teilen, auch weit entfernte</translation>
+  </message>
+  <message>
    <source>Time of each pose (s), growing</source>
    <translation>Zeit jeder Lage (s), wachsend</translation>
   </message>
@@ -2565,6 +2729,10 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Parts that this motion moves; the path editor shows the first of them</source>
    <translation>Teile, die diese Bewegung bewegt; der Bahneditor zeigt das erste</translation>
+  </message>
+  <message>
+   <source>What else the source of this motion moved when it was read</source>
+   <translation>Was die Quelle dieser Bewegung beim Lesen sonst noch bewegte</translation>
   </message>
   <message>
    <source>Spline: what happens at each pose: Auto, Stop, Corner or Given (then by Velocities); missing ones are Auto</source>

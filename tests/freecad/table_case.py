@@ -8,7 +8,7 @@ import FreeCAD as App
 from case import Case
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope, solid
+from sweptvolume.features import clearance, envelope, mechanism, solid
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
@@ -50,11 +50,22 @@ class Table(Case):
             return [obj.Required.Value] + sorted(
                 (round(row["distance"], 5), row["time_seconds"]) for row in rows
             )
+        if kind_of(obj) == mechanism.Mechanism.KIND:
+            pairs = mechanism.report_of(obj)["pairs"]
+            found = [(p["first"], p["second"], p["required"], p["clearance"]) for p in pairs]
+            return [obj.Required.Value, obj.Checked] + sorted(
+                (*names, round(row["distance"], 5), row["verdict"]) for *names, row in found
+            )
         place = obj.getGlobalPlacement()
         box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
         numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
         numbers += (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, obj.Volume.Value)
         return [round(n, 4) + 0.0 for n in numbers]
+
+    def modules(self):
+        """KIND of a result -> the module that computes it."""
+        kinds = (envelope.Envelope, solid.Solid, clearance.Clearance, mechanism.Mechanism)
+        return dict(zip((k.KIND for k in kinds), (envelope, solid, clearance, mechanism)))
 
     def fresh(self):
         """{name: content} of the document computed anew, as it is now; None where that is refused."""
@@ -66,11 +77,7 @@ class Table(Case):
             found = {}
             for obj in self.results():
                 try:
-                    {
-                        envelope.Envelope.KIND: envelope,
-                        solid.Solid.KIND: solid,
-                        clearance.Clearance.KIND: clearance,
-                    }[kind_of(obj)].compute(obj)
+                    self.modules()[kind_of(obj)].compute(obj)
                     found[obj.Name] = self.content(obj)
                 except (InputProblem, core.CoreError):
                     found[obj.Name] = None

@@ -8,7 +8,7 @@ from case import Case, shift
 from mechanism import SPEED, Absent, arm_after, hinge
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, motion
+from sweptvolume.features import envelope, joint_motions, mechanism, motion
 from sweptvolume.trajectory import assembly, sources
 
 
@@ -74,6 +74,41 @@ class Simulated(Case):
         self.doc.recompute()
         self.assertEqual(obj.Status, "")
         self.assert_placement(obj.Placements[-1], arm_after(1, 0.5), 1e-6)
+
+    def test_all_parts_of_a_simulation(self):
+        """One run gives all that moves: the arm, not the base; it stays 0 mm from the base, hinged to it."""
+        settings = sources.Settings("Simulation", objects=[self.simulation])
+        self.assertEqual(sources.kind_for([self.simulation]), "Simulation")
+        self.assertIn(self.simulation, [s.objects[0] for s in joint_motions.sources_in(self.doc)])
+        found, notes = joint_motions.of_source(self.doc, settings)
+        self.doc.recompute()
+        self.assertEqual(([m.SourceObjects[1].Name for m in found], notes), (["Arm"], []))
+        self.assert_placement(found[0].Placements[-1], arm_after(1), 1e-6)
+        self.assert_placement(self.arm.Placement, arm_after(0), 1e-9)
+        if not core.available():
+            self.skipTest("the compiled core _swept is not built")
+        post = self.box("Post", 4)
+        post.Placement = shift(10, 50, 0)  # the arm's far corner passes it
+        obj = mechanism.make_mechanism(
+            self.doc,
+            Generators=[(self.arm, "")],
+            Motions=found,
+            Neighbours=[(post, ""), (self.doc.getObject("Base"), "")],
+            Range=100,
+        )
+        self.doc.recompute()
+        mechanism.compute(obj)
+        pairs = mechanism.report_of(obj)["pairs"]
+        rows = {p["second"]: p["clearance"] for p in pairs}
+        least = min(self._at(arm_after(t / 200)).distToShape(post.Shape)[0] for t in range(201))
+        self.assertLessEqual(rows["Post"]["guaranteed"], least)
+        self.assertAlmostEqual(rows["Post"]["distance"], least, delta=0.02)
+        self.assertEqual(rows["Base"]["distance"], 0)
+
+    def _at(self, placement):
+        shape = self.arm.LinkedObject.Shape.copy()
+        shape.Placement = placement
+        return shape
 
     def test_envelope(self):
         if not core.available():

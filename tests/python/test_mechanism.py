@@ -42,6 +42,10 @@ def test_two_that_pass_each_other():
 
 def test_pairs_are_ignored_and_bad_input_is_named():
     assert sv.mechanism(PASSING, ignored=[("right", "left")])["pairs"] == []
+    (pair,) = sv.mechanism(PASSING, required=2, rules=[("right", "left", 4)])["pairs"]
+    assert pair["required"] == 4 and not pair["clearance"]["meets_rule"]
+    with pytest.raises(sv.InvalidInput, match="contradict"):
+        sv.mechanism(PASSING, ignored=[("left", "right")], rules=[("left", "right", "contact")])
     with pytest.raises(sv.InvalidInput, match="'left' is there twice"):
         sv.mechanism([PASSING[0], PASSING[0]])
     late = ("late", CUBE, slide((0, 0, 0), (9, 0, 0), times=(5.0, 6.0)))
@@ -95,6 +99,7 @@ def test_the_program_writes_a_table(call, inputs):  # noqa: F811
     assert (row["first"], row["second"], row["verdict"]) == ("left", "right", "below")
     assert float(row["distance_mm"]) == pytest.approx(3, abs=0.01)
     assert call(*words, "--ignore", "left", "right").returncode == 0
+    assert call(*words, "--rule", "right", "left", "2.5").returncode == 0
     for extra, named in (
         (["--ignore", "left", "boom"], "'boom'"),
         ([inputs / "left.ply"], "'left' is there twice"),

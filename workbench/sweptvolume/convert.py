@@ -148,6 +148,12 @@ def pairs_of(links):
     return pairs
 
 
+def paths_to(sub):
+    """The paths of all that holds an object, and its own: "A.B." -> "", "A.", "A.B."."""
+    names = sub.split(".")[:-1]
+    return [".".join(names[:k] + [""]) if k else "" for k in range(len(names) + 1)]
+
+
 def label_of(root, sub):
     """What the tree shows for a path, for messages."""
     target = root.getSubObject(sub, retType=1)

@@ -337,6 +337,14 @@ def clearance(request, neighbours, options, control):
         )
 
 
+def mechanism(parts, options, control):
+    """Smallest distances between parts that move at the same time: report (dict). parts: (name, vertices,
+    triangles, (times, rotations, translations) or None, interpolation, chord error in mm). Raises CoreError.
+    """
+    with errors():
+        return module().mechanism(parts, run=control.context, **options)
+
+
 def first_contacts(request, neighbours, options, control):
     """The rules, as texts, that would allow what the body touches at its first pose; arguments as those of
     clearance(). Raises CoreError."""

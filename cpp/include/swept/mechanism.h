@@ -9,7 +9,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "swept/clearance.h"
@@ -25,6 +24,13 @@ struct MechanismPart {
   double chordError = 0;  ///< mm, how far the triangles may lie off the exact surface
 };
 
+/// What one pair asks for in place of the common distance; its parts by name, in any order.
+struct PairRule {
+  std::string first;
+  std::string second;
+  NeighbourRule rule;
+};
+
 struct MechanismOptions {
   double required = 0;      ///< mm, distance asked for between any two; 0: only contact and clash
   double tolerance = 0.01;  ///< mm, how far a smallest distance may be off
@@ -35,8 +41,8 @@ struct MechanismOptions {
                                  ///< tolerances
   int curveSamples = 200;        ///< points of the graph of distance over time; 0: none
   bool penetration = true;       ///< measure how deep a clash goes and where
-  /// Pairs, by name, that are not looked at: parts that a joint holds together.
-  std::vector<std::pair<std::string, std::string>> ignored;
+  /// Parts that a joint holds together may touch, or are not looked at (contact, ignored).
+  std::vector<PairRule> rules;
 };
 
 /// Numbers of two parts, in the order given; the first is the smaller one.
@@ -49,7 +55,7 @@ struct PartPair {
 /// One pair that comes within the range. Points and boxes: world, at the time named.
 struct PairClearance {
   PartPair parts;
-  double required = 0;  ///< mm, asked of this pair
+  double required = 0;  ///< mm, asked of this pair; 0 where contact is allowed
   Pose poseOfFirst;     ///< at clearance.timeSeconds
   Pose poseOfSecond;
   /// "Body" is the first part, "neighbour" the second; `name` has both; `pose` is poseOfFirst. In
@@ -80,7 +86,7 @@ struct MechanismReport {
 
 /// Never throws except std::bad_alloc; failures are in report.status. The same numbers for any
 /// count of threads. Codes of bad input, besides those of meshes and motions: NoParts, PartTwice,
-/// UnknownPart, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes.
+/// UnknownPart, BadRule, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes.
 MechanismReport checkMechanism(const std::vector<MechanismPart>& parts,
                                const MechanismOptions& options, RunContext& run);
 

@@ -83,11 +83,11 @@ class PairLook {
     const MotionTree motion = relativeMotion(body.motion, frame.motion, times);
     const double bodyChord = parts_[turned ? pair.second : pair.first].chordError;
     const double frameChord = parts_[turned ? pair.first : pair.second].chordError;
-    const double required = rules_.required(pair);
+    const NeighbourRule rule = rules_.of(pair);
+    const double required = rule.required.value_or(0);
     const NeighbourClearance row = checkPair(
         {body.part, body.mended, frame.part, frame.mended, report_.range + 2 * o_.tolerance},
-        {parts_[pair.first].name + " - " + parts_[pair.second].name, frameChord, {required}},
-        motion,
+        {parts_[pair.first].name + " - " + parts_[pair.second].name, frameChord, rule}, motion,
         {required, o_.tolerance, bodyChord, o_.intervalTolerance, o_.curveSamples, o_.penetration},
         run_);
     if (!std::isfinite(row.distance)) return looked;
@@ -197,7 +197,7 @@ void runCheck(MechanismReport& report, const std::vector<MechanismPart>& parts,
   std::vector<PreparedPart> prepared = prepareParts(parts, run);
   report.time = commonTime(parts, prepared, report.warnings);
   report.range = rangeOf(parts, prepared, rules, options);
-  report.ignored.assign(rules.ignored().begin(), rules.ignored().end());
+  report.ignored = rules.ignored();
   report.seconds.push_back({"prepare", timer.lap()});
   run.checkpoint(Phase::Motion);
   const std::vector<PartPair> pairs = candidates(prepared, rules, report);

@@ -200,10 +200,28 @@ struct LevelItem {
   Level outcome = Level::Clear;
 };
 
+/// mm, at most so far apart the nearest points of a moment are in the whole node: along the line
+/// between them they part by what the one on the body advances, beside it by the reach at most.
+double largestDistance(const MotionBound& b, const PairDistance& d) {
+  if (d.pair.body < 0 || d.distance <= 0) return d.distance + b.reach;
+  const Eigen::Vector3d n = (d.onBody - d.onNeighbour) / d.distance;
+  const Eigen::Vector3d point = b.R.transpose() * (d.onBody - b.t);
+  const double along =
+      std::max(d.distance + b.advance(n, point, Eigen::Vector3d::Zero()), b.reach - d.distance);
+  return std::min(d.distance + b.reach, std::hypot(along, b.reach));
+}
+
 void classify(SearchContext& c, LevelItem& item, double level, double resolution,
               const OverlapTest& overlaps) {
   const MotionBound b = c.motion.bound(item.node);
   const bool last = !c.motion.splits(item.node) || b.reach <= 0.5 * resolution;
+  if (item.hint.body >= 0) {  // the pair that was nearest before is often near enough
+    const NearestPoints p = c.pair.leafDistance(b.R, b.t, item.hint);
+    if (largestDistance(b, {std::sqrt(p.squared), item.hint, p.a, p.b}) < level) {
+      item.outcome = Level::Below;
+      return;
+    }
+  }
   Certificate proof;
   if (b.reach > 0) {
     proof = c.pair.certify(b, level, effortAt(item.level), item.hint);
@@ -217,11 +235,12 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
   item.hint = hint;
   const PairDistance d = c.pair.distanceAt(b.R, b.t, level, hint);
   ++c.queries;
+  if (d.pair.body >= 0) item.hint = d.pair;
   const bool below = d.pair.body >= 0 || c.pair.containedAt(b.R, b.t);
   if (last) {
     // A step that could not be proven clear counts as below: spans may be long, never short.
     item.outcome = below || b.reach > 0 ? Level::Below : Level::Clear;
-  } else if (below && (d.distance + b.reach < level ||
+  } else if (below && (largestDistance(b, d) < level ||
                        (d.distance <= 0 && overlaps(b.R, b.t, b.reach - level)))) {
     item.outcome = Level::Below;
   } else {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,21 +12,21 @@ namespace swept::clearance {
 
 class PairRules {
  public:
-  /// Throws Error(InvalidInput, "UnknownPart") where a rule names a part that there is not, or a
-  /// part twice.
+  /// Throws Error(InvalidInput): "UnknownPart" where a rule names a part that there is not, or a
+  /// part twice; "BadRule" where one is impossible or two contradict each other for a pair.
   PairRules(const std::vector<std::string>& names, const MechanismOptions& options);
 
-  /// mm.
-  double required(PartPair) const { return required_; }
-  /// Over all pairs.
-  double largestRequired() const { return required_; }
-  bool ignores(PartPair pair) const { return ignored_.contains(pair); }
+  /// A distance, contact or ignored.
+  NeighbourRule of(PartPair pair) const;
+  /// mm, over all pairs.
+  double largestRequired() const;
+  bool ignores(PartPair pair) const { return of(pair).ignored; }
   /// Ascending.
-  const std::set<PartPair>& ignored() const { return ignored_; }
+  std::vector<PartPair> ignored() const;
 
  private:
   double required_ = 0;
-  std::set<PartPair> ignored_;
+  std::map<PartPair, NeighbourRule> own_;
 };
 
 }  // namespace swept::clearance

@@ -16,6 +16,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
+/// Of a piece's radius and of the reach of a motion: how much deeper than its centre a point of it
+/// may well be.
+constexpr double kPromise = 0.3;
 constexpr std::size_t kRound = 64;  // pieces a round; fixed, see motion_search.cpp
 
 struct Item {
@@ -117,7 +120,7 @@ class DepthSearch {
       item.reach = b.reach;
       item.excess = probes_[i].most - probes_[i].depth;
       item.bound = std::min(item.bound, probes_[i].most + item.reach);
-      item.promise = probes_[i].depth + 0.3 * (item.radius + item.reach);
+      item.promise = probes_[i].depth + kPromise * (item.radius + item.reach);
     });
     c_.run.checkpoint(Phase::Check);
     spent_ += std::ssize(fresh_);
@@ -296,9 +299,9 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
 bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
-    double bound;
+    double promise;  // as in DepthSearch: one deep point is enough, so that those are looked for
     Piece piece;
-    bool operator<(const Open& other) const { return bound < other.bound; }
+    bool operator<(const Open& other) const { return promise < other.promise; }
   };
   std::priority_queue<Open> queue;
   std::vector<Piece> fresh = roots(pair);
@@ -307,7 +310,7 @@ bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, do
       ++effort;
       const Probe p = probe(pair, R, t, piece);
       if (p.surfaceDepth >= atLeast) return true;
-      if (p.most > atLeast) queue.push({p.most, piece});
+      if (p.most > atLeast) queue.push({p.depth + kPromise * p.radius, piece});
     }
     if (queue.empty()) return false;
     const Piece next = queue.top().piece;

@@ -21,6 +21,7 @@ namespace {
 struct MechanismJob {
   std::vector<std::string> moving;   ///< part, motion, part, motion, ...
   std::vector<std::string> ignored;  ///< name, name, ...
+  std::vector<std::string> rules;    ///< name, name, rule, ...
   NeighbourFiles still;
   std::string csvPath;
   double partUnit = 1.0;
@@ -32,16 +33,16 @@ struct MechanismJob {
   CommonOptions common;
 };
 
-/// An option that takes two words and may be given often.
-void addTwoWords(CLI::App& app, const std::string& name, const std::string& kind,
-                 std::vector<std::string>& words, const std::string& about) {
-  app.add_option(name, words, about)->type_size(2)->type_name(kind)->allow_extra_args(false);
+/// An option that takes so many words and may be given often.
+void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
+              std::vector<std::string>& words, const std::string& about) {
+  app.add_option(name, words, about)->type_size(count)->type_name(kind)->allow_extra_args(false);
 }
 
 void addOptions(CLI::App& app, MechanismJob& job) {
-  addTwoWords(app, "--moving", "PART MOTION", job.moving,
-              "a part that moves and its poses, as for swept envelope; its name is that of the "
-              "file. Give the option once for each part");
+  addWords(app, "--moving", 2, "PART MOTION", job.moving,
+           "a part that moves and its poses, as for swept envelope; its name is that of the file. "
+           "Give the option once for each part");
   addNeighbourOptions(app, job.still)->required(false);
   addUnit(app, "--moving-unit", job.partUnit, "unit of moving parts that are meshes (default mm)");
   addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
@@ -54,15 +55,20 @@ void addOptions(CLI::App& app, MechanismJob& job) {
   addNumber(app, "--range", "MM", job.options.range,
             "pairs that come nearer than this are listed (default a tenth of the size of the "
             "parts)");
-  addTwoWords(app, "--ignore", "PART PART", job.ignored,
-              "a pair by name that is not looked at, as parts that a joint holds together");
+  addWords(app, "--rule", 3, "PART PART RULE", job.rules,
+           "what a pair asks for in place of the common distance: a distance in mm, contact, "
+           "contact:MM (how deep at most) or ignore");
+  addWords(app, "--ignore", 2, "PART PART", job.ignored,
+           "a pair that is not looked at: the rule ignore, as for parts that a joint holds "
+           "together");
   addDetailOptions(app, job.options, job.curve,
                    "points of the graph of distance over time in the report (default 0)",
                    job.stamp);
   addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all pairs are clear, 3 if two parts come too near, touch or clash.\n\n"
+      "Exit status 0 if all pairs meet their rules, 3 if two parts come too near, touch or "
+      "clash.\n\n"
       "Examples:\n"
       "  swept mechanism --moving boom.stl boom.csv --moving arm.stl arm.csv frame.step "
       "--ignore boom arm --required 5\n"
@@ -168,9 +174,8 @@ int runMechanism(const MechanismJob& job) {
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
   if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
   return finishReported(report, common,
-                        std::all_of(report.pairs.begin(), report.pairs.end(), [](const auto& pair) {
-                          return pair.clearance.verdict == ClearanceVerdict::Clear;
-                        }));
+                        std::all_of(report.pairs.begin(), report.pairs.end(),
+                                    [](const auto& pair) { return pair.clearance.meetsRule(); }));
 }
 
 }  // namespace
@@ -186,7 +191,10 @@ Run addMechanismCommand(CLI::App& program) {
     checkNeighbourOptions(job->still);
     if (job->moving.empty()) badOption("--moving PART MOTION is missing: no part moves");
     for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
-      job->options.ignored.emplace_back(job->ignored[i], job->ignored[i + 1]);
+      job->options.rules.push_back({job->ignored[i], job->ignored[i + 1], parseRule("ignore")});
+    for (std::size_t i = 0; i + 2 < job->rules.size(); i += 3)
+      job->options.rules.push_back(
+          {job->rules[i], job->rules[i + 1], parseRule(job->rules[i + 2])});
     job->options.curveSamples = static_cast<int>(job->curve);
     return runMechanism(*job);
   };

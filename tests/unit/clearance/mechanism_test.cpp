@@ -203,12 +203,78 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   ASSERT_EQ(all.pairs.size(), 5u);
   EXPECT_EQ(all.farPairs, 10);
   EXPECT_EQ(all.joined.size(), 0u);  // every second one moves alike, but those are far apart
-  options.ignored = {{"c", "b"}};
+  options.rules = {{"c", "b", parseRule("ignore")}};
   const MechanismReport less = check(parts, options);
   ASSERT_EQ(less.pairs.size(), 4u);
   ASSERT_EQ(less.ignored.size(), 1u);
   EXPECT_EQ(less.ignored[0], (PartPair{1, 2}));
   for (const PairClearance& pair : less.pairs) EXPECT_NE(pair.parts, (PartPair{1, 2}));
+}
+
+/// Two balls that spin in place while one swings to and from the other: too near for a while, or
+/// deep in each other. The times are those of the formula, and a long clash takes few distances:
+/// one deep point is enough at a moment.
+TEST(Mechanism, TimesOfSpinningBalls) {
+  const double radius = 20, swing = 12, seconds = 4;
+  const TriMesh ball = makeBall(Vector3d::Zero(), radius, 4);
+  for (const double apart : {46.0, 36.0}) {
+    std::vector<Pose> still, swinging;
+    for (int i = 0; i <= 200; ++i) {
+      const double time = seconds * i / 200;
+      const double x = apart + swing * std::cos(M_PI * time);
+      still.push_back(turned(time, 1.8 * i, {0, 0, 0}));
+      swinging.push_back(turned(time, -2.7 * i, {x, 0, 0}));
+    }
+    MechanismOptions options;
+    options.required = 5;
+    options.curveSamples = 0;
+    const MechanismReport report =
+        check({partOf("still", ball, still), partOf("swinging", ball, swinging)}, options);
+    const NeighbourClearance& row = only(report);
+    const auto touching = [&](double level) {  // s in each swing of two seconds
+      return 2 * std::acos((apart - 2 * radius - level) / swing) / M_PI;
+    };
+    const auto lengths = [](const std::vector<TimeInterval>& spans) {
+      double sum = 0;
+      for (const TimeInterval& span : spans) sum += span.to - span.from;
+      return sum;
+    };
+    ASSERT_EQ(row.below.size(), 2u) << apart;
+    // The balls have facets: they are up to 0.2 mm smaller, which is 0.02 s where the swing is
+    // slow.
+    EXPECT_NEAR(lengths(row.below), 2 * touching(5), 0.1);
+    EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
+    ASSERT_EQ(row.contact.size(), 2u) << apart;
+    EXPECT_NEAR(lengths(row.contact), 2 * touching(0), 0.2);
+    EXPECT_LT(row.distanceQueries, 3000) << apart;
+  }
+}
+
+/// Three cubes in a row that rise and fall side by side: the first two 1 mm apart, the last two 0.2
+/// mm into each other.
+TEST(Mechanism, APairHasARuleOfItsOwn) {
+  const double middles[] = {0, 11, 20.8};
+  std::vector<MechanismPart> parts;
+  for (int i = 0; i < 3; ++i)
+    parts.push_back(
+        partOf(std::string(1, char('a' + i)), cube(5),
+               {at(0, {middles[i], 0, 0}), at(1, {middles[i], 0, i % 2 ? 2.0 : -2.0})}));
+  MechanismOptions options;
+  options.required = 0.5;
+  const MechanismReport plain = check(parts, options);
+  ASSERT_EQ(plain.pairs.size(), 2u) << plain.message;
+  EXPECT_TRUE(plain.pairs[0].clearance.meetsRule());
+  EXPECT_EQ(plain.pairs[1].clearance.verdict, ClearanceVerdict::Clash);
+  options.rules = {{"b", "a", parseRule("1.5")}, {"b", "c", parseRule("contact:0.25")}};
+  const MechanismReport ruled = check(parts, options);
+  ASSERT_EQ(ruled.pairs.size(), 2u) << ruled.message;
+  EXPECT_EQ(ruled.pairs[0].clearance.verdict, ClearanceVerdict::BelowRequired);
+  EXPECT_EQ(ruled.pairs[0].required, 1.5);
+  EXPECT_EQ(ruled.pairs[1].clearance.verdict, ClearanceVerdict::Contact);
+  EXPECT_TRUE(ruled.pairs[1].clearance.meetsRule());
+  EXPECT_GE(ruled.range, 1.5);
+  options.rules[1].rule = parseRule("contact:0.15");  // not so deep
+  EXPECT_FALSE(check(parts, options).pairs[1].clearance.meetsRule());
 }
 
 TEST(Mechanism, BadInputIsNamed) {
@@ -238,10 +304,14 @@ TEST(Mechanism, BadInputIsNamed) {
   half.motion.poses[1] = turned(1, 180, {0, 0, 0});
   refused({half, still}, "AmbiguousTurn", "'arm'");
   MechanismOptions options;
-  options.ignored = {{"still", "wheel"}};
+  options.rules = {{"still", "wheel", parseRule("ignore")}};
   refused({moving("arm", 0, 1), still}, "UnknownPart", "'wheel'", options);
-  options.ignored = {{"arm", "arm"}};
+  options.rules = {{"arm", "arm", parseRule("ignore")}};
   refused({moving("arm", 0, 1), still}, "UnknownPart", "twice", options);
+  options.rules = {{"arm", "still", parseRule("3")}, {"still", "arm", parseRule("contact")}};
+  refused({moving("arm", 0, 1), still}, "BadRule", "contradict", options);
+  options.rules = {{"arm", "still", {-2}}};
+  refused({moving("arm", 0, 1), still}, "BadRule", "'arm' and 'still'", options);
   options = {};
   options.range = -1;
   refused({moving("arm", 0, 1), still}, "BadOption", "range", options);

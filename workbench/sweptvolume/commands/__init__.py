@@ -23,6 +23,7 @@ _MODULES = [
     "",
     "made_by",
     "check_clearance",
+    "check_mechanism",
     "make_solid",
     "export_envelope",
     "",
@@ -85,6 +86,8 @@ def fill_context_menu(workbench, recipient):
         names += ["SweptVolume_NewMotion", "SweptVolume_FindPath"]
     if selection.motion() or selection.parts():
         names += ["SweptVolume_Envelope", "SweptVolume_Clearance"]
+    if len(selection.motions()) > 1:
+        names.append("SweptVolume_Mechanism")
     if selection.envelope():
         names += [
             "SweptVolume_EditEnvelope",

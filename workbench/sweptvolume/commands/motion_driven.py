@@ -11,16 +11,17 @@ class Command(BaseCommand):
     TIP = mark(
         "Commands",
         "Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch "
-        "dimension, a variable of an assembly. Select the object with the value, then the part",
+        "dimension, a variable of an assembly. Select the object with the value, then the part; without a "
+        "part, motions of all parts that move",
     )
 
     def missing(self, document):
         from ..panels import selection
 
-        if len(selection.plain()) == 2:
+        if len(selection.plain()) in (1, 2):
             return ""
         return translate(
-            "Messages", "Select the object with the value, then the part that it moves."
+            "Messages", "Select the object with the value, and the part that it moves."
         )
 
     def run(self, document):
@@ -29,7 +30,7 @@ class Command(BaseCommand):
         from ..trajectory.sources import in_order
 
         objects = in_order(selection.plain())
-        if len(objects) != 2 or not driven.is_driver(objects[0]):
+        if len(objects) not in (1, 2) or not driven.is_driver(objects[0]):
             raise InputProblem(
                 translate(
                     "Messages",

@@ -11,8 +11,8 @@ class Command(BaseCommand):
     TIP = mark(
         "Commands",
         "Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM "
-        "path; from a path and a second curve that orients; from an assembly simulation and a part. It "
-        "stays linked to it",
+        "path; from a path and a second curve that orients; from an assembly simulation, of a part or of "
+        "all that move. It stays linked to it",
     )
 
     def missing(self, document):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reload motion: reads the file or the source again."""
 from .. import runner
-from ..features import motion
+from ..features import joint_motions, motion
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -9,7 +9,11 @@ from .base import BaseCommand
 class Command(BaseCommand):
     NAME = "SweptVolume_ReloadMotion"
     TEXT = mark("Commands", "Reload motion")
-    TIP = mark("Commands", "Reads the file or the source of the selected motion again")
+    TIP = mark(
+        "Commands",
+        "Reads the file or the source of the selected motion again; all motions of one driver or simulation "
+        "together",
+    )
 
     def missing(self, document):
         from ..panels import selection
@@ -21,5 +25,8 @@ class Command(BaseCommand):
 
         obj = selection.the_motion(document)
         with runner.transaction(document, translate("Commands", self.TEXT)):
-            motion.reload_source(obj)
+            if len(joint_motions.alike(obj)) > 1:  # one run for all parts of a mechanism
+                joint_motions.reload(obj)
+            else:
+                motion.reload_source(obj)
             document.recompute()

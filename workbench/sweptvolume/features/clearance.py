@@ -4,16 +4,14 @@
 As with the envelope, `execute` only marks; a run is Plan.request() - work() - apply(). The distances
 come from the true motion; the envelope, where one is given, is only coloured by them.
 """
-import contextlib
 import json
+import sys
 
 import numpy as np
 
-from .. import convert, core
-from ..convert import InputProblem
-from ..core_texts import said
+from .. import core
 from ..texts import mark, translate
-from . import containers, missing, neighbour_rules, status
+from . import check, containers, missing, neighbour_rules, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
     FAILED,
@@ -22,17 +20,15 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     READ_ONLY,
     STALE,
     UP_TO_DATE,
-    Feature,
     attach_view,
     kind_of,
     quietly,
-    set_changed,
     stored,
 )
+from .check import Check, fail, follow_all_visible  # noqa: F401 (fail is read from here as well)
 from .clearance_plan import Plan
 from .clearance_properties import INPUT, RESULT
 from .clearance_table import summary, worst
-from .neighbour_rules import PARTS_PROPERTY
 
 TYPE = "App::FeaturePython"
 FAR = 1e9  # mm, where nothing stands
@@ -45,33 +41,31 @@ VERDICTS = {
     "clash": mark("Messages", "Clash"),
 }
 _POINT = (float, float, float)
-#: What is read of a stored report.
-REPORT = {
-    "summary": str,
-    "required": float,
-    "neighbours": [
-        {
-            "name": str,
-            "verdict": set(VERDICTS),
-            "distance": float,
-            "guaranteed": float,
-            "time_seconds": float,
-            "pose": {"translation": _POINT, "quaternion_xyzw": (float,) * 4},
-            "point_on_body": _POINT,
-            "point_on_neighbour": _POINT,
-            "below": [(float, float)],
-            "curve": [(float, float)],
-        }
-    ],
+POSE = {"translation": _POINT, "quaternion_xyzw": (float,) * 4}
+#: What is read of a row of a stored report.
+ROW = {
+    "name": str,
+    "verdict": set(VERDICTS),
+    "distance": float,
+    "guaranteed": float,
+    "time_seconds": float,
+    "pose": POSE,
+    "point_on_body": _POINT,
+    "point_on_neighbour": _POINT,
+    "below": [(float, float)],
+    "curve": [(float, float)],
 }
+REPORT = {"summary": str, "required": float, "neighbours": [ROW]}
 containers.watch()
 missing.watch()
 
 
-class Clearance(Feature):
+class Clearance(Check):
     """Proxy of the clearance check."""
 
     KIND = "SweptVolume::Clearance"
+    PLAN = Plan
+    RULES = neighbour_rules
 
     def properties(self):
         given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
@@ -81,25 +75,8 @@ class Clearance(Feature):
         super().__init__(obj)
         obj.Status = NOT_COMPUTED
 
-    def execute(self, obj):
-        """Marks the result stale or current; keeps it."""
-        follow_all_visible(obj)
-        update_status(obj)
-
-    def look(self, obj):
-        update_status(obj)
-
-    def onChanged(self, obj, name):
-        missing.changed(obj, name)
-
-    def shortened(self, obj):
-        """Links begin below the groups around the check, those of rules too."""
-        if PARTS_PROPERTY in obj.PropertiesList:
-            with contextlib.suppress(InputProblem):
-                neighbour_rules.write(obj, neighbour_rules.read(obj))
-
-    def lost(self, obj, gone):
-        neighbour_rules.drop(obj, gone)
+    def report_of(self, obj):
+        return report_of(obj)
 
     def onDocumentRestored(self, obj):
         of_before = "Seen" not in obj.PropertiesList
@@ -151,9 +128,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Verdict = worst(report)
     obj.Smallest = report["neighbours"][report["smallest"]]["distance"]
     obj.MapDistances = [] if outcome.distances is None else [float(d) for d in outcome.distances]
-    obj.InputHash, obj.TriedHash = hash_at_start, ""
-    follow_all_visible(obj)
-    update_status(obj)
+    check.keep(obj, hash_at_start)
 
 
 def first_contacts(plan, control=None):
@@ -174,59 +149,10 @@ def contacts_from(request, texts):
     return {pair: neighbour_rules.from_text(text) for pair, text in found if text}
 
 
-def notes_of(obj):
-    """What is to be said of the stored result."""
-    report = report_of(obj) if obj.Report else None
-    if report is None:
-        return ""
-    found = [said(w["code"], w["text"]) for w in report.get("warnings", [])]
-    return "\n".join(list(report.get("notes", [])) + found)
-
-
-def fail(obj, text, tried, cancelled=False):
-    """Remembers a run that gave nothing; the stored result stays. tried: hash of its inputs."""
-    status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
-
-
-def follow_all_visible(obj):
-    """Links to all that AllVisible looks at, hidden things too: what is shown, moved or changed there
-    then makes the result stale. Not to what depends on the check itself."""
-    found = []
-    if obj.AllVisible:
-        above = set(obj.InListRecursive)
-        roots = [
-            root
-            for root, _ in containers.links_for(obj, [(o, "") for o in Plan.of(obj).candidates()])
-        ]
-        found = [o for o in roots if o not in above and o is not obj]
-    if obj.Seen != found:
-        obj.Seen = found
-
-
-def update_status(obj):
-    """Compares inputs and stored result."""
-    plan = Plan.of(obj)
-    now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
-    if waits:
-        return
-    waiting = any(map(status.is_behind, plan.objects() + convert.targets(plan.neighbours)))
-    status.judge(obj, now, problem, waiting, notes_of(obj))
-
-
 def compute(obj, control=None):
     """Checks in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
-    plan = Plan.of(obj)
-    hash_at_start = plan.hash()
-    try:
-        outcome = work(plan.request(), control or core.Control())
-    except (core.CoreError, InputProblem) as error:
-        fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
-        raise
-    obj.Document.openTransaction(translate("Messages", "Check clearance"))
-    apply(obj, outcome, hash_at_start)
-    obj.purgeTouched()
-    obj.Document.commitTransaction()
-    return outcome.report
+    title = translate("Messages", "Check clearance")
+    return check.compute(obj, sys.modules[__name__], title, control).report
 
 
 def report_of(obj):

@@ -9,20 +9,9 @@ from ..convert import InputProblem
 from ..texts import translate
 from . import containers, missing, neighbour_rules, status
 from . import envelope as envelope_feature
-from .base import kind_of, set_changed
+from .base import set_changed
 from .moving import Moving
-
-
-class Neighbour:
-    """A part that stands still: name, convert.Body, how far its triangles may leave its surface (mm),
-    where it is in the document (root, sub), and its rule."""
-
-    def __init__(self, name, body, chord, pair, rule):
-        self.name = name
-        self.body = body
-        self.chord = chord
-        self.pair = pair
-        self.rule = rule  # neighbour_rules.Rule
+from .still_parts import StillParts, chord_of, left_out_text, listed, no_neighbour
 
 
 class Request:
@@ -50,25 +39,11 @@ class Request:
             except InputProblem as problem:
                 if not self.all_visible:
                     raise
-                self.notes.append(_left_out(problem))
+                self.notes.append(left_out_text(problem))
         if not rows:
-            raise _no_neighbour()
+            raise no_neighbour()
         self.neighbours = kept
         return rows
-
-
-#: Kinds of results that stand in the document as parts do.
-_RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
-
-
-def _left_out(problem):
-    return translate("Messages", "Left out: {0}").format(problem)
-
-
-def _no_neighbour():
-    return InputProblem(
-        translate("Messages", "no neighbour is given: choose parts or show some others.")
-    )
 
 
 def _all_ignored():
@@ -81,32 +56,11 @@ def _short(words):
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
 
-def _has_geometry(obj):
-    """Whether an object may show solids or meshes: by itself, as a group or as a link."""
-    names = ("Shape", "Mesh", "Group", "LinkedObject", "ElementList")
-    return hasattr(obj, "Visibility") and any(hasattr(obj, name) for name in names)
-
-
-def _linked(root, path):
-    return root.getSubObject(path, retType=1).getLinkedObject(True)
-
-
-def _parts(root, sub):
-    """(root, path) of all solids and meshes below a path; the object itself, where it is a single one,
-    whatever it is."""
-    if root.getSubObject(sub, retType=1) is None:
-        convert.leaves(root, sub)  # raises
-    found = convert.leaves(root, sub)
-    if len(found) == 1 and found[0][1] == sub:
-        return [(root, sub)]
-    return [(root, path) for linked, path in found if convert.solid_like(linked)]
-
-
 def _place_of(obj):
     return convert.global_placement(*convert.root_path(obj))
 
 
-class Plan:
+class Plan(StillParts):
     """What is to be checked. Reads documents only in the thread of the GUI."""
 
     SETTINGS = ("Required", "Tolerance", "Deflection")
@@ -137,11 +91,7 @@ class Plan:
             {name: getattr(obj, name).Value for name in cls.SETTINGS},
             obj.Envelope,
         )
-        plan.lost = missing.text(obj)
-        try:
-            plan.rules = neighbour_rules.read(obj)
-        except InputProblem as problem:
-            plan.lost = plan.lost or str(problem)
+        plan.rules = plan.asked_of(obj, neighbour_rules)
         return plan
 
     def write(self, obj):
@@ -184,84 +134,24 @@ class Plan:
             )
         return groups[0]
 
-    def candidates(self):
-        """What AllVisible looks at, hidden or not: objects that stand in the document by themselves.
-
-        Not the document's RootObjects: those are what no other object uses in any way."""
-        return [
-            o
-            for o in self.document.Objects
-            if not kind_of(o) and _has_geometry(o) and not containers.is_held(o)
-        ]
-
-    def leaves(self):
-        """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts.
-        Raises InputProblem where something was chosen that cannot be checked."""
-        found = self._all_visible() if self.all_visible else self._chosen()
-        if not found:
-            raise _no_neighbour()
-        return found
-
-    def _chosen(self):
-        found = []
-        for root, sub in self.neighbours:
-            below = [pair for pair in _parts(root, sub) if not self._moves(*pair)]
-            if not below:
-                raise self._not_checked(root, sub)
-            found += [pair for pair in below if pair not in found]
-        return found
-
-    def _all_visible(self):
-        found = []
-        for root in self.candidates():
-            if root.Visibility:
-                found += [
-                    (r, path)
-                    for r, path in _parts(root, "")
-                    if not kind_of(_linked(r, path)) and not self._moves(r, path)
-                ]
-        return found
-
-    def left_out(self):
-        """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""
-        if not self.all_visible:
-            return []
-        labels = [
-            o.Label
-            for o in self.document.Objects
-            if kind_of(o) in _RESULTS and o.Visibility and not self._is_own(o)
-        ]
-        if not labels:
-            return []
-        return [
-            translate(
-                "Messages",
-                "Left out: {0} (envelopes and their solids are checked where they are chosen as "
-                "neighbours).",
-            ).format(", ".join('"{}"'.format(label) for label in labels))
-        ]
-
-    def _is_own(self, obj):
-        """Whether an envelope or solid is the sweep of the moving parts themselves."""
-        while kind_of(obj) == _RESULTS[1] and obj.Source is not None:
-            obj = obj.Source
+    def is_own(self, obj):
         return obj is self.envelope or getattr(obj, "Motion", None) is self.moving().motion
 
-    def _not_checked(self, root, sub):
-        label = convert.label_of(root, sub)
-        if any(self._moves(*pair) for pair in _parts(root, sub)):
-            return InputProblem(
-                translate(
-                    "Messages",
-                    '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
-                ).format(label)
-            )
-        return InputProblem(
-            translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
+    def moved_too(self):
+        """What is to be said of neighbours that the source of the motion moves as well: here they stand."""
+        moved = set(self.moving().motion.MovedToo)
+        names = []
+        for root, sub in self.leaves() if moved else []:
+            if moved.intersection(convert.targets((root, a) for a in convert.paths_to(sub))):
+                names.append(convert.label_of(root, sub))
+        if not names:
+            return []
+        text = translate(
+            "Messages",
+            "{0} moved as well when this motion was read, and stand still in this check: use Check mechanism "
+            "for parts that move at the same time.",
         )
-
-    def _moves(self, root, path):
-        return any(root is r and path.startswith(s) for r, s in self.pairs)
+        return [text.format(listed(names))]
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
@@ -305,13 +195,14 @@ class Plan:
         if moving.curved():
             chord += straight
         neighbours, notes, ignored = self.still_parts(deflection)
+        notes += self.moved_too()
         off, text = moving.hidden()
         if off > float(self.values["Tolerance"]):
             notes.append(text)
         if moving.motion.Message:
             notes.append(moving.motion.Message)
         if not neighbours:
-            raise _all_ignored() if ignored else _no_neighbour()
+            raise _all_ignored() if ignored else no_neighbour()
         points = None
         if self.envelope is not None and self.envelope.Mesh.CountFacets:
             points = envelope_arrays(self.envelope)[0]
@@ -328,37 +219,6 @@ class Plan:
             notes,
             ignored,
         )
-
-    def still_parts(self, deflection):
-        """(neighbours as plain values, notes on what was left out, names of the ignored). Raises
-        InputProblem."""
-        neighbours, notes, ignored = [], self.left_out(), []
-        for pair in self.leaves():
-            name = convert.label_of(*pair)
-            rule = neighbour_rules.of(self.rules, *pair)
-            neighbour_rules.check(rule, name)
-            if rule.kind == neighbour_rules.IGNORE:
-                ignored.append(name)
-                continue
-            try:
-                part = convert.body_from([pair], deflection)
-            except InputProblem as problem:
-                if not self.all_visible:
-                    raise
-                notes.append(_left_out(problem))
-                continue
-            neighbours.append(Neighbour(name, part, chord_of([pair], deflection), pair, rule))
-        return neighbours, notes, ignored
-
-
-def chord_of(pairs, deflection):
-    """How far (mm) the triangles of parts may leave them: meshes are what they are."""
-    shapes = any(
-        not linked.isDerivedFrom("Mesh::Feature")
-        for root, sub in pairs
-        for linked, _ in convert.leaves(root, sub)
-    )
-    return deflection if shapes else 0.0
 
 
 def envelope_arrays(envelope):

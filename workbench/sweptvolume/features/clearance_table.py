@@ -60,12 +60,13 @@ def rule_text(row, report):
     return translate("Messages", "contact, {0} deep").format(quantity(length, TABLE_DIGITS))
 
 
-def summary(report):
-    """The result in one line, as the core has it, in the user's language and unit."""
+def summary(report, head=""):
+    """The result in one line, as the core has it, in the user's language and unit. head: how many were
+    checked, where those are not the rows."""
     rows, nearest = report["neighbours"], report.get("smallest")
     if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # damaged
         return report["summary"]
-    words = [translate("Messages", "{0} checked").format(len(rows))]
+    words = [head or translate("Messages", "{0} checked").format(len(rows))]
     for verdict, text in (
         ("clash", translate("Messages", "{0} clash")),
         ("contact", translate("Messages", "{0} in contact")),
@@ -122,17 +123,25 @@ def table(report):
 
 def write_csv(report, path):
     """The table as a CSV file (UTF-8)."""
+    write_rows([columns()] + table(report), path)
+
+
+def write_rows(rows, path):
+    """Rows of a table as a CSV file (UTF-8)."""
     with open(path, "w", encoding="utf-8", newline="") as out:
-        writer = csv.writer(out)
-        writer.writerow(columns())
-        writer.writerows(table(report))
+        csv.writer(out).writerows(rows)
 
 
 def make_spreadsheet(obj, report):
     """The table as a spreadsheet in the document."""
+    return spreadsheet_of(obj, [columns()] + table(report))
+
+
+def spreadsheet_of(obj, rows):
+    """Rows of a table as a spreadsheet beside an object."""
     sheet = obj.Document.addObject("Spreadsheet::Sheet", "ClearanceTable")
     sheet.Label = translate("Messages", "{0} table").format(obj.Label)
-    for r, row in enumerate([columns()] + table(report)):
+    for r, row in enumerate(rows):
         for c, value in enumerate(row):
             cell = "{}{}".format(chr(ord("A") + c), r + 1)
             sheet.set(cell, repr(value) if isinstance(value, float) else "'" + str(value))

@@ -21,6 +21,19 @@ def is_held(obj):
     return any(obj in held for held in lists)
 
 
+def standing(document):
+    """Objects that stand in the document by themselves and may show solids or meshes, hidden or not.
+
+    Not the document's RootObjects: those are what no other object uses in any way."""
+    return [o for o in document.Objects if not kind_of(o) and _has_geometry(o) and not is_held(o)]
+
+
+def _has_geometry(obj):
+    """Whether an object may show solids or meshes: by itself, as a group or as a link."""
+    names = ("Shape", "Mesh", "Group", "LinkedObject", "ElementList")
+    return hasattr(obj, "Visibility") and any(hasattr(obj, name) for name in names)
+
+
 def around(obj):
     """All groups that hold an object, also through others."""
     found, waiting = [], [obj]

@@ -13,7 +13,7 @@ from ..trajectory.poses import swept_box
 from . import containers, missing, status
 from .envelope_properties import ACCURACY, BACKENDS, COMPONENTS
 from .motion import is_motion, set_parts
-from .moving import Moving
+from .moving import Moving, grouped
 
 #: About as many cells as a grid can have along a side; the core says exactly.
 MOST_CELLS = 8000
@@ -98,14 +98,8 @@ class Plan:
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)
-        groups = []
-        for pair, motion in zip(self.pairs, self.motions or [self.motion] * len(self.pairs)):
-            for group in groups:
-                if group.motion is motion:
-                    group.pairs.append(pair)
-                    break
-            else:
-                groups.append(Moving([pair], motion, *reference))
+        motions = self.motions or [self.motion] * len(self.pairs)
+        groups = grouped(self.pairs, motions, *reference)
         return groups or [Moving([], self.motion, *reference)]
 
     def options(self):

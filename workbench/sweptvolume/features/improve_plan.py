@@ -6,7 +6,7 @@ from .. import convert, core, core_paths
 from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory.poses import INTERPOLATIONS, Poses
-from . import clearance_plan
+from . import still_parts
 from . import path_plan
 from .moving import Moving
 
@@ -51,7 +51,7 @@ class ImprovePlan:
             "budget": float(v["Budget"]),
             "seed": int(v["Seed"]),
             "tolerance": float(v["Tolerance"]),
-            "body_chord": clearance_plan.chord_of(self.pairs, deflection),
+            "body_chord": still_parts.chord_of(self.pairs, deflection),
         }
         rows = path_plan.rows_beside(
             self.document, self.pairs, self.neighbours, self.rules, deflection

@@ -8,7 +8,7 @@ from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import Poses, even_times
-from . import containers, missing, motion_source, status
+from . import containers, missing, motion_source, moved_parts, status
 from .base import STALE, Feature, attach_view, kind_of, quietly, set_changed
 from .motion_frame import container_of, from_world, seen_from_document
 from .motion_properties import PROPERTIES, SETTINGS, UNITS
@@ -166,6 +166,7 @@ def store(obj, poses, touch=True):
         obj.Times = times
         obj.Placements = placements
     set_changed(obj, "Message", poses.note)
+    set_changed(obj, "MovedToo", poses.moved)
 
 
 def _same(a, b):
@@ -181,7 +182,12 @@ def change_source(obj, values):
 def reload_source(obj):
     """Reads the source again, whatever its kind (not for stored poses)."""
     missing.check(obj)
-    store(obj, motion_source.read(obj))
+    take(obj, motion_source.read(obj))
+
+
+def take(obj, poses):
+    """Keeps poses that were read from the source of a motion, as the motion has them."""
+    store(obj, poses)
     obj.SourceHash = motion_source.signature(obj)
 
 
@@ -220,13 +226,19 @@ def motion_from_source(document, kind, objects, interpolation="", frame="Absolut
 
 
 def _motion_of(document, settings, interpolation, frame):
-    poses = sources.read(settings)
+    obj = motion_of_read(document, settings, moved_parts.read(document, settings))
+    obj.Interpolation = interpolation
+    obj.Frame = frame
+    return obj
+
+
+def motion_of_read(document, settings, poses):
+    """A motion of a source that was read just now. poses: seen from the document."""
     obj = make_motion(document)
     motion_source.keep(obj, settings)
     obj.SourceHash = motion_source.signature(obj)
     store(obj, poses)
-    obj.Interpolation = interpolation
-    obj.Frame = frame
+    obj.Interpolation = sources.interpolation_of(settings.kind)
     if settings.kind in sources.FROM_JOINTS:  # the part that was watched
         set_parts(obj, [convert.root_path(settings.objects[1])])
     return obj
@@ -282,7 +294,9 @@ __all__ = [
     "set_tangents",
     "settings_of",
     "STALE",
+    "motion_of_read",
     "store",
+    "take",
     "tangents_of",
     "UNITS",
     "words",

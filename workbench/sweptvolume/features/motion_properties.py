@@ -64,6 +64,14 @@ PROPERTIES = [
         0,
     ),
     (
+        "App::PropertyLinkListHidden",
+        "MovedToo",
+        "Motion",
+        mark("Properties", "What else the source of this motion moved when it was read"),
+        None,
+        READ_ONLY,
+    ),
+    (
         "App::PropertyStringList",
         "Tangents",
         "Motion",

@@ -5,6 +5,7 @@ from .. import contents
 from ..convert import InputProblem, matrix_of
 from ..trajectory import sources
 from ..trajectory.poses import Poses
+from . import moved_parts
 from .base import HIDDEN, READ_ONLY, quietly, set_changed
 from .motion_frame import container_of, from_world
 from .motion_properties import NAMES, USED
@@ -76,10 +77,16 @@ def take_over(obj):
 
 def read(obj):
     """Poses of the source as this motion keeps them. A file is read as it is."""
-    poses = sources.read(settings_of(obj))
+    poses = moved_parts.read(obj.Document, settings_of(obj))
+    return inside(obj, poses)
+
+
+def inside(obj, poses):
+    """Poses of a source, seen from the document, as this motion keeps them."""
     if obj.SourceType != "File" and not container_of(obj).isIdentity():
-        inside = [from_world(obj, p) for p in poses.placements]
-        return Poses(poses.times, inside, note=poses.note)
+        kept = Poses(poses.times, [from_world(obj, p) for p in poses.placements], note=poses.note)
+        kept.moved = poses.moved
+        return kept
     return poses
 
 

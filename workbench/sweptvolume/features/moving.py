@@ -65,6 +65,20 @@ class Seen:
         return [dict(part, motion=self.motion) for part in self.body.parts]
 
 
+def grouped(pairs, motions, *reference):
+    """Parts that move together: list of Moving. motions: one for each of pairs; reference: as Moving takes
+    it."""
+    groups = []
+    for pair, motion in zip(pairs, motions):
+        for group in groups:
+            if group.motion is motion:
+                group.pairs.append(pair)
+                break
+        else:
+            groups.append(Moving([pair], motion, *reference))
+    return groups
+
+
 class Moving:
     """Generators with one motion. reference: (root, sub) of a part that moves itself by
     reference_motion; the generators are then seen from it, where it stands now."""
@@ -175,6 +189,10 @@ class Moving:
             return core.Triangles(points, (strip % len(points)).astype(np.int32))
 
         return found
+
+    def course(self):
+        """The placements, as trajectory() has them, as a function of time (s)."""
+        return course(self._base()[0], self.motion.Interpolation)
 
     def curved(self):
         """Whether the core gets straight pieces in place of a curved way."""

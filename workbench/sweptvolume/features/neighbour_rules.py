@@ -79,25 +79,31 @@ def read(obj):
         if kind == CONTACT and not rule.length:
             rule.length = None
         if pair in rules and rules[pair] != rule:
-            raise InputProblem(
-                translate(
-                    "Messages", 'two rules contradict each other for "{0}": keep one.'
-                ).format(label)
-            )
+            raise contradiction(label)
         rules[pair] = rule
     return rules
 
 
+def contradiction(label):
+    """What is to be said where two rules are given for the same."""
+    text = translate("Messages", 'two rules contradict each other for "{0}": keep one.')
+    return InputProblem(text.format(label))
+
+
 def write(obj, rules):
     """Puts rules into an object of ours, if they are others than now."""
-    links, kinds, lengths = [], [], []
+    links, given = [], []
     for pair, rule in rules.items():
-        if not rule.asks():
-            continue
-        for link in containers.links_for(obj, [pair]):
+        for link in containers.links_for(obj, [pair]) if rule.asks() else []:
             links.append(link)
-            kinds.append(rule.kind)
-            lengths.append(float(rule.length or 0.0))
+            given.append(rule)
+    set_lists(obj, links, given)
+
+
+def set_lists(obj, links, rules):
+    """Writes links, and what each rule says, if they are others than now."""
+    kinds = [rule.kind for rule in rules]
+    lengths = [float(rule.length or 0.0) for rule in rules]
     if convert.links_in(obj.RuleParts) != links:
         obj.RuleParts = links
     if list(obj.RuleKinds) != kinds:

@@ -12,7 +12,7 @@ from .. import convert, core, core_paths
 from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory.poses import Poses, shift_to
-from . import clearance_plan
+from . import clearance_plan, still_parts
 from . import motion as motion_feature
 from .moving import Seen, middle_of
 
@@ -106,7 +106,7 @@ class PathPlan:
             "budget": float(v["Budget"]),
             "seed": int(v["Seed"]),
             "tolerance": float(v["Tolerance"]),
-            "body_chord": clearance_plan.chord_of(self.pairs, deflection),
+            "body_chord": still_parts.chord_of(self.pairs, deflection),
         }
 
 

@@ -1,92 +1,35 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a clearance check in its panel: table, graph, colours, export."""
-from PySide import QtCore, QtGui
-
-from .. import quantities
-from ..features import clearance, clearance_table
-from ..texts import translate
+"""The result of a clearance check in its panel: the moving part of a row, and the envelope in colours."""
+from ..features import clearance
+from ..texts import mark, translate
 from ..views.clearance_view import BANDS
-from . import file_dialogs, focus, guard, widgets
-from .clearance_graph import DistanceGraph
-from .run_panel import StayingPanel
+from . import check_result, guard, widgets
 from .widgets import QtWidgets
 
-#: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
-NAME_LETTERS = 18
-RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
 
+class ResultPanel(check_result.ResultPanel):
+    """`hidden`: the envelope under its colours."""
 
-class _Cell(QtWidgets.QTableWidgetItem):
-    """A cell that sorts by a number and shows a text."""
+    NAME = mark("Panels", "Neighbour")
 
-    def __init__(self, text, key):
-        super().__init__(text)
-        self.key = key
+    def stored_report(self):
+        return clearance.report_of(self.obj)
 
-    def __lt__(self, other):
-        return self.key < other.key
-
-
-class ResultPanel(StayingPanel):
-    """The half of the panel that shows `obj`, the check, if there is one. `layout`, `message`, `document`,
-    `hidden` (the envelope under its colours) are the panel's."""
-
-    def _build_result(self):
-        self.one, self.unit = quantities.length_unit()
-        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
-        rows = QtWidgets.QVBoxLayout(self.result)
-        self.summary = QtWidgets.QLabel()
-        self.summary.setWordWrap(True)
-        self.summary.setObjectName("SweptVolumeClearanceSummary")
-        self.table = QtWidgets.QTableWidget(0, 5)
-        self.table.setObjectName("SweptVolumeClearanceTable")
-        heads = (
-            translate("Panels", "Neighbour"),
-            translate("Panels", "Verdict"),
-            self.unit,
-            translate("Panels", "at s"),
-            "{}\n{}".format(translate("Panels", "depth"), self.unit),
-        )
-        self.table.setHorizontalHeaderLabels(heads)
-        self.table.horizontalHeaderItem(2).setToolTip(
-            translate(
-                "Panels",
-                "Between the meshes; the line above has taken off how far these may leave the parts",
-            )
-        )
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.table.verticalHeader().hide()
-        font = self.table.font()
-        font.setPointSizeF(font.pointSizeF() * 0.9)
-        self.table.setFont(font)
-        self.table.horizontalHeader().setFont(font)
-        for column in range(5):  # long names take two lines, the numbers all their digits
-            self.table.horizontalHeader().setSectionResizeMode(
-                column,
-                QtWidgets.QHeaderView.ResizeToContents if column else QtWidgets.QHeaderView.Stretch,
-            )
-        self.table.setSortingEnabled(True)
-        self.table.setMinimumHeight(140)
-        self.table.setTabKeyNavigation(False)  # Tab leaves the table
-        self.keys = focus.SortKeys(self.table)
-        self.graph = DistanceGraph()
-        for widget in (self.summary, self.table, self.graph):
-            rows.addWidget(widget)
+    def build_more(self, rows):
         rows.addLayout(self._bands())
-        buttons = QtWidgets.QHBoxLayout()
-        self.csv = QtWidgets.QPushButton(translate("Panels", "CSV..."))
-        self.sheet = QtWidgets.QPushButton(translate("Panels", "Spreadsheet"))
-        self.csv.setObjectName("SweptVolumeCsv")
-        self.sheet.setObjectName("SweptVolumeSheet")
-        buttons.addWidget(self.csv)
-        buttons.addWidget(self.sheet)
-        rows.addLayout(buttons)
-        self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
-        self.table.itemSelectionChanged.connect(self._row_chosen)
-        self.csv.clicked.connect(lambda *ignored: self.export_csv())
-        self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
+
+    def shown(self):
+        self.coloured.setEnabled(bool(self.obj.MapDistances))
+        self._paint()
+
+    def show_row(self, index):
+        if index is None:
+            self._view().hide_row()
+        else:
+            self._view().show_row(self.obj, index)
+
+    def _view(self):
+        return self.obj.ViewObject.Proxy
 
     def _bands(self):
         """The legend of the colour map; its borders can be changed."""
@@ -119,83 +62,6 @@ class ResultPanel(StayingPanel):
         self.coloured.toggled.connect(lambda *ignored: self._paint())
         return grid
 
-    def show_result(self):
-        report = clearance.report_of(self.obj) if self.obj is not None else None
-        self.result.setVisible(report is not None)
-        if report is None:
-            return
-        self.report = report
-        text = clearance_table.summary(report)
-        if self.obj.Status != clearance.UP_TO_DATE:
-            text = translate("Panels", "{0} (stale: check again)").format(text)
-        self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
-        if self.obj.Message:
-            widgets.show_message(self.message, self.obj.Message)
-        self.coloured.setEnabled(bool(self.obj.MapDistances))
-        self._fill()
-        self.graph.show_report(report)
-        self._paint()
-
-    def _length(self, value):
-        return quantities.number(round(value, 9) / self.one, quantities.TABLE_DIGITS)
-
-    def _fill(self):
-        self.table.setSortingEnabled(False)
-        self.table.setRowCount(len(self.report["neighbours"]))
-        for r, row in enumerate(self.report["neighbours"]):
-            deep = row.get("penetration", {}).get("depth", 0.0)
-            verdict = translate("Messages", clearance.VERDICTS[row["verdict"]])
-            met = clearance_table.meets_rule(row)
-            if met and row["verdict"] == "contact":
-                verdict = translate("Messages", "Contact, allowed")
-            rank = RANK["clear" if met else row["verdict"]]
-            rule = clearance_table.rule_text(row, self.report)
-            cells = (
-                _Cell(row["name"], row["name"].lower()),
-                _Cell(verdict, rank),
-                _Cell(self._length(row["distance"]), row["distance"]),
-                _Cell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
-                _Cell(self._length(deep) if deep else "", -deep),
-            )
-
-            colour = QtGui.QColor.fromRgbF(*BANDS[rank])
-            for c, cell in enumerate(cells):
-                cell.setData(QtCore.Qt.UserRole, r)
-                if c == 1:
-                    cell.setToolTip(translate("Panels", "Rule: {0}").format(rule))
-                    cell.setBackground(colour)
-                    dark = colour.lightness() < 120
-                    cell.setForeground(QtGui.QColor("white" if dark else "black"))
-                elif c == 0:
-                    cell.setToolTip(row["name"])
-                self.table.setItem(r, c, cell)
-        clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
-        self.table.setColumnHidden(4, not clashes)
-        # Names keep room where the numbers take it all: then the table is scrolled.
-        modes = QtWidgets.QHeaderView
-        self.table.horizontalHeader().setSectionResizeMode(
-            0, modes.Interactive if clashes else modes.Stretch
-        )
-        self.table.setColumnWidth(0, self.table.fontMetrics().averageCharWidth() * NAME_LETTERS)
-        self.table.setSortingEnabled(True)
-        self.table.sortItems(2)
-        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
-
-    @guard.told
-    def _row_chosen(self):
-        items = self.table.selectedItems()
-        if not items:
-            self.graph.choose(-1, None)
-            if self.obj is not None:
-                self._view().hide_row()
-            return
-        index = items[0].data(QtCore.Qt.UserRole)
-        self.graph.choose(index, self.report["neighbours"][index]["time_seconds"])
-        self._view().show_row(self.obj, index)
-
-    def _view(self):
-        return self.obj.ViewObject.Proxy
-
     @guard.told
     def _paint(self):
         if self.obj is None:
@@ -219,19 +85,6 @@ class ResultPanel(StayingPanel):
         else:
             text = translate("Panels", "The envelope has changed since the check: check again.")
             widgets.show_message(self.message, text)
-
-    @guard.told
-    def export_csv(self):
-        path = file_dialogs.ask_table(self.obj.Label)
-        if path:
-            clearance_table.write_csv(self.report, path)
-
-    @guard.told
-    def export_sheet(self):
-        self.document.openTransaction(translate("Messages", "Clearance table"))
-        clearance_table.make_spreadsheet(self.obj, self.report)
-        self.document.commitTransaction()
-        self.document.recompute()
 
     def leave(self):
         if self.obj is not None and widgets.alive(self.obj):

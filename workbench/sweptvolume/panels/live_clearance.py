@@ -5,7 +5,7 @@ import threading
 from PySide import QtCore
 
 from .. import convert, core_paths, runner
-from ..features import clearance_plan, path_plan
+from ..features import clearance_plan, path_plan, still_parts
 from ..features.moving import Seen
 from .newest import NewestTask
 
@@ -36,7 +36,7 @@ class _Scene:
         still, notes, _ = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
         self.beside = clearance_plan.Request(None, still, True, {}, None, notes)
         #: Nearer than this cannot be told from contact.
-        self.chord = clearance_plan.chord_of([pair], DEFLECTION) + max(n.chord for n in still)
+        self.chord = still_parts.chord_of([pair], DEFLECTION) + max(n.chord for n in still)
         self.live, self.names, self._lock = None, [], threading.Lock()
 
     def ready(self, control):

@@ -54,16 +54,18 @@ class _KindDelegate(QtWidgets.QStyledItemDelegate):
 
 
 class RulesTable(QtWidgets.QTableWidget):
-    """kinds: those that may be chosen. head: of the column of lengths, without the unit."""
+    """kinds: those that may be chosen. head: of the column of lengths, without the unit. label: how people
+    call what has a rule; title: what such a thing is."""
 
-    def __init__(self, name, head, kinds=KINDS, height=110):
+    def __init__(self, name, head, kinds=KINDS, height=110, label=None, title=""):
         super().__init__(0, 3)
+        self.label = label or (lambda pair: convert.label_of(*pair))
         self.setObjectName(name)
         self.pairs = []
         self.one, self.unit = quantities.length_unit()
         self.setHorizontalHeaderLabels(
             [
-                translate("Panels", "Neighbour"),
+                title or translate("Panels", "Neighbour"),
                 "{} ({})".format(head, self.unit),
                 translate("Panels", "Rule"),
             ]
@@ -106,7 +108,7 @@ class RulesTable(QtWidgets.QTableWidget):
         self.setRowCount(len(self.pairs))
         for row, pair in enumerate(self.pairs):
             length_state, kind_state = given.get(pair, [("", None), (_name(REQUIRED), REQUIRED)])
-            name = QtWidgets.QTableWidgetItem(convert.label_of(*pair))
+            name = QtWidgets.QTableWidgetItem(self.label(pair))
             name.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable)
             name.setToolTip(name.text())
             length = _item(*length_state)
@@ -140,7 +142,7 @@ class RulesTable(QtWidgets.QTableWidget):
                     self.setCurrentCell(row, LENGTH)
                     raise InputProblem(
                         translate("Messages", '"{0}": a clearance of {1} is not possible.').format(
-                            convert.label_of(*pair), text
+                            self.label(pair), text
                         )
                     )
             if rule.asks():

@@ -7,6 +7,7 @@ from ..convert import InputProblem, leaves, pairs_of, root_path, split_path, tar
 from ..features.base import kind_of, objects_of_kind
 from ..features.clearance import is_clearance
 from ..features.envelope import Envelope, is_envelope
+from ..features.mechanism import is_mechanism
 from ..features.motion import Motion, is_motion, parts_of
 from ..features.solid import can_be_source, is_solid
 from ..texts import translate
@@ -30,7 +31,8 @@ def _target(pair):
 
 
 def _ours(obj):
-    return is_envelope(obj) or is_motion(obj) or is_solid(obj) or is_clearance(obj)
+    tests = (is_envelope, is_motion, is_solid, is_clearance, is_mechanism)
+    return any(test(obj) for test in tests)
 
 
 def parts():
@@ -82,6 +84,16 @@ def solid():
 def clearance():
     """The selected clearance check, or None."""
     return _first(is_clearance)
+
+
+def mechanism():
+    """The selected mechanism check, or None."""
+    return _first(is_mechanism)
+
+
+def motions():
+    """All selected motions."""
+    return [target for target in map(_target, paths()) if target is not None and is_motion(target)]
 
 
 def source():

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel: a motion from a path object."""
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import runner
 from ..convert import InputProblem
-from ..features import motion
+from ..features import joint_motions, motion
 from ..texts import translate
 from ..trajectory import driven
 from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ACCURACY, ORIENTATIONS
 from ..trajectory.poses import FRAME_HELP, FRAMES, INTERPOLATIONS
-from ..trajectory.sources import DEFAULTS, frame_of, interpolation_of
-from . import focus, guard, widgets
+from ..trajectory.sources import DEFAULTS, FROM_JOINTS, Settings, frame_of, interpolation_of
+from . import focus, frames_run, guard, widgets
 from .widgets import QtWidgets
 
 
@@ -41,6 +42,10 @@ class SourcePanel:
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
+        if self._all_parts():  # poses of joints are where the parts are
+            self.frame.setEnabled(False)
+            text = translate("Panels", "Every part that moves gets a motion: no part is chosen.")
+            widgets.show_message(self.message, text)
         layout.addWidget(self.message)
         layout.addStretch(1)
 
@@ -172,12 +177,34 @@ class SourcePanel:
     @guard.told
     def accept(self):
         guard.check_fields(self.form)
+        if self._all_parts():
+            return self._take_all({name: read() for name, read in self.values.items()})
         with runner.transaction(self.document, self.title):
             obj = self._written({name: read() for name, read in self.values.items()})
             if obj.Message != self.told:
                 self.told = obj.Message
                 once_more = translate("Panels", "OK once more takes the motion as it is.")
                 raise InputProblem("{} {}".format(self.told, once_more))
+        Gui.Control.closeDialog()
+        return True
+
+    def _all_parts(self):
+        """Whether no part is chosen: all that the source moves are taken."""
+        return self.obj is None and self.kind in FROM_JOINTS and len(self.objects) == 1
+
+    def _take_all(self, values):
+        """Motions of all parts that the source moves. Raises InputProblem."""
+        settings = Settings(self.kind, objects=self.objects, **values)
+        with runner.transaction(self.document, self.title):
+            run = frames_run.recorded(self.document, settings)
+            if run is None:
+                return False
+            found, notes = joint_motions.take(self.document, settings, run)
+            for obj in found:
+                obj.Interpolation = self.interpolation.currentData()
+            self.document.recompute()
+        for text in dict.fromkeys(notes + [obj.Message for obj in found if obj.Message]):
+            App.Console.PrintWarning(text + "\n")
         Gui.Control.closeDialog()
         return True
 

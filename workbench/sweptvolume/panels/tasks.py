@@ -7,8 +7,8 @@ import tempfile
 
 import FreeCAD as App
 
-from .. import contents, export, quantities
-from ..features import clearance, envelope, solid
+from .. import contents, core, export, quantities
+from ..features import clearance, envelope, mechanism, solid
 from ..runner import Task
 from ..texts import mark, translate
 from ..views import surface
@@ -149,6 +149,62 @@ class FirstContactsTask(Task):
 
     def finish(self, value):
         self.found = clearance.contacts_from(self.request, value)
+
+
+class MechanismTask(PlanTask):
+    """Checks a mechanism."""
+
+    TITLE = mark("Messages", "Check mechanism")
+    FEATURE = mechanism
+
+    def make(self):
+        return mechanism.make_mechanism(self.document)
+
+    def summary(self, value):
+        return self.obj.Summary
+
+
+class PairContactsTask(Task):
+    """What touches when the common time of a mechanism begins. found: {key of pair_rules: Rule} that would
+    allow it."""
+
+    writes = False
+
+    def __init__(self, plan):
+        self.title = translate("Messages", "Look for contacts")
+        self.document, self.found = plan.document, {}
+        self.request = plan.request()
+        self.watched = [o for o in plan.objects() if o.Document is plan.document]
+
+    def work(self, control):
+        return mechanism.offered(self.request, control)
+
+    def finish(self, value):
+        self.found = value
+
+
+class ShapesTask(Task):
+    """The moving parts of a mechanism as they are drawn. found: (as surface.drawn(), whether it is solid,
+    placement at a time) of each."""
+
+    writes = False
+
+    def __init__(self, plan, most):
+        self.title, self.document = translate("Messages", "Read parts"), plan.document
+        self.most, self.found = most, []
+        self.parts = plan.seen()
+
+    def work(self, control):
+        found = []
+        for body, course in self.parts:
+            if control.is_cancelled():
+                raise core.cancelled()
+            arrays = body.vertices, body.triangles
+            found.append((surface.drawn(*arrays, self.most), surface.is_solid(*arrays), course))
+        return found
+
+    def finish(self, value):
+        self.found = value
 
 
 def warn_of(report, label):

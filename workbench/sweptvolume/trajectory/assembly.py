@@ -9,7 +9,7 @@ import math
 from ..convert import InputProblem, global_placement, matrix_of, root_path
 from ..quantities import count, number
 from ..texts import translate
-from .poses import Poses
+from .frames import no_frames, poses_of
 
 _CALLS = ("generateSimulation", "numberOfFrames", "updateForFrame")
 
@@ -39,7 +39,8 @@ def assembly_of(simulation):
     )
 
 
-def _pair(objects):
+def pair(objects):
+    """(the simulation, the part to watch). Raises InputProblem."""
     if len(objects) != 2 or not is_simulation(objects[0]):
         raise InputProblem(
             translate("Messages", "choose a simulation of an assembly, then the part to watch.")
@@ -53,26 +54,25 @@ def _seconds(value):
 
 def poses(objects):
     """objects: the simulation, the part to watch."""
-    simulation, part = _pair(objects)
+    simulation, part = pair(objects)
+    return poses_of(frames(simulation), part)
+
+
+def frames(simulation):
+    """A run, as frames.py has them."""
     assembly = assembly_of(simulation)
     start, step = _seconds(simulation.aTimeStart), _seconds(simulation.cTimeStepOutput)
-    found = []
     try:
         assembly.generateSimulation(simulation)
-        for frame in range(1, assembly.numberOfFrames()):
-            assembly.updateForFrame(frame)
-            found.append(global_placement(*root_path(part)))
+        found = assembly.numberOfFrames() - 1
+        if found < 2:
+            raise no_frames(simulation.Label)
+        for frame in range(found):
+            assembly.updateForFrame(frame + 1)
+            yield start + step * frame
     finally:
         assembly.updateForFrame(0)
-    if len(found) < 2:
-        raise InputProblem(
-            translate("Messages", '"{0}" gave no frames: does it run in its own panel?').format(
-                simulation.Label
-            )
-        )
-    times = [start + step * i for i in range(len(found))]
-    note = shortfall(simulation.Label, start, _seconds(simulation.bTimeEnd), step, len(found))
-    return Poses(times, found, note=note)
+    return shortfall(simulation.Label, start, _seconds(simulation.bTimeEnd), step, found)
 
 
 def shortfall(label, start, end, step, frames):
@@ -92,7 +92,7 @@ def shortfall(label, start, end, step, frames):
 
 def signature(objects):
     """Text that changes when the simulation or the place of the part does."""
-    simulation, part = _pair(objects)
+    simulation, part = pair(objects)
     words = [repr(_seconds(getattr(simulation, n))) for n in ("aTimeStart", "bTimeEnd")]
     words.append(repr(_seconds(simulation.cTimeStepOutput)))
     for motion in getattr(simulation, "Group", []):

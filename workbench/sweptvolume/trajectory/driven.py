@@ -9,7 +9,8 @@ import FreeCAD as App
 
 from ..convert import InputProblem, global_placement, matrix_of, root_path
 from ..texts import translate
-from .poses import Poses, even_times
+from .frames import check_valid
+from .poses import even_times
 
 #: Types of properties that hold one number.
 _NUMBERS = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyPercent")
@@ -140,30 +141,24 @@ def is_driver(obj):
     return bool(names_of(obj))
 
 
-def poses(objects, name, start, end, count, duration):
-    """objects: the object with the value, the part to watch."""
-    driver, part = _pair(objects)
+def frames(driver, name, start, end, count, duration, watched):
+    """A run, as frames.py has them. watched: objects that have to recompute in every frame."""
     handle, document = Handle(driver, name), driver.Document
-    found = []
     try:
-        for i in range(count):
+        for i, time in enumerate(even_times(count, duration / max(count - 1, 1))):
             value = start + (end - start) * i / max(count - 1, 1)
             handle.set(value)
             document.recompute()
-            if "Invalid" in part.State or "Invalid" in driver.State:
-                raise InputProblem(
-                    translate("Messages", '"{0}" = {1:g}: the document does not recompute.').format(
-                        name, value
-                    )
-                )
-            found.append(global_placement(*root_path(part)))
+            text = translate("Messages", '"{0}" = {1:g}: the document does not recompute.')
+            check_valid([driver, *watched], text.format(name, value))
+            yield time
     finally:
         handle.restore()
         document.recompute()
-    return Poses(even_times(count, duration / max(count - 1, 1)), found)
 
 
-def _pair(objects):
+def pair(objects):
+    """(the object with the value, the part to watch). Raises InputProblem."""
     if len(objects) != 2:
         raise InputProblem(
             translate(
@@ -175,6 +170,6 @@ def _pair(objects):
 
 def signature(objects, name):
     """Text that changes when the mechanism does: the value and where it puts the part."""
-    driver, part = _pair(objects)
+    driver, part = pair(objects)
     place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
     return "{!r} {}".format(Handle(driver, name).value(), place.tolist())

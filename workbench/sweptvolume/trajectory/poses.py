@@ -32,10 +32,11 @@ FRAME_HELP = mark(
 class Poses:
     """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline; note: what is
     to be known of how they were read; pivot: the point (mm, in the coordinates that are placed) that goes
-    straight or along the spline between two poses, and whose velocities the tangents give."""
+    straight or along the spline between two poses, and whose velocities the tangents give. `moved`: objects
+    that the source moves besides, where it was looked for."""
 
     def __init__(self, times, placements, tangents=(), note="", pivot=None):
-        self.note = note
+        self.note, self.moved = note, []
         self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
         self.tangents = list(tangents)
         self.times = [float(t) for t in times]

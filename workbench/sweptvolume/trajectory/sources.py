@@ -6,7 +6,7 @@ import os
 
 from ..convert import InputProblem
 from ..texts import translate
-from . import array, assembly, cam, csv_file, curve, driven, objects, robot
+from . import array, assembly, cam, csv_file, curve, driven, frames, objects, robot
 from .poses import Poses
 
 #: Each takes a step of Python or a recompute of the document.
@@ -104,19 +104,31 @@ def _cam(settings):
     )
 
 
-def _driven(settings):
-    return driven.poses(
-        settings.objects,
+def watched(settings):
+    """The part that a source of FROM_JOINTS is read for. Raises InputProblem."""
+    pair = assembly.pair if settings.kind == "Simulation" else driven.pair
+    return pair(settings.objects)[1]
+
+
+def _watched(settings):
+    part = watched(settings)
+    return frames.poses_of(run(settings, [part]), part)
+
+
+def run(settings, watched=()):
+    """A run of a source of FROM_JOINTS, which moves parts of the document together: as frames.py has it.
+    watched: objects that have to recompute in every frame. Raises InputProblem."""
+    if settings.kind == "Simulation":
+        return assembly.frames(settings.objects[0])
+    return driven.frames(
+        settings.objects[0],
         settings.get("property", ""),
         float(settings.get("start", 0.0)),
         float(settings.get("end", 1.0)),
         settings.count(DEFAULTS["Driven"]["count"], least=1),
         float(settings.get("duration", 10.0)),
+        list(watched),
     )
-
-
-def _simulation(settings):
-    return assembly.poses(settings.objects)
 
 
 def kind_for(found):
@@ -128,6 +140,7 @@ def kind_for(found):
     if len(found) == 1:
         obj = found[0]
         for kind, test in (
+            ("Simulation", assembly.is_simulation),
             ("Robot", robot.is_trajectory),
             ("CAM", cam.is_path),
             ("Array", array.is_array),
@@ -150,8 +163,8 @@ KINDS = {
     "Array": (_array, True),
     "CAM": (_cam, True),
     # Driving recomputes the document and so cannot happen inside a recompute.
-    "Driven": (_driven, False),
-    "Simulation": (_simulation, False),
+    "Driven": (_watched, False),
+    "Simulation": (_watched, False),
 }
 
 

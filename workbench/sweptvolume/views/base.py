@@ -30,6 +30,17 @@ def state_icon(name, obj):
     return shown_icon(name + _MARKS.get(getattr(obj, "Status", ""), ""))
 
 
+def verdict_icon(name, obj, verdict=None):
+    """Icon of a check: its state; where that is current, what is worst. verdict: in place of the object's."""
+    found = state_icon(name, obj)
+    if found != icon(name) or not obj.Checked:
+        return found
+    verdict = verdict or obj.Verdict
+    if verdict in ("contact", "clash"):
+        return shown_icon(name + "_clash")
+    return shown_icon(name + "_near") if verdict == "below" else found
+
+
 def run_command(obj, command):
     """Runs one of our commands on one object, as if it were selected."""
     Gui.Selection.clearSelection()

@@ -4,11 +4,11 @@ line, and the distances as colours on the envelope."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import convert, icon
+from .. import convert
 from ..features import clearance
 from ..features.clearance_plan import envelope_arrays
 from ..texts import translate
-from .base import View, run_command, shown_icon, state_icon
+from .base import View, run_command, verdict_icon
 
 #: Colours of the bands: clash, contact, too near, clear.
 BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
@@ -51,17 +51,12 @@ class ClearanceView(View):
         return mode
 
     def getIcon(self):
-        name = state_icon("SweptVolume_Clearance", self.Object)
-        if name != icon("SweptVolume_Clearance") or not self.Object.Checked:
-            return name
         verdict = self.Object.Verdict
         if not verdict:  # computed before there were rules
             near = self.Object.Smallest.Value < self.Object.Required.Value
             verdict = "below" if near else "clear"
             verdict = "clash" if self.Object.Smallest.Value <= 0 else verdict
-        if verdict in ("contact", "clash"):
-            return shown_icon("SweptVolume_Clearance_clash")
-        return shown_icon("SweptVolume_Clearance_near") if verdict == "below" else name
+        return verdict_icon("SweptVolume_Clearance", self.Object, verdict)
 
     def setupContextMenu(self, view, menu):
         text = translate("Commands", "Check clearance")
@@ -95,7 +90,7 @@ class ClearanceView(View):
         if any(a) or any(b):
             self.row.addChild(_line(a, b))
         if zoom:
-            _zoom(points, found)
+            zoom_to(points, found)
 
     def show_colours(self, obj, contact, required):
         """The envelope in bands of distance; False if there is nothing to colour."""
@@ -164,7 +159,7 @@ def _line(a, b):
     return group
 
 
-def _zoom(points, found):
+def zoom_to(points, found):
     """Looks at the shortest line, with about the body's size round it."""
     from pivy import coin
 

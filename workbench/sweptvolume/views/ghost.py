@@ -4,7 +4,8 @@ the way itself, a coarse envelope."""
 import FreeCADGui as Gui
 import numpy as np
 
-from ..convert import matrix_of
+from ..convert import InputProblem, matrix_of
+from ..texts import translate
 from . import path, surface
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
@@ -13,13 +14,26 @@ ENVELOPE_COLOUR, CLASH_COLOUR = (0.35, 0.60, 0.90), (0.90, 0.10, 0.10)
 MOVING_TRIANGLES, KEY_TRIANGLES = 6000, 1500
 
 
+def view_of(document):
+    """The 3D view of a document that is active, else its first: a spreadsheet may lie before it. Raises
+    InputProblem where there is none."""
+    gui = Gui.getDocument(document.Name)
+    active = gui.activeView()
+    views = [active] if hasattr(active, "getSceneGraph") else []
+    views += gui.mdiViewsOfType("Gui::View3DInventor")
+    if not views:
+        text = translate("Messages", '"{0}" has no 3D view: open one in the menu Window.')
+        raise InputProblem(text.format(document.Label))
+    return views[0]
+
+
 class Overlay:
     """Nodes in the active view of a document until removed; the mouse does not see them."""
 
     def __init__(self, document):
         from pivy import coin
 
-        self.graph = Gui.getDocument(document.Name).activeView().getSceneGraph()
+        self.graph = view_of(document).getSceneGraph()
         self.root = coin.SoSeparator()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
@@ -82,6 +96,35 @@ class MovingPart(Overlay):
     def show(self, placement):
         self.moving.matrix = _matrix(placement)
         self.shown.whichChild = -3  # all
+
+
+class MovingParts(Overlay):
+    """Parts that move at the same time, each at a placement of its own; not drawn before the first. parts:
+    (as surface.drawn() gives it, whether it is solid) of each."""
+
+    def __init__(self, document, parts):
+        from pivy import coin
+
+        super().__init__(document)
+        self.places, self.paints, self.shown = [], [], []
+        for drawn, solid in parts:
+            place, shown = coin.SoMatrixTransform(), coin.SoSwitch()
+            shown.addChild(place)
+            shown.addChild(surface.group_of(drawn, solid))
+            self.paints.append(self.add(KEY_COLOUR, 0.45, shown))
+            self.places.append(place)
+            self.shown.append(shown)
+
+    def show(self, placements, marked=()):
+        """marked: numbers of those that are seen in another colour."""
+        for k, placement in enumerate(placements):
+            self.places[k].matrix = _matrix(placement)
+            self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR
+            self.shown[k].whichChild = -3  # all
+
+    def hide(self):
+        for shown in self.shown:
+            shown.whichChild = -1
 
 
 class Ghosts(Overlay):

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A slider-crank whose angle is a cell of a spreadsheet: the placements of crank, rod and slider are
+expressions, and so all distances are known by formula. The crank turns about z at the origin, the slider
+goes along x. Parts lie in layers above each other, so that none meets another but where it is meant."""
+import math
+
+import FreeCAD as App
+
+V = App.Vector
+CRANK, ROD, HALF = 30.0, 80.0, 10.0  # mm: radius, length of the rod, half the slider
+STOP = 125.0  # mm: where the wall before the slider begins
+PIN = 6.0  # mm: width of crank and rod
+
+
+def _box(doc, name, lengths, low):
+    """A box as a Part::Feature in a frame of its own: the corner `low` is where it begins there."""
+    import Part
+
+    obj = doc.addObject("Part::Feature", name)
+    obj.Shape = Part.makeBox(*lengths, V(*low))
+    return obj
+
+
+def make(doc):
+    """(sheet, crank, rod, slider, wall)."""
+    sheet = doc.addObject("Spreadsheet::Sheet", "Drive")
+    sheet.set("A1", "0")
+    sheet.setAlias("A1", "angle")
+    doc.recompute()
+    crank = _box(doc, "Crank", (CRANK + PIN, PIN, 4), (-PIN / 2, -PIN / 2, 0))
+    rod = _box(doc, "Rod", (ROD + PIN, PIN, 4), (-PIN / 2, -PIN / 2, 5))
+    slider = _box(doc, "Slider", (2 * HALF, 2 * HALF, 4), (-HALF, -HALF, 0))
+    wall = _box(doc, "Wall", (5, 60, 14), (STOP, -30, 0))
+    angle = "(Drive.angle * 1 deg)"
+    y = "{} * sin({})".format(CRANK, angle)
+    tilt = "asin({} / {})".format(y, ROD)
+    pin = "{} * cos({})".format(CRANK, angle)
+    for obj, name, text in (
+        (crank, "Placement.Rotation.Angle", angle),
+        (rod, "Placement.Rotation.Angle", "-" + tilt),
+        (rod, "Placement.Base.x", pin),
+        (rod, "Placement.Base.y", y),
+        (slider, "Placement.Base.x", "{} + {} * cos({})".format(pin, ROD, tilt)),
+    ):
+        obj.setExpression(name, text)
+    for obj in (crank, rod):
+        obj.Placement = App.Placement(
+            V(), App.Rotation(V(0, 0, 1), 1)
+        )  # the axis about which it turns
+    doc.recompute()
+    return sheet, crank, rod, slider, wall
+
+
+def at(degrees):
+    """(x of the pin, y of the pin, x of the slider) at an angle of the crank."""
+    a = math.radians(degrees)
+    x, y = CRANK * math.cos(a), CRANK * math.sin(a)
+    return x, y, x + math.sqrt(ROD**2 - y**2)

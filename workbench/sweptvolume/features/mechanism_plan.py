@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a check of a mechanism looks at, read off an object or a panel: parts with motions of their own, parts
+that stand still, rules of pairs -> the input of the core as plain arrays."""
+import hashlib
+import itertools
+import json
+
+from .. import contents, convert
+from ..convert import InputProblem
+from ..quantities import number
+from ..texts import translate
+from ..trajectory.poses import Poses, at_time
+from . import containers, missing, pair_rules, status
+from . import motion as motion_feature
+from .base import set_changed
+from .moving import Seen, grouped
+from .still_parts import StillParts, chord_of, left_out_text
+
+
+#: How much coarser than for distances solids are where they are only looked at.
+DRAWN = 4
+
+
+class Part:
+    """name: of its own; pair: (root, sub); body: what has vertices and triangles; chord: mm; run: its motion
+    as core.Request, None where it stands."""
+
+    def __init__(self, name, pair, body, chord, run=None):
+        self.name, self.pair, self.body, self.chord, self.run = name, pair, body, chord, run
+
+    def moves(self):
+        return self.run is not None
+
+    def row(self):
+        """Any thread: as core.mechanism() takes it. Raises InputProblem."""
+        arrays = self.name, self.body.vertices, self.body.triangles
+        if self.run is None:
+            return (*arrays, None, "linear", self.chord)
+        motion = self.run.times, self.run.rotations, self.run.translations
+        return (*arrays, motion, self.run.interpolation, self.chord)
+
+    def points_at(self, time):
+        """Any thread: its vertices in the world at a time (s)."""
+        if self.run is None:
+            return self.body.vertices
+        placements = convert.placements_from(self.run.translations, self.run.rotations)
+        kind = "Screw" if self.run.interpolation == "screw" else "Linear"
+        there = at_time(Poses(self.run.times, placements), kind, time)
+        return convert.transform(convert.matrix_of(there), self.body.vertices)
+
+
+class Request:
+    """Input of one check as plain arrays, no document behind it."""
+
+    def __init__(self, parts, rules, all_visible, options, notes):
+        self.parts = parts
+        self.rules = rules  # {key of pair_rules: Rule}
+        self.all_visible = all_visible
+        self.options = options
+        self.notes = notes
+
+    def rows(self):
+        """Any thread: the parts for the core. One that stands, and of which no triangles can be had, is left
+        out with a note where all that are visible are taken. Raises InputProblem."""
+        rows, kept = [], []
+        for part in self.parts:
+            try:
+                rows.append(part.row())
+                kept.append(part)
+            except InputProblem as problem:
+                if part.run is not None or not self.all_visible:
+                    raise
+                self.notes.append(left_out_text(problem))
+        self.parts = kept
+        return rows
+
+    def asked(self):
+        """(name, name, rule) of the pairs of parts that ask for something of their own."""
+        found = []
+        for one, other in itertools.combinations(self.parts if self.rules else [], 2):
+            text = pair_rules.of(self.rules, one.pair, other.pair).text()
+            if text is not None and (one.moves() or other.moves()):
+                found.append((one.name, other.name, text))
+        return found
+
+
+class Plan(StillParts):
+    """What is to be checked. Reads documents only in the thread of the GUI. motions: one for each of
+    pairs."""
+
+    SETTINGS = ("Required", "Tolerance", "Deflection", "Range")
+
+    def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
+        self.document = document
+        self.pairs, self.motions = list(pairs), list(motions)
+        self.neighbours, self.all_visible = list(neighbours), all_visible
+        self.values = dict(values)
+        self.rules = {}  # of parts that stand, by themselves: there are none
+        self.pair_rules = dict(rules or {})
+        self.lost = ""  # what was deleted that the object needs
+        self._words = None
+
+    @classmethod
+    def of(cls, obj):
+        plan = cls(
+            obj.Document,
+            convert.pairs_of(obj.Generators),
+            obj.Motions,
+            convert.pairs_of(obj.Neighbours),
+            obj.AllVisible,
+            {name: getattr(obj, name).Value for name in cls.SETTINGS},
+        )
+        plan.pair_rules = plan.asked_of(obj, pair_rules)
+        return plan
+
+    def write(self, obj):
+        """Puts the plan into an object."""
+        missing.forget(obj)
+        containers.set_pairs(obj, "Generators", self.pairs)
+        set_changed(obj, "Motions", self.motions)
+        containers.set_pairs(obj, "Neighbours", self.neighbours)
+        set_changed(obj, "AllVisible", self.all_visible)
+        pair_rules.write(obj, self.pair_rules)
+        for name, value in self.values.items():
+            set_changed(obj, name, value)
+
+    def objects(self):
+        """Document objects that a run needs to its end."""
+        found = [root for root, _ in self.pairs] + self.motions
+        return [obj for obj in found if obj is not None]
+
+    def is_own(self, obj):
+        return getattr(obj, "Motion", None) in self.motions
+
+    def leaves(self):
+        """(root, path) of the parts that stand; there may be none. Raises InputProblem."""
+        return super().leaves() if self._has_standing() else []
+
+    def _has_standing(self):
+        return bool(self._all_visible() if self.all_visible else self.neighbours)
+
+    def groups(self):
+        """Parts that move together: list of Moving. Raises InputProblem where something is missing, or no
+        check is possible."""
+        if self.lost:
+            raise InputProblem(self.lost)
+        if not self.pairs:
+            raise InputProblem(convert.no_part_text())
+        if len(self.motions) != len(self.pairs):
+            text = translate(
+                "Messages", "{0} moving parts and {1} motions: give one motion for each part."
+            )
+            raise InputProblem(text.format(len(self.pairs), len(self.motions)))
+        self._check_parts()
+        for pair, motion in zip(self.pairs, self.motions):
+            if not motion_feature.is_motion(motion):
+                text = translate("Messages", '"{0}" has no motion: choose one for it.')
+                raise InputProblem(text.format(convert.label_of(*pair)))
+        groups = grouped(self.pairs, self.motions)
+        for group in groups:
+            group.check()
+        self._check_times([group.motion for group in groups])
+        return groups
+
+    def _check_parts(self):
+        """No part twice, and none inside another that moves by itself."""
+        for (one, a), (other, b) in itertools.combinations(self.pairs, 2):
+            if one is not other or not (a.startswith(b) or b.startswith(a)):
+                continue
+            names = convert.label_of(one, a), convert.label_of(other, b)
+            if a == b:
+                text = translate("Messages", '"{0}" is there twice: give each part one motion.')
+            else:
+                text = translate(
+                    "Messages",
+                    '"{0}" and "{1}": one holds the other, so that it would move twice. Take one of '
+                    "them away.",
+                )
+            raise InputProblem(text.format(*names))
+
+    def _check_times(self, motions):
+        for motion in motions:
+            if motion.Interpolation == "None":
+                text = translate(
+                    "Messages",
+                    '"{0}" only jumps from pose to pose: parts that move at the same time need a motion '
+                    "between them. Choose another interpolation.",
+                )
+                raise InputProblem(text.format(motion.Label))
+        late = max(motions, key=lambda m: m.Times[0] if m.Times else 0.0)
+        early = min(motions, key=lambda m: m.Times[-1] if m.Times else 0.0)
+        if late.Times and early.Times and late.Times[0] >= early.Times[-1] and late is not early:
+            text = translate(
+                "Messages",
+                'there is no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s.',
+            )
+            begin, end = number(late.Times[0]), number(early.Times[-1])
+            raise InputProblem(text.format(early.Label, end, late.Label, begin))
+
+    # --- what the result depends on
+
+    def hash(self):
+        """Short text that stands for all the result depends on; "" while inputs are unusable."""
+        return status.hash_or_problem(self.checked_hash)[0]
+
+    def words(self):
+        """As clearance_plan.Plan.words()."""
+        if self._words is None:
+            beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
+            words = [word for group in self.groups() for word in group.words()]
+            words += contents.words(beside) if beside else []
+            words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+            words.append(pair_rules.words(self.pair_rules))
+            self._words = words
+        return self._words
+
+    def checked_hash(self):
+        """As clearance_plan.Plan.checked_hash()."""
+        text = "\n".join(contents.texts(self.words()))
+        return status.VERSION + hashlib.sha256(text.encode()).hexdigest()[:32]
+
+    def asked_pairs(self):
+        """Keys of pair_rules of all pairs that are looked at: one of the two moves at least."""
+        moving, still = self.pairs, self.leaves()
+        return [pair_rules.key(*pair) for pair in itertools.combinations(moving, 2)] + [
+            pair_rules.key(*pair) for pair in itertools.product(moving, still)
+        ]
+
+    def names(self):
+        """{(root, sub): name} of all parts: their labels, with a number where one is there twice."""
+        found, seen = {}, {}
+        for pair in self.pairs + self.leaves():
+            name = convert.label_of(*pair)
+            count = seen[name] = seen.get(name, 0) + 1
+            found[pair] = name if count == 1 else "{} ({})".format(name, count)
+        return found
+
+    # --- the run
+
+    def request(self):
+        """The check as plain arrays. Raises InputProblem."""
+        deflection = max(float(self.values["Deflection"]), 1e-4)
+        tolerance = float(self.values["Tolerance"])
+        parts, notes, names = [], [], self.names()
+        for group in self.groups():
+            parts += self._moving_parts(group, names, deflection, 0.5 * tolerance)
+            off, text = group.hidden()
+            notes += [text] if off > tolerance else []
+            notes += [group.motion.Message] if group.motion.Message else []
+        if self._has_standing():
+            still, more, _ = self.still_parts(deflection)
+            parts += [Part(names[n.pair], n.pair, n.body, n.chord) for n in still]
+            notes += more
+        if len(parts) < 2:
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "one part alone has no distance: add a second one that moves or stands still.",
+                )
+            )
+        options = {
+            "required": float(self.values["Required"]),
+            "tolerance": tolerance,
+            "range": float(self.values["Range"]),
+        }
+        return Request(
+            parts, self.pair_rules, self.all_visible, options, list(dict.fromkeys(notes))
+        )
+
+    def seen(self):
+        """(body in the frame that its motion places, placement at a time (s) as a function) of each moving
+        part, for pictures: coarse. Raises InputProblem."""
+        found, deflection = [], DRAWN * max(float(self.values["Deflection"]), 0.05)
+        for group in self.groups():
+            into_base, course = group.into_base(), group.course()
+            for pair in group.pairs:
+                body = Seen(convert.body_from([pair], deflection), into_base)
+                found.append((pair, (body, course)))
+        order = {pair: seen for pair, seen in found}
+        return [order[pair] for pair in self.pairs]
+
+    def _moving_parts(self, group, names, deflection, straight):
+        """The parts of one motion; straight: mm by which straight pieces may leave a curved way."""
+        into_base, run = group.into_base(), None
+        parts = []
+        for pair in group.pairs:
+            body = Seen(convert.body_from([pair], deflection), into_base, group.motion)
+            run = run or group.request(body, straight, {})
+            chord = chord_of([pair], deflection) + (straight if group.curved() else 0.0)
+            parts.append(Part(names[pair], pair, body, chord, run))
+        return parts

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All parts that a driver or a simulation moves, found in one run of it. A part is the outermost group, link
+or body that moves as a rigid whole."""
+import numpy as np
+
+from .. import convert
+from ..trajectory import sources
+from ..trajectory.frames import Recording
+from . import containers
+
+#: A part moves where its placement changes by more than this (mm, or of a matrix).
+STILL = 1e-6
+
+
+def _leaves(document):
+    """(root, path) of all visible solids and meshes."""
+    return [
+        (root, path)
+        for root in containers.standing(document)
+        if root.Visibility
+        for linked, path in convert.leaves(root)
+        if convert.solid_like(linked)
+    ]
+
+
+class Run(Recording):
+    """Watches all parts of a document while a source of sources.FROM_JOINTS runs. settings: its objects are
+    the source, and the part that has to recompute, if there is one."""
+
+    def __init__(self, document, settings):
+        self.leaves = _leaves(document)
+        places = [(root, above) for root, sub in self.leaves for above in convert.paths_to(sub)]
+        places += [convert.root_path(part) for part in settings.objects[1:]]
+        places = list(dict.fromkeys(places))
+        super().__init__(sources.run(settings, settings.objects[1:]), places)
+
+    def poses_at(self, place):
+        """Poses of one of the places."""
+        return self.poses(self.places.index(place))
+
+    def moved(self):
+        """(root, sub) of the parts that moved."""
+        found = {
+            place: np.array([convert.matrix_of(p) for p in placements])
+            for place, placements in zip(self.places, self.placements)
+        }
+
+        def moves(place):
+            return _change(found[place]) > STILL
+
+        def carries(place):
+            root, sub = place
+            back = np.linalg.inv(found[place])
+            below = [p for p in self.leaves if p[0] is root and p[1].startswith(sub)]
+            return all(_change(back @ found[p]) <= STILL for p in below)
+
+        parts = []
+        for root, sub in self.leaves:
+            if moves((root, sub)):
+                whole = [
+                    (root, a)
+                    for a in convert.paths_to(sub)
+                    if moves((root, a)) and carries((root, a))
+                ]
+                parts.append((whole or [(root, sub)])[0])
+        return list(dict.fromkeys(parts))
+
+
+def _change(matrices):
+    """How far 4x4 matrices (k, 4, 4) are from the first of them."""
+    return float(abs(matrices - matrices[0]).max()) if len(matrices) else 0.0
+
+
+def read(document, settings):
+    """As sources.read(); of what moves several parts, `moved` of the poses names the objects that moved
+    beside the part that is watched."""
+    if settings.kind not in sources.FROM_JOINTS:
+        return sources.read(settings)
+    part = sources.watched(settings)
+    run = Run(document, settings).run()
+    poses = run.poses_at(convert.root_path(part))
+    others = convert.targets(run.moved())
+    poses.moved = [obj for obj in dict.fromkeys(others) if obj is not part]
+    return poses

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rules of pairs of parts that move at the same time: what two parts ask for in place of the common distance
+(neighbour_rules.Rule). In a document they are three lists: the two parts of each rule one after the other,
+the kinds, the lengths (mm). A rule of a group holds for what is below it."""
+from .. import convert
+from ..convert import InputProblem
+from ..texts import translate
+from . import containers, neighbour_rules
+from .neighbour_rules import Rule
+
+
+def key(one, other):
+    """Two parts, each (root, sub), in an order of their own."""
+    return tuple(sorted((one, other), key=lambda pair: (pair[0].Name, pair[1])))
+
+
+def label_of(pair):
+    """How people call a pair of parts."""
+    return " - ".join(convert.label_of(*part) for part in pair)
+
+
+def read(obj):
+    """{key: Rule} of an object of ours. Raises InputProblem where its lists do not fit each other."""
+    parts = convert.pairs_of(obj.RuleParts)
+    if not len(parts) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
+        raise InputProblem(
+            translate(
+                "Messages",
+                'the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} '
+                "lengths): give them anew.",
+            ).format(obj.Label, len(parts), len(obj.RuleKinds), len(obj.RuleLengths))
+        )
+    rules = {}
+    for k, (kind, length) in enumerate(zip(obj.RuleKinds, obj.RuleLengths)):
+        pair, rule = key(parts[2 * k], parts[2 * k + 1]), Rule(kind, length)
+        neighbour_rules.check(rule, label_of(pair))
+        if kind == neighbour_rules.CONTACT and not rule.length:
+            rule.length = None
+        if pair in rules and rules[pair] != rule:
+            raise neighbour_rules.contradiction(label_of(pair))
+        rules[pair] = rule
+    return rules
+
+
+def write(obj, rules):
+    """Puts rules into an object of ours, if they are others than now."""
+    given = []
+    for (one, other), rule in rules.items():
+        if rule.asks():
+            firsts, seconds = (containers.links_for(obj, [part]) for part in (one, other))
+            given += [((a, b), rule) for a in firsts for b in seconds]
+    neighbour_rules.set_lists(
+        obj, [link for pair, _ in given for link in pair], [r for _, r in given]
+    )
+
+
+def of(rules, one, other):
+    """The rule of two parts: their own, or that of the smallest groups around them."""
+    found, letters = Rule(), -1
+    for pair, rule in rules.items():
+        for a, b in (pair, pair[::-1]):
+            holds = all(
+                root is above and path.startswith(sub)
+                for (above, sub), (root, path) in ((a, one), (b, other))
+            )
+            if holds and len(a[1]) + len(b[1]) > letters:
+                found, letters = rule, len(a[1]) + len(b[1])
+    return found
+
+
+def merged(rules, shown, given):
+    """As neighbour_rules.merged(), for pairs."""
+    if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
+        return dict(rules)
+    kept = {p: r for p, r in rules.items() if all(of({p: r}, *pair) == Rule() for pair in shown)}
+    return {**kept, **given}
+
+
+def drop(obj, gone):
+    """An object is being deleted, and its links with it: rules of which it is a part go too."""
+    links = convert.links_in(obj.RuleParts)
+    if not len(links) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
+        return
+    count = len(obj.RuleKinds)
+    kept = [k for k in range(count) if gone not in (links[2 * k][0], links[2 * k + 1][0])]
+    if len(kept) < count:
+        rules = [Rule(obj.RuleKinds[k], obj.RuleLengths[k]) for k in kept]
+        neighbour_rules.set_lists(obj, [links[i] for k in kept for i in (2 * k, 2 * k + 1)], rules)
+
+
+def words(rules):
+    """What stands for rules in the hash of inputs: the same in any order; "" where there are none."""
+    texts = [
+        "|".join([root.Name + "." + sub for root, sub in pair] + [rule.text()])
+        for pair, rule in rules.items()
+        if rule.asks()
+    ]
+    return "\n".join(sorted(texts))

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts that stand still around moving ones: chosen, or all that are visible, each solid or mesh by itself,
+with what it asks for."""
+from .. import convert
+from ..convert import InputProblem
+from ..texts import translate
+from . import containers, missing, neighbour_rules
+from . import envelope as envelope_feature
+from .base import kind_of
+
+
+#: Kinds of results that stand in the document as parts do.
+_RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
+
+
+def _linked(root, path):
+    return root.getSubObject(path, retType=1).getLinkedObject(True)
+
+
+def _parts(root, sub):
+    """(root, path) of all solids and meshes below a path; the object itself, where it is a single one,
+    whatever it is."""
+    if root.getSubObject(sub, retType=1) is None:
+        convert.leaves(root, sub)  # raises
+    found = convert.leaves(root, sub)
+    if len(found) == 1 and found[0][1] == sub:
+        return [(root, sub)]
+    return [(root, path) for linked, path in found if convert.solid_like(linked)]
+
+
+class Neighbour:
+    """A part that stands still: name, convert.Body, how far its triangles may leave its surface (mm),
+    where it is in the document (root, sub), and its rule."""
+
+    def __init__(self, name, body, chord, pair, rule):
+        self.name = name
+        self.body = body
+        self.chord = chord
+        self.pair = pair
+        self.rule = rule  # neighbour_rules.Rule
+
+
+#: Names that one sentence tells.
+_MOST_NAMES = 12
+
+
+def listed(names):
+    """Names for a sentence, each in quotation marks."""
+    words = ['"{}"'.format(name) for name in names[:_MOST_NAMES]]
+    return ", ".join(words + (["..."] if len(names) > _MOST_NAMES else []))
+
+
+def left_out_text(problem):
+    return translate("Messages", "Left out: {0}").format(problem)
+
+
+def no_neighbour():
+    return InputProblem(
+        translate("Messages", "no neighbour is given: choose parts or show some others.")
+    )
+
+
+def chord_of(pairs, deflection):
+    """How far (mm) the triangles of parts may leave them: meshes are what they are."""
+    shapes = any(
+        not linked.isDerivedFrom("Mesh::Feature")
+        for root, sub in pairs
+        for linked, _ in convert.leaves(root, sub)
+    )
+    return deflection if shapes else 0.0
+
+
+class StillParts:
+    """Half of a plan: it has `document`, `pairs` (what moves), `neighbours`, `all_visible` and `rules`
+    ({(root, sub): Rule}), and knows which results of ours are its own."""
+
+    def asked_of(self, obj, rules):
+        """The rules of an object, by rules.read(); notes in `lost` what was deleted that it needs, or is
+        damaged."""
+        self.lost = missing.text(obj)
+        try:
+            return rules.read(obj)
+        except InputProblem as problem:
+            self.lost = self.lost or str(problem)
+            return {}
+
+    def is_own(self, obj):
+        """Whether an envelope is the sweep of the moving parts themselves."""
+        raise NotImplementedError
+
+    def leaves(self):
+        """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts.
+        Raises InputProblem where something was chosen that cannot be checked."""
+        found = self._all_visible() if self.all_visible else self._chosen()
+        if not found:
+            raise no_neighbour()
+        return found
+
+    def _chosen(self):
+        found = []
+        for root, sub in self.neighbours:
+            below = [pair for pair in _parts(root, sub) if not self._moves(*pair)]
+            if not below:
+                raise self._not_checked(root, sub)
+            found += [pair for pair in below if pair not in found]
+        return found
+
+    def _all_visible(self):
+        found = []
+        for root in containers.standing(self.document):
+            if root.Visibility:
+                found += [
+                    (r, path)
+                    for r, path in _parts(root, "")
+                    if not kind_of(_linked(r, path)) and not self._moves(r, path)
+                ]
+        return found
+
+    def left_out(self):
+        """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""
+        if not self.all_visible:
+            return []
+        labels = [
+            o.Label
+            for o in self.document.Objects
+            if kind_of(o) in _RESULTS and o.Visibility and not self._is_sweep(o)
+        ]
+        if not labels:
+            return []
+        return [
+            translate(
+                "Messages",
+                "Left out: {0} (envelopes and their solids are checked where they are chosen as "
+                "neighbours).",
+            ).format(", ".join('"{}"'.format(label) for label in labels))
+        ]
+
+    def _is_sweep(self, obj):
+        while kind_of(obj) == _RESULTS[1] and obj.Source is not None:
+            obj = obj.Source
+        return self.is_own(obj)
+
+    def _not_checked(self, root, sub):
+        label = convert.label_of(root, sub)
+        if any(self._moves(*pair) for pair in _parts(root, sub)):
+            return InputProblem(
+                translate(
+                    "Messages",
+                    '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
+                ).format(label)
+            )
+        return InputProblem(
+            translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
+        )
+
+    def _moves(self, root, path):
+        return any(root is r and path.startswith(s) for r, s in self.pairs)
+
+    def still_parts(self, deflection):
+        """(neighbours as plain values, notes on what was left out, names of the ignored). Raises
+        InputProblem."""
+        neighbours, notes, ignored = [], self.left_out(), []
+        for pair in self.leaves():
+            name = convert.label_of(*pair)
+            rule = neighbour_rules.of(self.rules, *pair)
+            neighbour_rules.check(rule, name)
+            if rule.kind == neighbour_rules.IGNORE:
+                ignored.append(name)
+                continue
+            try:
+                part = convert.body_from([pair], deflection)
+            except InputProblem as problem:
+                if not self.all_visible:
+                    raise
+                notes.append(left_out_text(problem))
+                continue
+            neighbours.append(Neighbour(name, part, chord_of([pair], deflection), pair, rule))
+        return neighbours, notes, ignored

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel of a mechanism check: parts with their motions, parts that stand, rules of pairs, run, result.
+But for the motions of a driver or a simulation, nothing is written to the document before a run has ended
+well."""
+import FreeCADGui as Gui
+
+from .. import quantities
+from ..convert import InputProblem, label_of
+from ..features import mechanism, pair_rules
+from ..texts import translate
+from . import focus, guard, selection, widgets
+from .mechanism_result import ResultPanel
+from .moving_box import MovingBox
+from .rules_table import RulesTable
+from .tasks import MechanismTask, PairContactsTask
+from .widgets import QtWidgets
+
+DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05, "Range": 0.0}
+#: More pairs than this and only those that came near, or have a rule, are listed.
+MOST_PAIRS = 300
+
+
+class MechanismPanel(ResultPanel):
+    """Makes a new check (obj None) or shows and repeats one."""
+
+    def __init__(self, document, pairs=(), motions=(), obj=None):
+        self.document, self.obj, self.run, self.report = document, obj, None, None
+        self.rules, self.neighbours, all_visible, values = {}, [], False, DEFAULTS
+        if obj is not None:
+            plan = mechanism.Plan.of(obj)
+            pairs, motions, self.neighbours = plan.pairs, plan.motions, plan.neighbours
+            self.rules, all_visible, values = plan.pair_rules, plan.all_visible, plan.values
+        title = translate("Panels", "Mechanism")
+        self.form, self.layout = widgets.window(title, "SweptVolume_Mechanism")
+        self.box = widgets.RunBox()
+        self.message = widgets.message_label()
+        self.layout.addWidget(self.box)
+        self.layout.addWidget(self.message)
+        self.moving = MovingBox(document, pairs, motions, self.layout, self.message)
+        self._build_inputs(all_visible, values)
+        self._build_result()
+        self.moving.changed.connect(self.show_inputs)
+        self.show_inputs()
+        self.show_result()
+        if obj is not None and plan.lost:
+            widgets.show_message(self.message, plan.lost)
+        self.watch = widgets.DocumentWatch(document, self.reject)
+
+    # --- building
+
+    def _build_inputs(self, all_visible, values):
+        rows = widgets.group(translate("Panels", "Check"), self.layout)
+        self.all = QtWidgets.QCheckBox(
+            translate("Panels", "Other visible parts, which stand still")
+        )
+        self.all.setObjectName("SweptVolumeStanding")
+        self.all.setChecked(bool(all_visible))
+        self.chosen = QtWidgets.QLabel()
+        self.chosen.setWordWrap(True)
+        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
+        self.take.setObjectName("SweptVolumeTakeStanding")
+        self.asked = RulesTable(
+            "SweptVolumePairRules",
+            translate("Panels", "length"),
+            height=130,
+            label=pair_rules.label_of,
+            title=translate("Panels", "Pair"),
+        )
+        self.touching = widgets.hint(
+            QtWidgets.QPushButton(translate("Panels", "Allow what &touches at first")),
+            translate(
+                "Panels",
+                "Parts that touch when the common time begins, as at their joints, may touch at any time",
+            ),
+        )
+        self.touching.setObjectName("SweptVolumeTouchingPairs")
+        for widget in (self.all, self.chosen, self.take, self.asked, self.touching):
+            rows.addRow(widget)
+        self.fields = {
+            "Required": (translate("Panels", "Required distance"), 0.0, 0.5),
+            "Range": (translate("Panels", "List pairs nearer than"), 0.0, 1.0),
+            "Tolerance": (translate("Panels", "Tolerance"), 1e-6, 0.01),
+            "Deflection": (translate("Panels", "Mesh deflection"), 1e-4, 0.01),
+        }
+        for name, (text, least, step) in self.fields.items():
+            field = widgets.length(values[name], least, step)
+            field.setObjectName("SweptVolumeMechanism" + name)
+            rows.addRow(text, field)
+            self.fields[name] = field
+        tip = translate(
+            "Panels", "0: a tenth of the size of the parts, and at least what the rules need"
+        )
+        widgets.hint(self.fields["Range"], tip)
+        self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
+        self.check.setObjectName("SweptVolumeCheckMechanism")
+        self.check.setDefault(True)  # Enter
+        rows.addRow(self.check)
+        self.check.clicked.connect(lambda *ignored: self.start())
+        self.touching.clicked.connect(lambda *ignored: self.allow_touching())
+        self.take.clicked.connect(lambda *ignored: self._take())
+        self.all.toggled.connect(lambda *ignored: self.show_inputs())
+
+    # --- inputs
+
+    @guard.told
+    def _take(self):
+        moving = self.moving.pairs
+        self.neighbours = [pair for pair in selection.parts() if pair not in moving]
+        self.all.setChecked(False)
+        self.show_inputs()
+
+    def plan(self):
+        values = {name: float(f.property("rawValue")) for name, f in self.fields.items()}
+        pairs, motions, standing = self.moving.pairs, self.moving.motions, self.all.isChecked()
+        plan = mechanism.Plan(self.document, pairs, motions, self.neighbours, standing, values)
+        plan.pair_rules = pair_rules.merged(self.rules, self.asked.pairs, self.asked.rules())
+        return plan
+
+    @guard.told
+    def show_inputs(self):
+        """What stands, and the pairs with their rules."""
+        try:
+            plan = self.plan()
+            standing, pairs = plan.leaves(), plan.asked_pairs()
+        except (InputProblem, RuntimeError) as problem:
+            self.chosen.setText(str(problem))
+            return
+        names = [label_of(*pair) for pair in standing]
+        more = "" if len(names) <= 6 else " ..."
+        text = translate("Panels", "{0} parts that stand: {1}")
+        self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
+        if len(pairs) > MOST_PAIRS:
+            near = self._near(plan)
+            pairs = [p for p in pairs if p in near or pair_rules.of(self.rules, *p).asks()]
+        new = [pair for pair in pairs if pair not in self.asked.pairs]
+        self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})
+
+    def _near(self, plan):
+        """Keys of the pairs of the stored result."""
+        report = mechanism.report_of(self.obj) if self.obj is not None else None
+        parts = {name: pair for pair, name in plan.names().items()}
+        rows = report["pairs"] if report else []
+        names = [(row["first"], row["second"]) for row in rows]
+        return {pair_rules.key(parts[a], parts[b]) for a, b in names if a in parts and b in parts}
+
+    # --- run
+
+    def start(self):
+        if not self.begin(
+            lambda: MechanismTask(self.document, self.plan(), self.obj),
+            self.ended,
+            lambda: self.plan().words(),
+            self.start,
+        ):
+            return False
+        self._enable(False)
+        return True
+
+    def allow_touching(self):
+        """Looks for what touches when the common time begins, and allows it in the table."""
+        if self.begin(lambda: PairContactsTask(self.plan()), self.ended):
+            self._enable(False)
+
+    def _enable(self, on):
+        for button in (self.check, self.touching):
+            button.setEnabled(on)
+
+    def _allow(self, found):
+        rules = self.asked.rules()
+        listed = self.asked.pairs + [pair for pair in found if pair not in self.asked.pairs]
+        self.asked.show_pairs(listed, {**rules, **found})
+        if not found:
+            text = translate("Panels", "Nothing touches at the first pose.")
+        else:
+            told = [
+                "{} ({})".format(pair_rules.label_of(pair), quantities.quantity(rule.length, 3))
+                if rule.length
+                else pair_rules.label_of(pair)
+                for pair, rule in found.items()
+            ]
+            text = translate("Panels", "Contact allowed, where it is meant: {0}")
+            text = text.format(", ".join(told))
+        widgets.show_message(self.message, text)
+
+    def ended(self, run):
+        self.run = None
+        if not widgets.alive(self.document):
+            return
+        self._enable(True)
+        if run.state == "ok" and isinstance(run.task, PairContactsTask):
+            self.box.leave(self.asked)
+            self._allow(run.task.found)
+            return
+        if run.state == "ok":
+            self.obj = run.task.obj
+            self.rules = run.task.plan.pair_rules
+            Gui.Selection.clearSelection()
+            self.show_inputs()
+            self.show_result()
+            self.box.leave(self.table)
+            return
+        self.box.leave(self.form)
+        widgets.show_failure(self.message, run)
+
+
+def show(document, **given):
+    panel = MechanismPanel(document, **given)
+    focus.show(panel)
+    return panel

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a mechanism check looks in the tree; what it shows in the 3D view belongs to its panel."""
+from ..texts import translate
+from .base import View, run_command, verdict_icon
+
+
+class MechanismView(View):
+    """View provider of the mechanism check."""
+
+    EDITOR = "SweptVolume_Mechanism"
+
+    def getIcon(self):
+        return verdict_icon("SweptVolume_Mechanism", self.Object)
+
+    def claimChildren(self):
+        """The motions of its parts stand below it in the tree."""
+        try:
+            found = [motion for motion in self.Object.Motions if motion is not None]
+        except (AttributeError, ReferenceError):
+            return []
+        return list(dict.fromkeys(found))
+
+    def setupContextMenu(self, view, menu):
+        text = translate("Commands", "Check mechanism")
+        self.add_menu(menu, text, self.EDITOR, lambda: run_command(view.Object, self.EDITOR))
