@@ -35,8 +35,9 @@ import { OrbitControls } from "three-controls";
 
 const COLOURS = {
   clear: 0x8aa88f, allowed: 0x8aa88f, below: 0xe0952f, contact: 0xa06cc4, clash: 0xd8434b,
-  none: 0x9aa3ad, moves: 0x3f7fc1, envelope: 0x5fa8e0,
+  none: 0x9aa3ad, envelope: 0x5fa8e0,
 };
+const MOVING = [0x3f7fc1, 0x2b9c9c, 0x7a6bd0, 0x2f6690, 0x56b4e9, 0x5b8c5a];
 const PAUSE = 45; // ms between two frames that are played
 // Lights are counted in other units since this revision.
 const LIGHT = Number(REVISION) >= 155 ? Math.PI : 1;
@@ -74,6 +75,7 @@ class View {
     const lamp = new DirectionalLight(0xffffff, 0.6 * LIGHT);
     lamp.position.set(-0.4, 0.7, 1);
     this.camera.add(lamp);
+    this.moving = 0;
     this.parts = data.parts.map((part) => this.addPart(part));
     this.addLine();
     this.frame = 0;
@@ -90,7 +92,8 @@ class View {
   }
 
   addPart(part) {
-    const colour = part.kind === "stands" ? COLOURS[part.verdict] : COLOURS[part.kind];
+    const colour = part.kind === "moves" ? MOVING[this.moving++ % MOVING.length]
+      : COLOURS[part.kind === "stands" ? part.verdict : part.kind];
     const material = new MeshPhongMaterial({
       color: colour, shininess: 12, specular: 0x222222, side: DoubleSide,
       transparent: part.kind === "envelope", opacity: part.kind === "envelope" ? 0.25 : 1,
@@ -164,7 +167,7 @@ class View {
   }
 
   home() {
-    this.look(this.centre, this.size * 1.25);
+    this.look(this.centre, this.size * 0.85);
   }
 
   look(target, distance) {

@@ -65,6 +65,9 @@ std::string reportPage(const std::string& report, const PageOptions& options, Ru
 /// HTML that Qt's text documents know; no 3D view). Throws Error(InvalidInput, "BadOption").
 std::string pageTemplate(const std::string& name = "page");
 
+/// Throws Error(InvalidInput, "BadTemplate") where reportPage() would, without a report.
+void checkPageTemplate(const std::string& layout);
+
 /// False where the core was built without three.js: pages have no 3D view then, and say so.
 bool pageHasView();
 

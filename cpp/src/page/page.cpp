@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/page.h"
 
+#include <array>
 #include <map>
 
 #include "page/graph.h"
@@ -45,6 +46,11 @@ std::string pageOf(const std::string& report, const PageOptions& options, RunCon
   return filled(options.layout.empty() ? pageTemplate() : options.layout, values);
 }
 
+/// What pageOf() fills in.
+constexpr std::array kPlaceholders{
+    "data",  "date",     "findings", "graph", "inputs", "language", "made_by", "pictures",
+    "rules", "settings", "style",    "table", "title",  "verdict",  "version", "view"};
+
 }  // namespace
 }  // namespace page
 
@@ -55,6 +61,12 @@ std::string reportPage(const std::string& report, const PageOptions& options, Ru
     throw Error(Status::InvalidInput, "BadReport",
                 std::string("no page can be made of this report: ") + error.what());
   }
+}
+
+void checkPageTemplate(const std::string& layout) {
+  std::map<std::string, std::string> values;
+  for (const char* name : page::kPlaceholders) values[name];
+  page::filled(layout, values);
 }
 
 std::string pageTemplate(const std::string& name) {

@@ -87,7 +87,7 @@ std::vector<std::string> namesOf(const Json& report, const char* key) {
   std::vector<std::string> names;
   for (const Json& item : report.value(key, Json::array()))
     names.push_back(item.is_array()
-                        ? item.at(0).get<std::string>() + ", " + item.at(1).get<std::string>()
+                        ? item.at(0).get<std::string>() + " - " + item.at(1).get<std::string>()
                         : item.get<std::string>());
   return names;
 }

@@ -140,7 +140,8 @@ std::string findingsList(const Told& told, const Words& words) {
   if (items.empty())
     return section("findings", words("findings"), element("p", escaped(words("no_findings"))));
   std::string out = element("ul", "\n" + items);
-  if (words.language() != "en") out += element("p", escaped(words("findings_language")), "note");
+  if (words.language() != told.report.value("findings_language", "en"))
+    out += element("p", escaped(words("findings_language")), "note");
   return section("findings", words("findings"), out);
 }
 

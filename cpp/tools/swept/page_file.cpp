@@ -99,7 +99,9 @@ void checkPageOptions(const PageJob& job) {
   if (!job.title.empty()) badOption("--page-title is given without --page");
 }
 
-RoledFile templateFile(const PageJob& job) { return {"--page-template", job.templatePath}; }
+void addTemplate(const PageJob& job, std::vector<RoledFile>& inputs) {
+  if (!job.templatePath.empty()) inputs.push_back({"--page-template", job.templatePath});
+}
 
 PageInput inputRow(const std::string& role, const std::string& path) {
   if (isStream(path)) return {role, path == "-" ? "standard input" : path, "", ""};
@@ -109,20 +111,27 @@ PageInput inputRow(const std::string& role, const std::string& path) {
           code ? "" : std::to_string(size) + " bytes", sha256Of(path)};
 }
 
-std::string makePage(const PageJob& job, const std::string& report, std::vector<PageInput> inputs,
-                     std::vector<PagePart> parts, RunContext& run) {
+PageFrame beginPage(const PageJob& job) {
+  if (job.path.empty()) return {};
+  PageFrame frame{"", dateText()};
+  if (job.templatePath.empty()) return frame;
+  std::ostringstream text;
+  text << opened(inputPath(job.templatePath)).rdbuf();
+  frame.layout = text.str();
+  if (frame.layout.empty())
+    throw Error(Status::InvalidInput, "BadTemplate", "'" + job.templatePath + "' is empty");
+  checkPageTemplate(frame.layout);
+  return frame;
+}
+
+std::string makePage(const PageJob& job, const PageFrame& frame, const std::string& report,
+                     std::vector<PageInput> inputs, std::vector<PagePart> parts, RunContext& run) {
   PageOptions options;
   options.title = job.title;
   options.language = job.language;
   options.version = SWEPT_VERSION;
-  options.date = dateText();
-  if (!job.templatePath.empty()) {
-    std::ostringstream text;
-    text << opened(inputPath(job.templatePath)).rdbuf();
-    options.layout = text.str();
-    if (options.layout.empty())
-      throw Error(Status::InvalidInput, "BadTemplate", "'" + job.templatePath + "' is empty");
-  }
+  options.date = frame.date;
+  options.layout = frame.layout;
   options.inputs = std::move(inputs);
   options.parts = std::move(parts);
   return reportPage(report, options, run);

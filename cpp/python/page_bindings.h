@@ -1,0 +1,11 @@
+// Pages for Python.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace swept::python {
+
+void bindPage(pybind11::module_& module);
+
+}  // namespace swept::python
