@@ -2,6 +2,7 @@
 #include "page/words.h"
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "base/number_text.h"
@@ -177,7 +178,8 @@ std::string Words::operator()(const std::string& key, const std::string& zero,
 }
 
 std::string Words::number(double value, int digits) const {
-  std::string text = numberText(value, digits);
+  constexpr double kNothing = 1e-9;  // mm or s: what is left of rounding
+  std::string text = numberText(std::abs(value) < kNothing ? 0.0 : value, digits);
   if (language_ == "de")
     for (char& c : text)
       if (c == '.') c = ',';

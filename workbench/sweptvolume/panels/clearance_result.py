@@ -8,6 +8,7 @@ from ..texts import translate
 from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
+from .page_task import PageTask
 from .run_panel import StayingPanel
 from .widgets import QtWidgets
 
@@ -80,13 +81,16 @@ class ResultPanel(StayingPanel):
         self.sheet = QtWidgets.QPushButton(translate("Panels", "Spreadsheet"))
         self.csv.setObjectName("SweptVolumeCsv")
         self.sheet.setObjectName("SweptVolumeSheet")
-        buttons.addWidget(self.csv)
-        buttons.addWidget(self.sheet)
+        self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
+        self.page.setObjectName("SweptVolumeReport")
+        for button in (self.csv, self.sheet, self.page):
+            buttons.addWidget(button)
         rows.addLayout(buttons)
         self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())
         self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
+        self.page.clicked.connect(lambda *ignored: self.export_page())
 
     def _bands(self):
         """The legend of the colour map; its borders can be changed."""
@@ -225,6 +229,14 @@ class ResultPanel(StayingPanel):
         path = file_dialogs.ask_table(self.obj.Label)
         if path:
             clearance_table.write_csv(self.report, path)
+
+    @guard.told
+    def export_page(self):
+        if self.run is not None:
+            return
+        path = file_dialogs.ask_report(self.obj.Label)
+        if path:
+            self.begin(lambda: PageTask(self.obj, path), self.ended)
 
     @guard.told
     def export_sheet(self):
