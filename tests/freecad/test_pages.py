@@ -78,7 +78,7 @@ class Pages(Case):
         with open(self.doc.FileName, "rb") as file:
             self.assertEqual(rows[-1][3], hashlib.sha256(file.read()).hexdigest())
         before = [row[3] for row in rows]
-        self.path.Poses = self.line(31.0).Poses
+        self.obj.Motion = self.line(31.0)
         self.doc.recompute()
         clearance.compute(self.obj)
         after = [row[3] for row in cells(self.written(), "inputs")[1:]]

@@ -8,7 +8,6 @@ import hashlib
 import os
 import time
 
-import FreeCAD as App
 import numpy as np
 
 from . import core, settings
@@ -72,7 +71,7 @@ def template():
 class Request:
     """A page as plain values, no document behind it. check: clearance_plan.Request."""
 
-    def __init__(self, obj):
+    def __init__(self, obj, is_changed):
         self.report = clearance.report_of(obj)
         self.title = obj.Label
         self.date = date()
@@ -86,32 +85,25 @@ class Request:
         self.envelope = None
         if plan.envelope is not None and plan.envelope.Mesh.CountFacets:
             self.envelope = (plan.envelope.Label, *envelope_arrays(plan.envelope))
-        self.file = _file_of(obj.Document)
+        self.file = _file_of(obj.Document, is_changed)
 
 
-def _file_of(document):
+def _file_of(document, is_changed):
     """(name, how it stands to the document, path) of the document's file; None where there is none."""
     if not document.FileName or not os.path.isfile(document.FileName):
         return None
-    shown = App.GuiUp and _is_modified(document)
-    how = translate("Messages", "changed since it was saved") if shown else ""
+    how = translate("Messages", "changed since it was saved") if is_changed else ""
     return os.path.basename(document.FileName), how, document.FileName
 
 
-def _is_modified(document):
-    import FreeCADGui as Gui
-
-    return bool(Gui.getDocument(document.Name).Modified)
-
-
-def request(obj):
-    """What text() needs of a clearance check. Raises InputProblem where there is no result, or where it is
-    not that of the parts as they are now."""
+def request(obj, is_changed=False):
+    """What text() needs of a clearance check. is_changed: the document was, since it was saved. Raises
+    InputProblem where there is no result, or where it is not that of the parts as they are now."""
     clearance.update_status(obj)
     if clearance.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate("Messages", '"{0}" has no result that is up to date: check again first.')
         raise InputProblem(text.format(obj.Label))
-    return Request(obj)
+    return Request(obj, is_changed)
 
 
 def _hash(*arrays):

@@ -119,7 +119,7 @@ class PageTask(Task):
         self.watched = [obj]
         self.path = path
         page.check_target(path)
-        self.request = page.request(obj)
+        self.request = page.request(obj, bool(Gui.getDocument(obj.Document.Name).Modified))
         wanted = page.is_pdf(path) or not core.has_page_view()
         self.pictures = take_pictures(obj, self.request.report) if wanted else []
 
