@@ -83,9 +83,10 @@ class ResultPanel(StayingPanel):
         self.sheet.setObjectName("SweptVolumeSheet")
         self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
         self.page.setObjectName("SweptVolumeReport")
-        for button in (self.csv, self.sheet, self.page):
-            buttons.addWidget(button)
+        buttons.addWidget(self.csv)
+        buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
+        rows.addWidget(self.page)
         self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())

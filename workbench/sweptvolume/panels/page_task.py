@@ -24,6 +24,8 @@ MOST_PICTURES = 3
 PICTURE = (1200, 750)
 #: Width of pictures on A4 with its margins, in pixels of Qt's text documents.
 WIDTH = 600
+#: mm round the text on A4.
+MARGIN = 15
 _GRAPH = re.compile(r'<svg class="graph".*?</svg>', re.S)
 
 
@@ -99,7 +101,10 @@ def pdf_of(text):
     target = QtCore.QBuffer(content)
     target.open(QtCore.QIODevice.WriteOnly)
     writer = QtGui.QPdfWriter(target)
-    writer.setPageSize(QtGui.QPageSize(QtGui.QPageSize.A4))
+    margins = QtCore.QMarginsF(MARGIN, MARGIN, MARGIN, MARGIN)
+    size = QtGui.QPageSize(QtGui.QPageSize.A4)
+    upright, unit = QtGui.QPageLayout.Portrait, QtGui.QPageLayout.Millimeter
+    writer.setPageLayout(QtGui.QPageLayout(size, upright, margins, unit))
     writer.setCreator("Swept Volume")
     writer.setTitle(document.metaInformation(QtGui.QTextDocument.DocumentTitle))
     document.print_(writer)
