@@ -188,13 +188,13 @@ class Graph {
 std::string graphOf(const Told& told, const Words& words) {
   const Graph graph(told, words);
   if (graph.isEmpty()) return {};
-  std::string notes = words("graph_scale");
+  std::string notes = escaped(words("graph_scale"));
   if (told.report.contains("range"))
     notes.append(" ").append(
-        words("graph_range", words.millimetres(told.report["range"].get<double>())));
-  return section(
-      "graph", words("graph"),
-      "<div class=\"wide\">" + graph.text() + "</div>\n" + element("p", escaped(notes), "note"));
+        escaped(words("graph_range", words.millimetres(told.report["range"].get<double>()))));
+  notes.append(" ").append(element("span", escaped(words("graph_names")), "screen"));
+  return section("graph", words("graph"),
+                 "<div class=\"wide\">" + graph.text() + "</div>\n" + element("p", notes, "note"));
 }
 
 }  // namespace swept::page

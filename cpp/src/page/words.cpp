@@ -114,11 +114,10 @@ constexpr std::array kTexts{
     Word{"axis_distance", "distance (mm)", "Abstand (mm)"},
     Word{"others", "others", "weitere"},
     Word{"graph_required", "required: {0}", "gefordert: {0}"},
-    Word{"graph_scale",
-         "The scale of distances is linear near 0 and logarithmic beyond. Point at a curve to see "
-         "its name.",
-         "Die Skala der Abstände ist nahe 0 linear und darüber logarithmisch. Ein Zeiger auf einer "
-         "Kurve zeigt ihren Namen."},
+    Word{"graph_scale", "The scale of distances is linear near 0 and logarithmic beyond.",
+         "Die Skala der Abstände ist nahe 0 linear und darüber logarithmisch."},
+    Word{"graph_names", "Point at a curve to see its name.",
+         "Ein Zeiger auf einer Kurve zeigt ihren Namen."},
     Word{"graph_range", "Distances above {0} were not followed.",
          "Abstände über {0} wurden nicht verfolgt."},
     Word{"view_play", "Play", "Abspielen"},

@@ -22,11 +22,11 @@ except ImportError:  # then the PDF has no graph
 #: Pictures of a PDF: the worst neighbours.
 MOST_PICTURES = 3
 PICTURE = (1200, 750)
-#: Width of pictures on A4 with its margins, in pixels of Qt's text documents.
-WIDTH = 600
-#: mm round the text on A4.
-MARGIN = 15
+#: Widths of the graph and of pictures on A4 with its margins, in pixels of Qt's text documents.
+WIDTH, PICTURE_WIDTH = 600, 460
 _GRAPH = re.compile(r'<svg class="graph".*?</svg>', re.S)
+#: What only a screen can do.
+_SCREEN = re.compile(r'<span class="screen">.*?</span>', re.S)
 
 
 def worst_rows(report):
@@ -79,14 +79,18 @@ def _graph_image(svg):
 
 
 def _for_qt(text, document):
-    """The HTML that Qt's text documents know. The graph becomes a picture of the document."""
+    """The HTML that Qt's text documents know. The graph becomes a picture of the document; pictures need
+    both sides."""
+    text = _SCREEN.sub("", text)
     found = _GRAPH.search(text)
+    sides = (PICTURE_WIDTH, PICTURE_WIDTH * PICTURE[1] // PICTURE[0])
+    text = text.replace("<img ", '<img width="{}" height="{}" '.format(*sides))
     if found is not None and QtSvg is not None:
-        address = QtCore.QUrl("graph.png")
         image = _graph_image(found.group(0))
-        document.addResource(QtGui.QTextDocument.ImageResource, address, image)
-        text = text.replace(found.group(0), '<img alt="" src="graph.png" />')
-    text = text.replace("<img ", '<img width="{}" '.format(WIDTH))
+        document.addResource(QtGui.QTextDocument.ImageResource, QtCore.QUrl("graph.png"), image)
+        shown = '<img src="graph.png" width="{}" height="{}" />'
+        shown = shown.format(WIDTH, WIDTH * image.height() // image.width())
+        text = text.replace(found.group(0), shown)
     for unknown, known in (("figure", "div"), ("figcaption", "p")):
         text = text.replace("<" + unknown + ">", "<" + known + ">")
         text = text.replace("</" + unknown + ">", "</" + known + ">")
@@ -101,7 +105,7 @@ def pdf_of(text):
     target = QtCore.QBuffer(content)
     target.open(QtCore.QIODevice.WriteOnly)
     writer = QtGui.QPdfWriter(target)
-    margins = QtCore.QMarginsF(MARGIN, MARGIN, MARGIN, MARGIN)
+    margins = QtCore.QMarginsF()  # the text document has some of its own
     size = QtGui.QPageSize(QtGui.QPageSize.A4)
     upright, unit = QtGui.QPageLayout.Portrait, QtGui.QPageLayout.Millimeter
     writer.setPageLayout(QtGui.QPageLayout(size, upright, margins, unit))
