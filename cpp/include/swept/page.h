@@ -6,7 +6,7 @@
 // Out:   UTF-8 text: verdicts, graph of the distances (SVG), 3D view, pictures, rules, inputs,
 //        findings; the same bytes for the same input. Nothing that a report says can become markup.
 // Cost:  milliseconds, and 0.2 s for a million triangles, which are thinned for the view.
-// Described in docs/handbook/reports.md.
+// Described in docs/report.md, "Pages".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
