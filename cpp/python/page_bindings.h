@@ -1,4 +1,4 @@
-// Pages for Python.
+// Pages (swept/page.h) for Python: reports as text, parts as arrays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
