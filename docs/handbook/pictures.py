@@ -189,8 +189,6 @@ def in_dialog(name, action):
 
 def clearance(made):
     """The check of an envelope that exists."""
-    from sweptvolume import page
-
     select(made)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5
@@ -210,7 +208,6 @@ def clearance(made):
         find(QtWidgets.QWidget, name).setProperty("rawValue", float(border))
     yield 0.8
     yield from picture("clearance_colours")
-    page.write(made.Document.Clearance, os.path.join(os.environ["SWEPT_SHOTS"], "report.html"))
     click(panel_button(Close))
     yield no_panel
     made.Document.removeObject("Clearance")
@@ -218,7 +215,7 @@ def clearance(made):
 
 def bay():
     """The first tutorial."""
-    yield from engine_bay.work(picture, tempfile.mkdtemp())
+    yield from engine_bay.work(picture, os.environ["SWEPT_SHOTS"])
     App.closeDocument(App.ActiveDocument.Name)
 
 

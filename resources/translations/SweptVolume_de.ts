@@ -925,8 +925,8 @@ Versucht:
    <translation>seit dem Speichern geändert</translation>
   </message>
   <message>
-   <source>"{0}" has no result that is up to date: check again first.</source>
-   <translation>„{0}“ hat kein aktuelles Ergebnis: Prüfen Sie zuerst erneut.</translation>
+   <source>"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again first.</source>
+   <translation>„{0}“ hat kein aktuelles Ergebnis: Berechnen Sie seine Hülle neu, wenn es eine hat, und prüfen Sie erneut.</translation>
   </message>
   <message>
    <source>SOURCE_DATE_EPOCH is "{0}"; it must be seconds since 1970.</source>

@@ -101,7 +101,11 @@ def request(obj, is_changed=False):
     InputProblem where there is no result, or where it is not that of the parts as they are now."""
     clearance.update_status(obj)
     if clearance.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
-        text = translate("Messages", '"{0}" has no result that is up to date: check again first.')
+        text = translate(
+            "Messages",
+            '"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again '
+            "first.",
+        )
         raise InputProblem(text.format(obj.Label))
     return Request(obj, is_changed)
 
