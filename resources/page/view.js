@@ -26,7 +26,6 @@ import {
   PerspectiveCamera,
   REVISION,
   Scene,
-  SphereBufferGeometry as OldSphere,
   SphereGeometry,
   Vector3,
   WebGLRenderer,
@@ -127,9 +126,8 @@ class View {
     const always = { depthTest: false, transparent: true };
     this.line = new Line(new BufferGeometry(), new LineBasicMaterial({ color: 0xffd400, ...always }));
     this.line.renderOrder = 2;
-    const Sphere = OldSphere || SphereGeometry;
     this.ends = [0, 1].map(() => {
-      const end = new Mesh(new Sphere(1, 16, 12), new MeshPhongMaterial({
+      const end = new Mesh(new SphereGeometry(1, 16, 12), new MeshPhongMaterial({
         color: 0xffd400, emissive: 0x806a00, ...always,
       }));
       end.renderOrder = 3;

@@ -11,6 +11,7 @@ import re
 import shutil
 import subprocess
 
+import numpy as np
 import pytest
 
 import _swept
@@ -149,6 +150,31 @@ def test_mechanisms_and_german(tmp_path):
         "," in row["now"] or row["now"].startswith(("0 ", "1 ", "2 ")) for row in seen["rows"]
     )
     assert seen["first"]["blue"] > 300
+
+
+@pytest.mark.skipif(shutil.which("pdftotext") is None, reason="pdftotext is not installed")
+def test_nothing_is_cut_off_on_paper(tmp_path, report):
+    paper = tmp_path / "paper.pdf"
+    browse(tmp_path, page_of(report), "--no-pdf-header-footer", f"--print-to-pdf={paper}")
+    text = subprocess.run(["pdftotext", "-raw", paper, "-"], capture_output=True).stdout.decode()
+    words = " ".join(text.split())
+    for told in ("Too near for", "Depth", "below required", "Rules", "Settings", "Findings"):
+        assert told in words, (told, words)
+    below = report["neighbours"][0]["below"][0]
+    assert f"{below[1] - below[0]:.4g} s" in words and "Point at a curve" not in words
+    assert shutil.which("pdftoppm") is None or room_at_the_right(tmp_path, paper) > 0
+
+
+def room_at_the_right(tmp_path, paper):
+    """How far (mm) the first page's ink stays from the right edge."""
+    subprocess.run(
+        ["pdftoppm", "-r", "50", "-gray", "-l", "1", paper, tmp_path / "ink"], check=True
+    )
+    (picture,) = tmp_path.glob("ink*.pgm")
+    kind, width, height, _, pixels = picture.read_bytes().split(maxsplit=4)
+    rows = np.frombuffer(pixels[-int(width) * int(height) :], np.uint8).reshape(int(height), -1)
+    columns = np.flatnonzero((rows < 128).any(axis=0))
+    return (int(width) - 1 - columns.max()) * 25.4 / 50
 
 
 def test_hostile_names_stay_text(tmp_path, report):
