@@ -199,6 +199,18 @@ def test_wrong_arguments_are_named(report):
     with pytest.raises(sv.InvalidInput, match="no page can be made") as error:
         sv.report_page({"command": "clearance"})
     assert error.value.code == "BadReport"
+    if _swept.page_has_view():
+        corners = CUBE.vertices.copy()
+        corners[3, 1] = np.nan
+        cases = (
+            ((corners, CUBE.triangles), MOTION, "NonFiniteVertex", "part 'cube'"),
+            ((CUBE.vertices, CUBE.triangles + 1), MOTION, "BadIndex", "uses vertex 8"),
+            (CUBE, ([0.0], [[0.0, 0, 0, 0]], [[0.0, 0, 0]]), "BadPose", "pose 1"),
+        )
+        for mesh, motion, code, text in cases:
+            with pytest.raises(sv.InvalidInput, match=text) as error:
+                sv.report_page(report, parts=[("cube", mesh, motion)])
+            assert error.value.code == code
     damaged = json.loads(json.dumps(report))
     damaged["neighbours"][0]["distance"] = "near"
     with pytest.raises(sv.InvalidInput, match="distance is no number"):

@@ -46,7 +46,7 @@ MAY_INCLUDE = {
     # Searches for a way, and asks clearance about every step of it.
     "path": BELOW | {"clearance", "input"},
     # Tells what a report says; shapes come to it thinned through a public header.
-    "page": {"base", "motion"},
+    "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},

@@ -58,7 +58,8 @@ struct PageOptions {
 
 /// Throws Error(InvalidInput): "BadReport" for what is no report of a check or mechanism that ended
 /// well, "BadTemplate" for a template with an unknown {{placeholder}}, "BadOption" for an unknown
-/// language or type of picture; Error(Cancelled).
+/// language or type of picture, "BadIndex", "NonFiniteVertex", "OutOfRange" or "BadPose" for a part
+/// that cannot be drawn; Error(Cancelled).
 std::string reportPage(const std::string& report, const PageOptions& options, RunContext& run);
 
 /// Templates of the program: "page" (for browsers, used where none is given) or "print" (the little

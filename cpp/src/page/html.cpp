@@ -3,8 +3,6 @@
 
 #include <cstdint>
 
-#include "base/report_json.h"
-
 namespace swept::page {
 namespace {
 
@@ -48,15 +46,15 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string scriptSafe(const std::string& json) {
-  std::string out;
-  for (const char c : json) {
+std::string dataElement(const char* id, const Json& json) {
+  std::string out = std::string("<script type=\"application/json\" id=\"") + id + "\">";
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (c == '<' || c == '>' || c == '&')  // only inside texts, where JSON takes them as numbers
       out += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
     else
       out += c;
   }
-  return out;
+  return out + "</script>\n";
 }
 
 std::string base64(const void* bytes, std::size_t count) {

@@ -5,14 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "base/report_json.h"
+
 namespace swept::page {
 
 /// Text that stands for itself, in elements and in attributes. What is no UTF-8, and control
 /// characters that HTML has no place for, become U+FFFD.
 std::string escaped(const std::string& text);
 
-/// JSON inside a script element: no character of it can end the element.
-std::string scriptSafe(const std::string& json);
+/// A script element with data: no character of the JSON can end it.
+std::string dataElement(const char* id, const Json& json);
 
 /// As data: addresses and the 3D view have bytes.
 std::string base64(const void* bytes, std::size_t count);

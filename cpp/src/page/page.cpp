@@ -25,24 +25,22 @@ std::string pageOf(const std::string& report, const PageOptions& options, RunCon
                                 : options.title;
   const std::string program =
       "Swept Volume" + (options.version.empty() ? "" : " " + options.version);
-  const std::map<std::string, std::string> values{
-      {"language", words.language()},
-      {"title", escaped(title)},
-      {"date", escaped(options.date)},
-      {"version", escaped(options.version)},
-      {"made_by", escaped(words("made_by", program))},
-      {"style", resourceText("page.css")},
-      {"verdict", verdictBanner(told, words)},
-      {"table", verdictTable(told, words)},
-      {"graph", graphOf(told, words)},
-      {"view", viewOf(told, options, words, run)},
-      {"pictures", picturesOf(options.pictures, words)},
-      {"rules", rulesTable(told, words)},
-      {"settings", settingsTable(told, words)},
-      {"inputs", inputsTable(options.inputs, words)},
-      {"findings", findingsList(told, words)},
-      {"data", "<script type=\"application/json\" id=\"report\">" +
-                   scriptSafe(jsonText(told.report)) + "</script>\n"}};
+  const std::map<std::string, std::string> values{{"language", words.language()},
+                                                  {"title", escaped(title)},
+                                                  {"date", escaped(options.date)},
+                                                  {"version", escaped(options.version)},
+                                                  {"made_by", escaped(words("made_by", program))},
+                                                  {"style", resourceText("page.css")},
+                                                  {"verdict", verdictBanner(told, words)},
+                                                  {"table", verdictTable(told, words)},
+                                                  {"graph", graphOf(told, words)},
+                                                  {"view", viewOf(told, options, words, run)},
+                                                  {"pictures", picturesOf(options.pictures, words)},
+                                                  {"rules", rulesTable(told, words)},
+                                                  {"settings", settingsTable(told, words)},
+                                                  {"inputs", inputsTable(options.inputs, words)},
+                                                  {"findings", findingsList(told, words)},
+                                                  {"data", dataElement("report", told.report)}};
   return filled(options.layout.empty() ? pageTemplate() : options.layout, values);
 }
 

@@ -6,6 +6,9 @@
 #include <cstring>
 #include <limits>
 
+#include "base/limits.h"
+#include "base/number_text.h"
+#include "geometry/mesh_numbers.h"
 #include "motion/pivot.h"
 #include "motion/step_path.h"
 #include "page/html.h"
@@ -44,6 +47,29 @@ std::vector<std::size_t> sharesOf(const std::vector<PagePart>& parts, std::size_
     left -= std::min(left, shares[order[k]]);
   }
   return shares;
+}
+
+/// Throws Error(InvalidInput) for what cannot be drawn.
+void checkPart(const PagePart& part) {
+  const auto refuse = [&](const char* code, const std::string& text) {
+    throw Error(Status::InvalidInput, code, "part '" + part.name + "' of the 3D view: " + text);
+  };
+  if (const auto bad = findBadIndex(part.mesh))
+    refuse("BadIndex", "triangle " + std::to_string(bad->triangle) + " uses vertex " +
+                           std::to_string(bad->vertex) + ", which is not there");
+  const Coordinates found = measureCoordinates(part.mesh);
+  if (found.nonFinite > 0)
+    refuse("NonFiniteVertex", "vertex " + std::to_string(found.firstNonFinite[0]) +
+                                  " is not finite, " + std::to_string(found.nonFinite) + " in all");
+  if (found.largest > kLargestLength)
+    refuse("OutOfRange", "vertex " + std::to_string(found.farthest) + " lies " +
+                             numberText(found.largest) + " mm from the origin");
+  for (std::size_t i = 0; i < part.motion.poses.size(); ++i) {
+    const Pose& pose = part.motion.poses[i];
+    if (!std::isfinite(pose.timeSeconds) || !pose.translation.allFinite() ||
+        !pose.rotation.coeffs().allFinite() || !(pose.rotation.norm() > 0))
+      refuse("BadPose", "pose " + std::to_string(i + 1) + " is not finite or has no rotation");
+  }
 }
 
 void addShape(const Drawable& shape, Json& json) {
@@ -202,6 +228,7 @@ std::string viewOf(const Told& told, const PageOptions& options, const Words& wo
   for (std::size_t i = 0; i < options.parts.size(); ++i) {
     run.checkpoint(Phase::Export, i, options.parts.size());
     const PagePart& part = options.parts[i];
+    checkPart(part);
     const Drawable shape = drawableOf(part.mesh, shares[i], kCrease);
     shown += shape.indices.size() / 4;
     all += part.mesh.triangles.size();
@@ -224,14 +251,13 @@ std::string viewOf(const Told& told, const PageOptions& options, const Words& wo
   const std::string how = shown < all
                               ? words("view_simplified", std::to_string(shown), std::to_string(all))
                               : words("view_full", std::to_string(all));
-  return section(
-      "view", words("view"),
-      "<div class=\"stage\"><canvas id=\"view-canvas\"></canvas><fieldset "
-      "id=\"view-parts\"><legend>" +
-          escaped(words("view_parts")) + "</legend></fieldset></div>\n" + controls(told, words) +
-          "<p class=\"note\" id=\"view-needs\">" + escaped(words("view_needs")) + "</p>\n" +
-          element("p", escaped(how), "note") + "\n<script type=\"application/json\" id=\"scene\">" +
-          scriptSafe(jsonText(scene)) + "</script>\n<script>\n" + script + "</script>\n");
+  return section("view", words("view"),
+                 "<div class=\"stage\"><canvas id=\"view-canvas\"></canvas><fieldset "
+                 "id=\"view-parts\"><legend>" +
+                     escaped(words("view_parts")) + "</legend></fieldset></div>\n" +
+                     controls(told, words) + "<p class=\"note\" id=\"view-needs\">" +
+                     escaped(words("view_needs")) + "</p>\n" + element("p", escaped(how), "note") +
+                     "\n" + dataElement("scene", scene) + "<script>\n" + script + "</script>\n");
 }
 
 }  // namespace swept::page

@@ -73,7 +73,9 @@ TEST(PageHtml, NothingBecomesMarkup) {
   EXPECT_EQ(escaped("<script>\"a\" & 'b'"), "&lt;script&gt;&quot;a&quot; &amp; &#39;b&#39;");
   EXPECT_EQ(escaped("Gehäuse\n"), "Gehäuse\n");
   EXPECT_EQ(escaped(std::string("a\x01z\x80")), "a\xEF\xBF\xBDz\xEF\xBF\xBD");
-  EXPECT_EQ(scriptSafe("{\"a\": \"</script>&\"}"), "{\"a\": \"\\u003c/script\\u003e\\u0026\"}");
+  EXPECT_EQ(dataElement("x", {{"a", "</script>&\x80"}}),
+            "<script type=\"application/json\" id=\"x\">"
+            "{\"a\":\"\\u003c/script\\u003e\\u0026\xEF\xBF\xBD\"}</script>\n");
 }
 
 TEST(PageHtml, Base64AsInTheStandard) {  // RFC 4648, section 10
