@@ -204,7 +204,7 @@ def test_wrong_arguments_are_named(report):
         corners[3, 1] = np.nan
         cases = (
             ((corners, CUBE.triangles), MOTION, "NonFiniteVertex", "part 'cube'"),
-            ((CUBE.vertices, CUBE.triangles + 1), MOTION, "BadIndex", "uses vertex 8"),
+            ((CUBE.vertices, CUBE.triangles + 1), MOTION, "BadIndex", "vertex 8"),
             (CUBE, ([0.0], [[0.0, 0, 0, 0]], [[0.0, 0, 0]]), "BadPose", "pose 1"),
         )
         for mesh, motion, code, text in cases:
