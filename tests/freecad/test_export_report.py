@@ -102,6 +102,10 @@ class Pages(Case):
         self.doc.recompute()
         with self.assertRaisesRegex(InputProblem, "check again first"):
             self.written()
+        self.obj.Motion = None
+        self.doc.recompute()
+        with self.assertRaisesRegex(InputProblem, "(?s)check again first.*motion"):
+            self.written()
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_targets_that_cannot_be_are_named(self):

@@ -106,7 +106,7 @@ def request(obj, is_changed=False):
             '"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again '
             "first.",
         )
-        raise InputProblem(text.format(obj.Label))
+        raise InputProblem("\n".join(filter(None, (text.format(obj.Label), obj.Message))))
     return Request(obj, is_changed)
 
 
