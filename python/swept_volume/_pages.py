@@ -46,7 +46,8 @@ def report_page(
     """One HTML file, as text, that tells what a report of clearance() or mechanism() says: it needs no
     other file and no network. parts and envelope (translucent) are shown in a 3D view, with about
     view_triangles triangles. language: en or de; date: free text; template: text with {{placeholders}}
-    in place of page_template(). Raises InvalidInput (BadReport, BadTemplate, BadOption), Cancelled."""
+    in place of page_template(). Raises InvalidInput (BadReport, BadTemplate, BadOption), Cancelled.
+    """
     shown = [_part(item) for item in parts]
     if envelope is not None:
         mesh = mesh_of(envelope)
