@@ -10,6 +10,7 @@
 #include "errors.h"
 #include "file_bindings.h"
 #include "job.h"
+#include "page_bindings.h"
 #include "path_bindings.h"
 #include "priority.h"
 #include "source_bindings.h"
@@ -280,5 +281,6 @@ PYBIND11_MODULE(_swept, module) {
 #ifdef HAVE_SWEPT_CLEARANCE
   bindClearance(module);
   bindPath(module);
+  bindPage(module);
 #endif
 }

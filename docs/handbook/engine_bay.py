@@ -109,7 +109,7 @@ def work(look, folder):
     made = parts(doc)
     view = Gui.activeDocument().activeView()
     view.viewIsometric()
-    from sweptvolume import demo
+    from sweptvolume import demo, page
 
     view.setCameraOrientation(demo.view_rotation().Q)
     Gui.SendMsgToActiveView("ViewFit")
@@ -140,6 +140,7 @@ def work(look, folder):
     yield 0.5
     Gui.Selection.clearSelection()
     yield from look("bay_clearance")
+    page.write(doc.getObject("Clearance"), os.path.join(folder, "report.html"))
     click(panel_button(QtWidgets.QDialogButtonBox.Close))
     yield no_panel
     select(envelope)

@@ -216,7 +216,7 @@ def clearance(made):
 
 def bay():
     """The first tutorial."""
-    yield from engine_bay.work(picture, tempfile.mkdtemp())
+    yield from engine_bay.work(picture, os.environ["SWEPT_SHOTS"])
     App.closeDocument(App.ActiveDocument.Name)
 
 

@@ -40,6 +40,7 @@ from ._calls import (
 )
 from ._clearance import clearance, distance_to_mesh, first_contacts
 from ._mechanisms import mechanism
+from ._pages import page_template, report_page
 from ._paths import find_path, improve_path
 from ._sources import Sources
 from ._study import run_study
@@ -85,10 +86,12 @@ __all__ = [
     "first_contacts",
     "improve_path",
     "mechanism",
+    "page_template",
     "read_body",
     "read_mesh",
     "read_motion",
     "read_parts",
+    "report_page",
     "run_study",
     "write_mesh",
     "write_solid",

@@ -252,3 +252,18 @@ def distance_to_mesh(
     triangles: npt.ArrayLike,
     run: Optional[RunContext] = None,
 ) -> npt.NDArray[np.float64]: ...
+def report_page(
+    report: str,
+    title: str = "",
+    language: str = "en",
+    version: str = "",
+    date: str = "",
+    template: str = "",
+    inputs: Any = (),
+    parts: Any = (),
+    pictures: Any = (),
+    view_triangles: int = 50000,
+    run: Optional[RunContext] = None,
+) -> str: ...
+def page_template(name: str = "page") -> str: ...
+def page_has_view() -> bool: ...

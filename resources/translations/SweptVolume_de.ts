@@ -80,6 +80,18 @@
    <translation>drei Viertel des freien Speichers</translation>
   </message>
   <message>
+   <source>Reports</source>
+   <translation>Berichte</translation>
+  </message>
+  <message>
+   <source>Template</source>
+   <translation>Vorlage</translation>
+  </message>
+  <message>
+   <source>HTML with placeholders for reports of clearance checks; empty: the workbench's own</source>
+   <translation>HTML mit Platzhaltern für Berichte von Abstandsprüfungen; leer: die eigene der Arbeitsumgebung</translation>
+  </message>
+  <message>
    <source>Path editor</source>
    <translation>Bahneditor</translation>
   </message>
@@ -161,6 +173,14 @@
   <message>
    <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF, checked on the way; a selected solid's tolerance and limits are taken</source>
    <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
+  </message>
+  <message>
+   <source>Export report...</source>
+   <translation>Bericht exportieren ...</translation>
+  </message>
+  <message>
+   <source>Writes what the selected clearance check found as one HTML file with a 3D view, or as PDF</source>
+   <translation>Schreibt, was die ausgewählte Abstandsprüfung ergab, als eine HTML-Datei mit 3D-Ansicht oder als PDF</translation>
   </message>
   <message>
    <source>Find path...</source>
@@ -511,6 +531,14 @@
   <message>
    <source>The motion has no source whose settings can be changed.</source>
    <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
+  </message>
+  <message>
+   <source>There is no clearance check in the document: make one with Check clearance.</source>
+   <translation>Das Dokument enthält keine Abstandsprüfung: Legen Sie mit „Abstand prüfen“ eine an.</translation>
+  </message>
+  <message>
+   <source>Select one of the {0} clearance checks.</source>
+   <translation>Wählen Sie eine der {0} Abstandsprüfungen aus.</translation>
   </message>
   <message>
    <source>Select the part whose way is to be found.</source>
@@ -957,6 +985,42 @@ Versucht:
    <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
+   <source>the template "{0}" of the preferences is empty.</source>
+   <translation>die Vorlage „{0}“ der Einstellungen ist leer.</translation>
+  </message>
+  <message>
+   <source>changed since it was saved</source>
+   <translation>seit dem Speichern geändert</translation>
+  </message>
+  <message>
+   <source>"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again first.</source>
+   <translation>„{0}“ hat kein aktuelles Ergebnis: Berechnen Sie seine Hülle neu, wenn es eine hat, und prüfen Sie erneut.</translation>
+  </message>
+  <message>
+   <source>SOURCE_DATE_EPOCH is "{0}"; it must be seconds since 1970.</source>
+   <translation>SOURCE_DATE_EPOCH ist „{0}“; es müssen Sekunden seit 1970 sein.</translation>
+  </message>
+  <message>
+   <source>the template "{0}" of the preferences cannot be read: {1}</source>
+   <translation>die Vorlage „{0}“ der Einstellungen kann nicht gelesen werden: {1}</translation>
+  </message>
+  <message>
+   <source>{0} triangles</source>
+   <translation>{0} Dreiecke</translation>
+  </message>
+  <message>
+   <source>{0} poses</source>
+   <translation>{0} Lagen</translation>
+  </message>
+  <message>
+   <source>a PDF is written by the window alone.</source>
+   <translation>ein PDF schreibt nur das Fenster.</translation>
+  </message>
+  <message>
+   <source>document</source>
+   <translation>Dokument</translation>
+  </message>
+  <message>
    <source>Clearance table</source>
    <translation>Abstandstabelle</translation>
   </message>
@@ -1015,6 +1079,16 @@ Versucht:
   <message>
    <source>"{0}" does not know its part: add the part, then choose it.</source>
    <translation>„{0}“ kennt sein Teil nicht: das Teil hinzufügen und dann die Bewegung wählen.</translation>
+  </message>
+  <message>
+   <source>Export report</source>
+   <translation>Bericht exportieren</translation>
+  </message>
+  <message>
+   <source>Written: {0} ({1})
+</source>
+   <translation>Geschrieben: {0} ({1})
+</translation>
   </message>
   <message>
    <source>The part came {0} away from where it belongs; it is shown there.</source>
@@ -1125,18 +1199,16 @@ Versucht:
    <translation>{0} Dreiecke, {1}, {2}</translation>
   </message>
   <message>
-   <source>Written: {0} ({1})
-</source>
-   <translation>Geschrieben: {0} ({1})
-</translation>
-  </message>
-  <message>
    <source>Cancelled. Nothing was changed.</source>
    <translation>Abgebrochen. Nichts wurde geändert.</translation>
   </message>
   <message>
    <source>Cancelled: the document or an object is gone.</source>
    <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
+  </message>
+  <message>
+   <source>en</source>
+   <translation>de</translation>
   </message>
   <message>
    <source>choose one link array or Draft array.</source>
@@ -1466,6 +1538,10 @@ Versucht:
    <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
   </message>
   <message>
+   <source>Report...</source>
+   <translation>Bericht ...</translation>
+  </message>
+  <message>
    <source>Swept envelope</source>
    <translation>Bewegungshülle</translation>
   </message>
@@ -1580,6 +1656,10 @@ Versucht:
   <message>
    <source>Export envelope</source>
    <translation>Hülle exportieren</translation>
+  </message>
+  <message>
+   <source>Export report</source>
+   <translation>Bericht exportieren</translation>
   </message>
   <message>
    <source>Export table</source>

@@ -19,7 +19,7 @@ ORDER = [
     ["contents"],
     ["trajectory"],
     ["features"],
-    ["export", "runner", "demo_parts"],
+    ["export", "page", "runner", "demo_parts"],
     ["reading"],
     ["views", "demo"],
     ["panels"],

@@ -45,6 +45,8 @@ MAY_INCLUDE = {
     "clearance": BELOW | {"input"},
     # Searches for a way, and asks clearance about every step of it.
     "path": BELOW | {"clearance", "input"},
+    # Tells what a report says; shapes come to it thinned through a public header.
+    "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
@@ -73,6 +75,7 @@ THIRD_PARTIES = [
     # Reports are JSON; the base has the common part of them.
     (re.compile(r"nlohmann/"), {"base"}, "nlohmann-json"),
     (re.compile(r"CLI/"), {"tools"}, "CLI11"),
+    (re.compile(r"openssl/"), {"tools"}, "OpenSSL"),
     (re.compile(r"pybind11/"), {"python"}, "pybind11"),
     (re.compile(r"fcl/"), {"clearance"}, "FCL"),
     (re.compile(r"EGL/|GL/|glm/"), {"sampling/gl"}, "OpenGL"),

@@ -8,6 +8,7 @@ workbench starts, opens documents and shows stored results without the module.
 import collections
 import contextlib
 import importlib
+import json
 import os
 import sys
 
@@ -360,6 +361,24 @@ def first_contacts(request, neighbours, options, control):
             options["body_chord"],
             run=control.context,
         )
+
+
+def has_page_view():
+    """Whether pages have a 3D view."""
+    return bool(module().page_has_view())
+
+
+def report_page(report, control, **options):
+    """A report (dict) as one HTML file, as text; options as the module's report_page. Raises CoreError."""
+    with errors():
+        return module().report_page(
+            json.dumps(report), version=__version__, run=control.context, **options
+        )
+
+
+def page_template(name):
+    """A template of the program: "page" or "print"."""
+    return module().page_template(name)
 
 
 def distance_to_mesh(points, vertices, triangles, control):

@@ -35,6 +35,11 @@ def memory_limit():
     return max(0, _group().GetInt("MemoryLimit", 0))
 
 
+def page_template():
+    """File with the template of reports; "": the workbench's own."""
+    return _group().GetString("PageTemplate", "")
+
+
 def preview_resolution():
     """Cells of the coarse envelope that follows the path editor."""
     return max(8, _group().GetInt("PreviewResolution", 128))

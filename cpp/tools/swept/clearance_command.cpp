@@ -11,6 +11,7 @@
 
 #include "commands.h"
 #include "neighbours.h"
+#include "page_file.h"
 #include "reported_run.h"
 #include "swept/body.h"
 #include "swept/clearance.h"
@@ -30,6 +31,7 @@ struct ClearanceJob {
   ClearanceOptions options;
   std::int64_t curve = 200;
   std::int64_t stamp = -1;
+  PageJob page;
   CommonOptions common;
 };
 
@@ -65,6 +67,7 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
             "how far the generator's triangles leave its exact surface (default 0)");
   addDetailOptions(app, job.options, job.curve,
                    "points of the graph of distance over time (default 200)", job.stamp);
+  addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if all meet their rules, 3 if one is too near, touches or "
@@ -72,7 +75,8 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
       "  swept clearance gripper.stl housing.step bracket.stl --motion path.csv --required 2\n"
       "  swept clearance gripper.stl housing.step --motion path.csv --required 2 "
       "--rule 'bolt*=contact' --rule cover=5\n"
-      "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet");
+      "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet\n"
+      "  swept clearance gripper.stl housing.step --motion path.csv --page report.html");
 }
 
 void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Trajectory& motion,
@@ -156,9 +160,32 @@ Trajectory readMotion(const ClearanceJob& job) {
   return readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
 }
 
-ClearanceReport compute(const ClearanceJob& job, const Body& body, const Trajectory& motion,
+std::vector<PageInput> pageInputs(const ClearanceJob& job) {
+  std::vector<PageInput> rows;
+  if (job.page.path.empty()) return rows;
+  rows = {inputRow("body", job.generatorPath), inputRow("motion", job.motionPath)};
+  for (const std::string& path : job.neighbours.paths) rows.push_back(inputRow("neighbour", path));
+  if (!job.neighbours.rulesPath.empty())
+    rows.push_back(inputRow("rules", job.neighbours.rulesPath));
+  return rows;
+}
+
+std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vector<PageInput> inputs,
+                     Body body, Trajectory motion, std::vector<ClearanceNeighbour> neighbours,
+                     const ClearanceReport& report, RunContext& run) {
+  std::vector<PagePart> parts{{pathFromUtf8(job.generatorPath).stem().string(),
+                               std::move(body.mesh), std::move(motion), true}};
+  for (ClearanceNeighbour& part : neighbours)
+    parts.push_back({std::move(part.name), std::move(part.mesh)});
+  return makePage(job.page, frame, toJson(report), std::move(inputs), std::move(parts), run);
+}
+
+/// Body and motion are left to the page, if one is asked for, which is put into `page`.
+ClearanceReport compute(const ClearanceJob& job, Body& body, Trajectory& motion, std::string& page,
                         RunContext& run) {
-  const std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
+  const PageFrame frame = beginPage(job.page);
+  std::vector<PageInput> inputs = pageInputs(job);
+  std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
   ClearanceOptions options = job.options;
   options.bodyChordError += body.chordError;
   if (!job.offerPath.empty()) return firstContacts(body.mesh, motion, parts, options, run);
@@ -166,6 +193,9 @@ ClearanceReport compute(const ClearanceJob& job, const Body& body, const Traject
   report.warnings.insert(report.warnings.begin(), body.findings.begin(), body.findings.end());
   if (job.stamp >= 0 && report.status == Status::Ok)
     compareWithStamps(job, body.mesh, motion, parts, report, run);
+  if (!job.page.path.empty() && report.status == Status::Ok)
+    page = pageText(job, frame, std::move(inputs), std::move(body), std::move(motion),
+                    std::move(parts), report, run);
   return report;
 }
 
@@ -175,16 +205,20 @@ int runClearance(const ClearanceJob& job) {
                                 {"the motion", job.motionPath}};
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
-  const std::vector<RoledFile> outputs{
-      {"--csv", job.csvPath}, {"--report", common.report}, {"--offer-rules", job.offerPath}};
+  addTemplate(job.page, inputs);
+  const std::vector<RoledFile> outputs{{"--csv", job.csvPath},
+                                       {"--report", common.report},
+                                       {"--offer-rules", job.offerPath},
+                                       {"--page", job.page.path}};
   std::optional<Body> body;
   std::optional<Trajectory> motion;
+  std::string page;
   const auto report = runReported<ClearanceReport>(
       common, inputs, outputs,
       [&](RunContext& run) {
         if (!body) body = readGenerator(job, run);
         if (!motion) motion = readMotion(job);
-        return compute(job, *body, *motion, run);
+        return compute(job, *body, *motion, page, run);
       },
       [&](RunContext& run) {
         if (isStream(job.generatorPath)) body = readGenerator(job, run);
@@ -197,7 +231,9 @@ int runClearance(const ClearanceJob& job) {
     return kExitOk;
   }
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
-  if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
+  if (!job.page.path.empty()) writeText(page, job.page.path);
+  const bool isTaken = common.report == "-" || job.csvPath == "-" || job.page.path == "-";
+  if (!common.quiet && !isTaken) printTable(report);
   return finishReported(report, common,
                         std::all_of(report.neighbours.begin(), report.neighbours.end(),
                                     [](const auto& row) { return row.meetsRule(); }));
@@ -214,6 +250,9 @@ Run addClearanceCommand(CLI::App& program) {
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->neighbours);
+    checkPageOptions(job->page);
+    if (!job->page.path.empty() && !job->offerPath.empty())
+      badOption("--page and --offer-rules exclude each other: with the second nothing is checked");
     job->options.curveSamples = static_cast<int>(job->curve);
     if (job->generatorPath == "-" && job->generatorFormat.empty()) job->generatorFormat = "ply";
     return runClearance(*job);

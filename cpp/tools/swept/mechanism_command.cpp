@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "neighbours.h"
+#include "page_file.h"
 #include "reported_run.h"
 #include "swept/body.h"
 #include "swept/io.h"
@@ -28,8 +29,9 @@ struct MechanismJob {
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   MechanismOptions options;
-  std::int64_t curve = 0;
+  std::int64_t curve = -1;  ///< -1: as many as are shown
   std::int64_t stamp = -1;
+  PageJob page;
   CommonOptions common;
 };
 
@@ -62,9 +64,11 @@ void addOptions(CLI::App& app, MechanismJob& job) {
            "a pair that is not looked at: the rule ignore, as for parts that a joint holds "
            "together");
   addDetailOptions(app, job.options, job.curve,
-                   "points of the graph of distance over time in the report (default 0)",
+                   "points of the graph of distance over time in the report (default 0; 200 with "
+                   "--page)",
                    job.stamp);
   addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+  addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if all pairs meet their rules, 3 if two parts come too near, touch or "
@@ -72,7 +76,8 @@ void addOptions(CLI::App& app, MechanismJob& job) {
       "Examples:\n"
       "  swept mechanism --moving boom.stl boom.csv --moving arm.stl arm.csv frame.step "
       "--ignore boom arm --required 5\n"
-      "  swept mechanism --moving left.ply left.csv --moving right.ply right.csv --csv -");
+      "  swept mechanism --moving left.ply left.csv --moving right.ply right.csv --csv -\n"
+      "  swept mechanism --moving boom.stl boom.csv frame.step --page report.html");
 }
 
 /// Solids of one file may have one name; here each part needs its own.
@@ -105,6 +110,27 @@ std::vector<MechanismPart> readParts(const MechanismJob& job, RunContext& run,
   for (ClearanceNeighbour& part : still)
     parts.push_back({part.name, std::move(part.mesh), {{Pose{}}}, part.chordError});
   return parts;
+}
+
+std::vector<PageInput> pageInputs(const MechanismJob& job) {
+  std::vector<PageInput> rows;
+  if (job.page.path.empty()) return rows;
+  for (std::size_t i = 0; i < job.moving.size(); ++i)
+    rows.push_back(inputRow(i % 2 == 0 ? "body" : "motion", job.moving[i]));
+  for (const std::string& path : job.still.paths) rows.push_back(inputRow("neighbour", path));
+  return rows;
+}
+
+std::string pageText(const MechanismJob& job, const PageFrame& frame, std::vector<PageInput> inputs,
+                     std::vector<MechanismPart> parts, const MechanismReport& report,
+                     RunContext& run) {
+  std::vector<PagePart> shown;
+  for (MechanismPart& part : parts) {
+    const bool moves = part.motion.poses.size() > 1;
+    shown.push_back({std::move(part.name), std::move(part.mesh),
+                     moves ? std::move(part.motion) : Trajectory{}, moves});
+  }
+  return makePage(job.page, frame, toJson(report), std::move(inputs), std::move(shown), run);
 }
 
 void compareWithStamps(const MechanismJob& job, const std::vector<MechanismPart>& parts,
@@ -161,18 +187,27 @@ int runMechanism(const MechanismJob& job) {
   for (std::size_t i = 0; i < job.moving.size(); ++i)
     inputs.push_back({i % 2 == 0 ? "a moving part" : "a motion", job.moving[i]});
   for (const std::string& path : job.still.paths) inputs.push_back({"a part that stands", path});
-  const std::vector<RoledFile> outputs{{"--csv", job.csvPath}, {"--report", common.report}};
+  addTemplate(job.page, inputs);
+  const std::vector<RoledFile> outputs{
+      {"--csv", job.csvPath}, {"--report", common.report}, {"--page", job.page.path}};
+  std::string page;
   const auto report = runReported<MechanismReport>(common, inputs, outputs, [&](RunContext& run) {
     std::vector<Finding> findings;
-    const std::vector<MechanismPart> parts = readParts(job, run, findings);
+    const PageFrame frame = beginPage(job.page);
+    std::vector<PageInput> read = pageInputs(job);
+    std::vector<MechanismPart> parts = readParts(job, run, findings);
     MechanismReport found = checkMechanism(parts, job.options, run);
     found.warnings.insert(found.warnings.begin(), findings.begin(), findings.end());
     if (job.stamp >= 0 && found.status == Status::Ok) compareWithStamps(job, parts, found, run);
+    if (!job.page.path.empty() && found.status == Status::Ok)
+      page = pageText(job, frame, std::move(read), std::move(parts), found, run);
     return found;
   });
   if (report.status != Status::Ok) return exitStatus(report.status);
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
-  if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
+  if (!job.page.path.empty()) writeText(page, job.page.path);
+  const bool isTaken = common.report == "-" || job.csvPath == "-" || job.page.path == "-";
+  if (!common.quiet && !isTaken) printTable(report);
   return finishReported(report, common,
                         std::all_of(report.pairs.begin(), report.pairs.end(),
                                     [](const auto& pair) { return pair.clearance.meetsRule(); }));
@@ -189,6 +224,8 @@ Run addMechanismCommand(CLI::App& program) {
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->still);
+    checkPageOptions(job->page);
+    if (job->curve < 0) job->curve = job->page.path.empty() ? 0 : 200;
     if (job->moving.empty()) badOption("--moving PART MOTION is missing: no part moves");
     for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
       job->options.rules.push_back({job->ignored[i], job->ignored[i + 1], parseRule("ignore")});

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A clearance check by real commands: envelope, check, table, row, colours, graph, spreadsheet."""
 import os
+import re
+import shutil
+import subprocess
 import sys
 import tempfile
 
@@ -20,6 +23,26 @@ from driver import (  # noqa: E402
     select,
     shot,
 )
+
+
+def check_pdf(content):
+    """A whole file of some pages with the pictures; its text where pdftotext is there."""
+    assert content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")
+    pages = len(re.findall(rb"/Type\s*/Page\b", content))
+    pictures = len(re.findall(rb"/Subtype\s*/Image\b", content))
+    assert 1 <= pages <= 8 and pictures >= 2, (pages, pictures)
+    if shutil.which("pdftotext") is None:
+        return
+    done = subprocess.run(["pdftotext", "-layout", "-", "-"], input=content, capture_output=True)
+    text = done.stdout.decode("utf-8")
+    for word in ("Clearance", "Post", "clash", "Verdicts", "Rules", "SHA-256"):
+        assert word in text, (word, text)
+
+
+def keep(path):
+    """A copy beside the pictures, to be looked at."""
+    if os.environ.get("SWEPT_SHOTS"):
+        shutil.copy(path, os.environ["SWEPT_SHOTS"])
 
 
 def scenario():
@@ -116,6 +139,20 @@ def scenario():
     with open(path, encoding="utf-8") as file:
         lines = file.read().splitlines()
     assert len(lines) == 5 and any("Post" in line for line in lines), lines
+    # The report as a page and as PDF.
+    for suffix in ("html", "pdf"):
+        target = os.path.join(tempfile.mkdtemp(), "Bericht." + suffix)
+        file_dialogs.ask_report = lambda name, target=target: target
+        click(find(QtWidgets.QPushButton, "SweptVolumeReport"))
+        yield lambda target=target: os.path.exists(target)
+        yield 0.3
+        with open(target, "rb") as file:
+            content = file.read()
+        if suffix == "html":
+            assert b"Post" in content and b"</html>" in content
+        else:
+            check_pdf(content)
+            keep(target)
     # Rules: one asks for more, one is ignored; what touches at the first pose is offered.
     bench = doc.addObject("Part::Box", "Bench")
     bench.Length, bench.Width, bench.Height = 60, 40, 4

@@ -34,8 +34,8 @@ def texts_of_panel():
 
 
 def scenario():
-    from sweptvolume import runner
-    from sweptvolume.features import envelope
+    from sweptvolume import core, page, runner
+    from sweptvolume.features import clearance, envelope
     from sweptvolume.panels import motion_panel
 
     Gui.setLocale("German")
@@ -47,6 +47,13 @@ def scenario():
     starter, path = doc.getObject("Starter"), doc.getObject("Motion")
     assert starter is not None and path.Count == 12
     assert starter.Label == "Anlasser" and path.Label == "Einbaubahn"
+    checked = clearance.make_clearance(doc, Generators=[starter], Motion=path)
+    doc.recompute()
+    clearance.compute(checked)
+    text = page.text(page.request(checked), core.Control())
+    assert '<html lang="de"' in text and "Urteile" in text and " Dreiecke<" in text
+    doc.removeObject(checked.Name)
+    doc.recompute()
     menus = [action.text() for action in Gui.getMainWindow().menuBar().actions()]
     assert "Überstri&chener Raum" in menus, menus
     for name, items, expected in (

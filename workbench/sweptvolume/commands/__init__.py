@@ -26,6 +26,7 @@ _MODULES = [
     "check_mechanism",
     "make_solid",
     "export_envelope",
+    "export_report",
     "",
     "to_tree",
     "demo_command",
@@ -97,5 +98,7 @@ def fill_context_menu(workbench, recipient):
             "SweptVolume_Solid",
             "SweptVolume_Export",
         ]
+    if selection.clearance():
+        names.append("SweptVolume_ExportReport")
     if names:
         workbench.appendContextMenu("", ["Separator"] + sorted(set(names), key=_names.index))

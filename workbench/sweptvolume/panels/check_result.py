@@ -46,6 +46,9 @@ class ResultPanel(StayingPanel):
     def build_more(self, rows):
         """What stands between graph and export."""
 
+    def build_export(self, rows):
+        """What stands below the export of the table."""
+
     def shown(self):
         """A result was shown."""
 
@@ -104,6 +107,7 @@ class ResultPanel(StayingPanel):
         buttons.addWidget(self.csv)
         buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
+        self.build_export(rows)
         self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())

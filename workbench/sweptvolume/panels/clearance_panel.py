@@ -12,6 +12,7 @@ from ..features.envelope_plan import Plan as EnvelopePlan
 from ..texts import translate
 from . import focus, guard, selection, widgets
 from .clearance_result import ResultPanel
+from .page_task import PageTask
 from .rules_table import RulesTable
 from .tasks import ClearanceTask, FirstContactsTask
 from .widgets import QtWidgets
@@ -200,6 +201,9 @@ class ClearancePanel(ResultPanel):
         if run.state == "ok" and isinstance(run.task, FirstContactsTask):
             self.box.leave(self.asked)
             self._allow(run.task.found)
+            return
+        if run.state == "ok" and isinstance(run.task, PageTask):
+            self.box.leave(self.table)
             return
         if run.state == "ok":
             self.obj = run.task.obj

@@ -46,6 +46,19 @@ def ask_export(name):
     return path
 
 
+def ask_report(name):
+    """HTML or PDF file to write; "" when cancelled."""
+    path, chosen = QtWidgets.QFileDialog.getSaveFileName(
+        Gui.getMainWindow(),
+        translate("Panels", "Export report"),
+        _beside_document(name + ".html"),
+        "HTML (*.html);;PDF (*.pdf)",
+    )
+    if path and not os.path.splitext(path)[1]:
+        path += ".pdf" if "pdf" in chosen else ".html"
+    return path
+
+
 def ask_table(name):
     """CSV file to write; "" when cancelled."""
     path, _ = QtWidgets.QFileDialog.getSaveFileName(

@@ -66,6 +66,12 @@ class ClearanceView(View):
             "SweptVolume_Clearance",
             lambda: run_command(view.Object, "SweptVolume_Clearance"),
         )
+        self.add_menu(
+            menu,
+            translate("Commands", "Export report..."),
+            "SweptVolume_ExportReport",
+            lambda: run_command(view.Object, "SweptVolume_ExportReport"),
+        )
 
     def clear(self):
         """Nothing drawn: as after opening a document."""

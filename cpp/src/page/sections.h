@@ -1,0 +1,24 @@
+// The parts of a page that are text and tables.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "page/rows.h"
+#include "page/words.h"
+#include "swept/page.h"
+
+namespace swept::page {
+
+/// "All 12 checked pairs meet their rules." with the worst distance, coloured.
+std::string verdictBanner(const Told& told, const Words& words);
+std::string verdictTable(const Told& told, const Words& words);
+std::string rulesTable(const Told& told, const Words& words);
+std::string settingsTable(const Told& told, const Words& words);
+std::string inputsTable(const std::vector<PageInput>& inputs, const Words& words);
+std::string findingsList(const Told& told, const Words& words);
+/// Throws Error(InvalidInput, "BadOption") for a media type that is no picture's.
+std::string picturesOf(const std::vector<PagePicture>& pictures, const Words& words);
+
+}  // namespace swept::page

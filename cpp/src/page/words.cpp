@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "page/words.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/number_text.h"
+#include "swept/types.h"
+
+namespace swept::page {
+namespace {
+
+constexpr std::array kTexts{
+    Word{"title_clearance", "Clearance report", "Abstandsbericht"},
+    Word{"title_mechanism", "Clearance report of a mechanism", "Abstandsbericht eines Mechanismus"},
+    // --- the verdict
+    Word{"all_met", "All {0} checked pairs meet their rules.",
+         "Alle {0} geprüften Paare erfüllen ihre Regeln."},
+    Word{"one_met", "The checked pair meets its rule.", "Das geprüfte Paar erfüllt seine Regel."},
+    Word{"not_met", "{0} of {1} checked pairs do not meet their rules.",
+         "{0} von {1} geprüften Paaren erfüllen ihre Regeln nicht."},
+    Word{"one_not_met", "1 of {1} checked pairs does not meet its rule.",
+         "1 von {1} geprüften Paaren erfüllt seine Regel nicht."},
+    Word{"none_near", "No pair comes within the range that was looked at.",
+         "Kein Paar kommt sich näher als der betrachtete Abstand."},
+    Word{"nothing_checked", "No pair was checked: the rules leave out every neighbour.",
+         "Kein Paar wurde geprüft: die Regeln lassen alle Nachbarn aus."},
+    Word{"nearest", "Smallest distance: {0} at {1}", "Kleinster Abstand: {0} bei {1}"},
+    Word{"deepest", "Deepest clash: {0} at {1}", "Tiefste Kollision: {0} bei {1}"},
+    Word{"clear", "clear", "frei"},
+    Word{"below", "below required", "zu nah"},
+    Word{"contact", "contact", "Berührung"},
+    Word{"allowed", "contact, allowed", "Berührung, erlaubt"},
+    Word{"clash", "clash", "Kollision"},
+    Word{"ignored", "ignored", "ausgelassen"},
+    Word{"promise",
+         "Between two poses the motion was bounded, not only sampled: no moment of it is nearer "
+         "than "
+         "the guaranteed distance.",
+         "Zwischen zwei Lagen wurde die Bewegung eingegrenzt, nicht nur abgetastet: Zu keinem "
+         "Zeitpunkt ist ein Teil näher als der gesicherte Abstand."},
+    Word{"promise_copies",
+         "Only the given poses were checked; what lies between them was not asked for.",
+         "Nur die angegebenen Lagen wurden geprüft; was dazwischen liegt, war nicht gefragt."},
+    // --- headings
+    Word{"verdicts", "Verdicts", "Urteile"},
+    Word{"graph", "Distance over time", "Abstand über der Zeit"},
+    Word{"view", "3D view", "3D-Ansicht"},
+    Word{"pictures", "Pictures", "Bilder"},
+    Word{"rules", "Rules", "Regeln"},
+    Word{"inputs", "Inputs", "Eingaben"},
+    Word{"findings", "Findings", "Befunde"},
+    Word{"settings", "Settings", "Einstellungen"},
+    // --- tables
+    Word{"pair", "Pair", "Paar"},
+    Word{"neighbour", "Neighbour", "Nachbar"},
+    Word{"verdict", "Verdict", "Urteil"},
+    Word{"distance", "Distance", "Abstand"},
+    Word{"guaranteed", "Guaranteed", "Gesichert"},
+    Word{"time", "At time", "Zeitpunkt"},
+    Word{"depth", "Depth", "Tiefe"},
+    Word{"depth_range", "{0} to {1}", "{0} bis {1}"},
+    Word{"depth_unknown", "not measured", "nicht gemessen"},
+    Word{"below_for", "Too near for", "Zu nah während"},
+    Word{"rule", "Rule", "Regel"},
+    Word{"rule_required", "at least {0}", "mindestens {0}"},
+    Word{"rule_none", "no clash", "keine Kollision"},
+    Word{"rule_contact", "contact allowed", "Berührung erlaubt"},
+    Word{"rule_depth", "contact allowed, at most {0} deep",
+         "Berührung erlaubt, höchstens {0} tief"},
+    Word{"rule_ignore", "not looked at", "nicht betrachtet"},
+    Word{"met", "Met", "Erfüllt"},
+    Word{"yes", "yes", "ja"},
+    Word{"no", "no", "nein"},
+    Word{"joined", "keep their place to each other", "behalten ihre Lage zueinander"},
+    // --- settings
+    Word{"setting", "Setting", "Einstellung"},
+    Word{"value", "Value", "Wert"},
+    Word{"required", "Required distance where no rule says otherwise",
+         "Geforderter Abstand, wo keine Regel anderes sagt"},
+    Word{"tolerance", "Tolerance of the smallest distance", "Toleranz des kleinsten Abstands"},
+    Word{"interpolation", "Motion between two poses", "Bewegung zwischen zwei Lagen"},
+    Word{"none", "none (copies only)", "keine (nur Kopien)"},
+    Word{"linear", "linear", "linear"},
+    Word{"screw", "screw", "Schraubung"},
+    Word{"placements", "Poses", "Lagen"},
+    Word{"witness", "Checked against", "Geprüft gegen"},
+    Word{"witness_motion", "the motion of the body", "die Bewegung des Körpers"},
+    Word{"witness_envelope", "the envelope, which stands still", "die Hülle, die still steht"},
+    Word{"body_triangles", "Triangles of the moving body", "Dreiecke des bewegten Körpers"},
+    Word{"neighbour_triangles", "Triangles of the neighbours", "Dreiecke der Nachbarn"},
+    Word{"triangles", "Triangles of all parts", "Dreiecke aller Teile"},
+    Word{"span", "Time", "Zeit"},
+    Word{"span_text", "{0} to {1}", "{0} bis {1}"},
+    Word{"range", "Pairs that come nearer than this are listed",
+         "Aufgeführt sind Paare, die sich näher kommen als"},
+    Word{"far_pairs", "Pairs that stay farther apart", "Paare, die weiter entfernt bleiben"},
+    // --- inputs and findings
+    Word{"role", "Role", "Rolle"},
+    Word{"name", "Name", "Name"},
+    Word{"detail", "Details", "Angaben"},
+    Word{"sha256", "SHA-256", "SHA-256"},
+    Word{"hash_unknown", "not known", "nicht bekannt"},
+    Word{"role_body", "moving part", "bewegtes Teil"},
+    Word{"role_motion", "motion", "Bewegung"},
+    Word{"role_neighbour", "part that stands still", "stehendes Teil"},
+    Word{"role_rules", "rules", "Regeln"},
+    Word{"no_findings", "None.", "Keine."},
+    Word{"findings_language", "The texts of the findings are English, as in the program.",
+         "Die Texte der Befunde sind englisch, wie im Programm."},
+    // --- graph and view
+    Word{"axis_time", "time (s)", "Zeit (s)"},
+    Word{"axis_distance", "distance (mm)", "Abstand (mm)"},
+    Word{"others", "others", "weitere"},
+    Word{"graph_required", "required: {0}", "gefordert: {0}"},
+    Word{"graph_scale", "The scale of distances is linear near 0 and logarithmic beyond.",
+         "Die Skala der Abstände ist nahe 0 linear und darüber logarithmisch."},
+    Word{"graph_names", "Point at a curve to see its name.",
+         "Ein Zeiger auf einer Kurve zeigt ihren Namen."},
+    Word{"graph_range", "Distances above {0} were not followed.",
+         "Abstände über {0} wurden nicht verfolgt."},
+    Word{"view_play", "Play", "Abspielen"},
+    Word{"view_pause", "Pause", "Anhalten"},
+    Word{"view_reset", "Whole view", "Ganze Ansicht"},
+    Word{"view_time", "Time", "Zeit"},
+    Word{"view_worst", "Go to", "Gehe zu"},
+    Word{"view_parts", "Parts", "Teile"},
+    Word{"view_simplified",
+         "Shapes are simplified for display ({0} of {1} triangles). All figures were computed with "
+         "the full shapes.",
+         "Die Formen sind für die Anzeige vereinfacht ({0} von {1} Dreiecken). Alle Zahlen wurden "
+         "mit den vollen Formen berechnet."},
+    Word{"view_full", "Shapes are shown with all {0} triangles.",
+         "Die Formen werden mit allen {0} Dreiecken gezeigt."},
+    Word{"view_needs", "The 3D view needs JavaScript and WebGL in the browser.",
+         "Die 3D-Ansicht braucht JavaScript und WebGL im Browser."},
+    Word{"view_not_built", "This program was built without three.js: there is no 3D view.",
+         "Dieses Programm wurde ohne three.js gebaut: Es gibt keine 3D-Ansicht."},
+    Word{"made_by", "Made by {0}", "Erstellt mit {0}"},
+};
+
+}  // namespace
+
+std::span<const Word> allWords() { return kTexts; }
+
+Words::Words(const std::string& language) : language_(language) {
+  if (language != "en" && language != "de")
+    throw Error(Status::InvalidInput, "BadOption",
+                "language is '" + language + "'; allowed: en, de");
+}
+
+bool Words::has(const std::string& key) const {
+  for (const Word& word : kTexts)
+    if (key == word.key) return true;
+  return false;
+}
+
+std::string Words::operator()(const std::string& key, const std::string& zero,
+                              const std::string& one) const {
+  for (const Word& word : kTexts) {
+    if (key != word.key) continue;
+    const std::string text = language_ == "de" ? word.german : word.english;
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const std::string mark = text.substr(i, 3);
+      if (mark != "{0}" && mark != "{1}") {
+        out += text[i];
+        continue;
+      }
+      out += mark == "{0}" ? zero : one;
+      i += 2;
+    }
+    return out;
+  }
+  throw std::logic_error("no text for '" + key + "' in pages");
+}
+
+std::string Words::number(double value, int digits) const {
+  constexpr double kNothing = 1e-9;  // mm or s: what is left of rounding
+  std::string text = numberText(std::abs(value) < kNothing ? 0.0 : value, digits);
+  if (language_ == "de")
+    for (char& c : text)
+      if (c == '.') c = ',';
+  return text;
+}
+
+}  // namespace swept::page
