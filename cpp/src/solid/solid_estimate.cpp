@@ -12,7 +12,6 @@
 #include "base/timer.h"
 #include "solid/mesh/patches.h"
 #include "solid/solid_build.h"
-#include "solid/text/step_text.h"
 #include "solid/text/tessellated.h"
 #include "swept/solid.h"
 
@@ -21,12 +20,11 @@ namespace {
 
 using namespace step;
 
-// Measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py), s.
+// s, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
 constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
-constexpr double kAsItIs = 2e-6;          // a triangle of a tessellated solid
-constexpr double kReadFlatFace = 3e-4;    // a face of a solid of plane faces
-constexpr double kReadFacet = 4e-4;       // one beside curved faces
-constexpr double kReadCurvedEdge = 1e-3;  // of a curved face
+constexpr double kAsItIs = 2e-6;  // a triangle of a tessellated solid
+constexpr double kReadPlaneFace = 2e-4,
+                 kReadCurvedEdge = 1e-3;  // the latter: an edge of a curved face
 
 // Counts what is written.
 class CountingBuffer : public std::streambuf {
@@ -89,10 +87,9 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
 // s, for the kernel to read the file back and to judge what it read.
 double secondsToReadBack(const Model& model) {
   double seconds = 0;
-  const double each = isFlat(model) ? kReadFlatFace : kReadFacet;
   for (const ModelFace& face : model.faces) {
     if (face.surface.isPlanar()) {
-      seconds += each;
+      seconds += kReadPlaneFace;
       continue;
     }
     for (const auto& loop : face.loops)
