@@ -17,6 +17,7 @@ from driver import (  # noqa: E402
     no_panel,
     open_workbench,
     panel_button,
+    read_verdicts,
     run,
     say,
     select,
@@ -35,6 +36,8 @@ def scenario():
     doc = new_document("Dark")
     box, wall = doc.addObject("Part::Box", "Slide"), doc.addObject("Part::Box", "Wall")
     wall.Placement.Base = V(0, 13, 0)
+    for name, place in (("In", V(20, 5, 5)), ("On", V(0, -10, 0)), ("Off", V(0, 0, 60))):
+        doc.addObject("Part::Box", name).Placement.Base = place
     places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
     path = motion.motion_from_poses(doc, [0, 1], places)
     doc.recompute()
@@ -60,6 +63,10 @@ def scenario():
             yield 0.5
             found = doc.getObject("Clearance")
             assert found.Status == clearance.UP_TO_DATE, found.Status
+            table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+            table.clearSelection()
+            behind = read_verdicts(table)
+            assert len(set(behind.values())) == 4, behind
         form = [w for w in window.findChildren(QtWidgets.QGroupBox) if w.isVisible()][0]
         text = form.palette().color(QtGui.QPalette.WindowText).lightness()
         say("{}: lightness of the text {}".format(name, text))
