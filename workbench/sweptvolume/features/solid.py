@@ -223,7 +223,9 @@ class Request:
                 self.vertices, self.triangles, control, suffix, quick, **self.options()
             )
 
-        return [estimate(True)] if self.settings["tessellated"] else [estimate(True), estimate(False)]
+        return (
+            [estimate(True)] if self.settings["tessellated"] else [estimate(True), estimate(False)]
+        )
 
     def _estimate_faceted(self, control):
         count = len(self.triangles)  # of each a face

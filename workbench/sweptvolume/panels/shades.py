@@ -32,7 +32,8 @@ def alarm(widget):
 
 class ShadedCells(QtWidgets.QStyledItemDelegate):
     """Cells with a background of their own. The style sheets of FreeCAD 1.0's themes give every cell their
-    own colour of text and leave out the one that a cell asks for, so these cells are painted here."""
+    own colour of text and leave out the one that a cell asks for, so these cells are painted here.
+    """
 
     def paint(self, painter, option, index):
         behind = index.data(QtCore.Qt.BackgroundRole)
