@@ -147,7 +147,7 @@ constexpr const char* kEstimateSolidDoc =
 
 What write_solid with the same options would take, from a trial: the solid is built and written
 without a file. triangles, faces, megabytes (of a file of this format: 'step' or 'brep'), seconds
-(elapsed), tolerance and deviation (mm), tried. With quick a look at the mesh has to do, which takes
+(elapsed, and of these trial_seconds for the trial), tolerance and deviation (mm), tried. With quick a look at the mesh has to do, which takes
 microseconds a triangle: then tried is False and faces, megabytes and seconds are upper bounds, far
 too large where surfaces are recognised. Raises ExportFailed where write_solid would refuse the mesh
 or its options, Cancelled.)";

@@ -44,13 +44,13 @@ def judged(swept, mesh, options, suffix):
         guess = swept.estimate_solid(
             *body, run=swept.RunContext(threads=1), format=suffix, quick=True, **options
         )
-        clock, start = time.perf_counter(), time.process_time()
+        start = time.process_time()
         foretold = swept.estimate_solid(
             *body, run=swept.RunContext(threads=1), format=suffix, **options
         )
         trial = time.process_time() - start
         # What the trial measured counts as the processor's time, what it foretells as it stands.
-        seconds = foretold["seconds"] - (time.perf_counter() - clock) + trial
+        seconds = trial + foretold["seconds"] - foretold["trial_seconds"]
     except swept.Error as error:
         guess, foretold, trial, seconds = None, str(error), 0, 0
     with tempfile.TemporaryDirectory() as folder:

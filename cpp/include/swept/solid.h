@@ -76,11 +76,12 @@ SolidFormat solidFormatOf(const std::string& path);
 struct SolidEstimate {
   std::int64_t triangles = 0;
   std::int64_t faces = 0;
-  double megabytes = 0;  ///< of the file
-  double seconds = 0;    ///< elapsed, of writeSolid
-  double tolerance = 0;  ///< mm, of a trial: the one given, or the one that the limits ask for
-  double deviation = 0;  ///< mm, of a trial: as in StepReport
-  bool tried = false;    ///< from a trial; else faces is an upper bound
+  double megabytes = 0;     ///< of the file
+  double seconds = 0;       ///< elapsed, of writeSolid
+  double trialSeconds = 0;  ///< elapsed, of the trial itself; part of `seconds`
+  double tolerance = 0;     ///< mm, of a trial: the one given, or the one that the limits ask for
+  double deviation = 0;     ///< mm, of a trial: as in StepReport
+  bool tried = false;       ///< from a trial; else faces is an upper bound
 };
 /// The key "estimate" of a report as JSON text (docs/report.schema.json).
 std::string toJson(const SolidEstimate& estimate);

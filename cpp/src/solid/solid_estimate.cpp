@@ -116,7 +116,8 @@ SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat for
     estimate.megabytes = 1e-6 * static_cast<double>(buffer.count());
     estimate.tolerance = options.tolerance;
     estimate.deviation = built.deviation;
-    estimate.seconds = watch.seconds() + secondsToReadBack(built.model);
+    estimate.trialSeconds = watch.seconds();
+    estimate.seconds = estimate.trialSeconds + secondsToReadBack(built.model);
     return estimate;
   });
 }

@@ -62,6 +62,7 @@ std::string toJson(const SolidEstimate& estimate) {
                    {"faces", estimate.faces},
                    {"megabytes", estimate.megabytes},
                    {"seconds", estimate.seconds},
+                   {"trial_seconds", estimate.trialSeconds},
                    {"tolerance", estimate.tolerance},
                    {"deviation", estimate.deviation},
                    {"tried", estimate.tried}});
