@@ -11,7 +11,9 @@ from driver import (  # noqa: E402
     Gui,
     QtGui,
     QtWidgets,
+    check_table,
     click,
+    contrast_of,
     find,
     new_document,
     no_panel,
@@ -64,9 +66,13 @@ def scenario():
             found = doc.getObject("Clearance")
             assert found.Status == clearance.UP_TO_DATE, found.Status
             table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+            check_table(table)
             table.clearSelection()
             behind = read_verdicts(table)
             assert len(set(behind.values())) == 4, behind
+            ratio, behind = contrast_of(find(QtWidgets.QWidget, "SweptVolumeDistanceGraph"))
+            say("graph on {}: contrast {:.1f}".format(behind, ratio))
+            assert ratio >= 4.5, (behind, ratio)
         form = [w for w in window.findChildren(QtWidgets.QGroupBox) if w.isVisible()][0]
         text = form.palette().color(QtGui.QPalette.WindowText).lightness()
         say("{}: lightness of the text {}".format(name, text))

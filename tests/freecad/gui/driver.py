@@ -57,6 +57,26 @@ def read_verdicts(table):
     return found
 
 
+def check_table(table):
+    """Every head of a table is seen in full, and every text in its first column, in as many lines as it
+    takes."""
+    header = table.horizontalHeader()
+    room = header.fontMetrics()
+    for column in range(table.columnCount()):
+        if table.isColumnHidden(column):
+            continue
+        text = table.horizontalHeaderItem(column).text()
+        wide = max(room.boundingRect(line).width() for line in text.split("\n"))
+        assert wide <= header.sectionSize(column), (text, wide, header.sectionSize(column))
+    wraps = int(getattr(QtCore.Qt.TextWordWrap, "value", QtCore.Qt.TextWordWrap))
+    for row in range(table.rowCount()):
+        cell = table.item(row, 0)
+        box = table.visualItemRect(cell)
+        need = table.fontMetrics().boundingRect(0, 0, box.width() - 6, 1000, wraps, cell.text())
+        fits = need.width() <= box.width() and need.height() <= box.height()
+        assert fits, (cell.text(), need, box)
+
+
 class Gaps:
     """Longest time between two ticks of a 5 ms timer: how long the window stood still. `busy` is the
     longest that the window's own thread computed between two ticks: the rest it waited for a core.
