@@ -23,8 +23,9 @@ using namespace step;
 // s, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
 constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
 constexpr double kAsItIs = 2e-6;  // a triangle of a tessellated solid
-constexpr double kReadPlaneFace = 2e-4,
-                 kReadCurvedEdge = 1e-3;  // the latter: an edge of a curved face
+// To read back and judge a plane face, and an edge of a curved one; a BREP file needs no mending.
+constexpr double kStepFace = 2e-4, kStepCurvedEdge = 1e-3;
+constexpr double kBrepFace = 2e-5, kBrepCurvedEdge = 1e-4;
 
 // Counts what is written.
 class CountingBuffer : public std::streambuf {
@@ -85,15 +86,16 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
 }
 
 // s, for the kernel to read the file back and to judge what it read.
-double secondsToReadBack(const Model& model) {
+double secondsToReadBack(const Model& model, SolidFormat format) {
+  const bool brep = format == SolidFormat::Brep;
+  const double face = brep ? kBrepFace : kStepFace, edge = brep ? kBrepCurvedEdge : kStepCurvedEdge;
   double seconds = 0;
-  for (const ModelFace& face : model.faces) {
-    if (face.surface.isPlanar()) {
-      seconds += kReadPlaneFace;
+  for (const ModelFace& one : model.faces) {
+    if (one.surface.isPlanar()) {
+      seconds += face;
       continue;
     }
-    for (const auto& loop : face.loops)
-      seconds += kReadCurvedEdge * static_cast<double>(loop.size());
+    for (const auto& loop : one.loops) seconds += edge * static_cast<double>(loop.size());
   }
   return seconds;
 }
@@ -117,7 +119,7 @@ SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat for
     estimate.tolerance = options.tolerance;
     estimate.deviation = built.deviation;
     estimate.trialSeconds = watch.seconds();
-    estimate.seconds = estimate.trialSeconds + secondsToReadBack(built.model);
+    estimate.seconds = estimate.trialSeconds + secondsToReadBack(built.model, format);
     return estimate;
   });
 }
