@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "base/threads.h"
 #include "base/timer.h"
@@ -15,6 +15,7 @@
 #include "crossings/hermite.h"
 #include "pipeline/coarse_surface.h"
 #include "sampling/cpu/deep_inside.h"
+#include "sampling/cpu/work_items.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/dense/dense_trial.h"
@@ -38,23 +39,13 @@ constexpr double kLeastShare = 0.2;
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 /// Cells that are probed after each trial, to learn what a probe takes.
 constexpr std::size_t kProbesPerTrial = 2;
-/// A whole sweep has other creases than a few steps of it: 0.0006 to 0.7 probes of a crossing were
-/// seen in crowded sweeps. Within these limits the few steps tell.
+/// Limits for the probes of a crossing that are counted on a few steps: the surface of a whole
+/// sweep has other creases. In crowded sweeps 0.0006 to 0.7 were seen.
 constexpr double kMinProbesOfCrossing = 0.01, kMaxProbesOfCrossing = 0.5;
 /// Steps whose surface is made to count its probes.
 constexpr std::size_t kProbedSteps = 4;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
-/// sampling/cpu makes about so many work items of a motion, and keeps no more crossings of one than
-/// about so many, in a buffer that each thread has.
-constexpr double kItems = 48, kThinCrossings = 1 << 20;
-
-/// As sampling/cpu makes its work items; those of few placements are not thinned.
-double placementsOfItem(const Prepared& p) {
-  const double placements = static_cast<double>(p.motion.placements.size());
-  if (p.motion.continuous) return placements / kItems;
-  return std::min(8192 / static_cast<double>(p.body.mesh.triangles.size()), placements / 64);
-}
 
 Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
   const auto from = [first](const auto& list, std::size_t n) {
@@ -109,13 +100,16 @@ class Trials {
 
   /// Of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
-  double insideCrossings() const { return static_cast<double>(insideCrossings_); }
-  /// Of the map of it.
-  double insideBytes() const {
-    if (!inside_) return 0;
-    const auto& [x, y, z] = p_.grid.points;
-    const double points = static_cast<double>(x) * static_cast<double>(y) * static_cast<double>(z);
-    return points > static_cast<double>(InsideMap::kMaxBlocks) ? 0 : 7 * points;
+
+  /// Of what is held while the whole motion is sampled; before that, of what the map is made of.
+  double bytesOf(const Cost& sampling, double surface, double threads) const {
+    const bool thins = sampling.crossings > kMotionItems * kMinThinRecords &&
+                       placementsOfItem(input(p_.motion)) >= kMinThinPlacements;
+    const double kept =
+        thins ? 2 * threads * kMinThinRecords + kMotionItems * surface : sampling.crossings;
+    const double map = inside_ ? static_cast<double>(inside_->bytes()) : 0;
+    return std::max(static_cast<double>(insideCrossings_) * kSortedBytes,
+                    kept * kSortedBytes + sampling.elements * kElementBytes + map);
   }
 
   /// How many probes the surface of a few steps needs for each of its crossings.
@@ -273,22 +267,17 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
         body.bytes, bytesForAll - denseBytes(p.body.mesh) + static_cast<std::uint64_t>(cost.bytes));
     return better;
   }
-  const auto [sampling, most, map] = alone.execute([&] {
+  const auto [seconds, bytes] = alone.execute([&] {
     Trials trials(p, topology, clusters, options, run);
-    Cost cost = trials.whole();
-    cost.seconds += trials.insideSeconds();
+    const Cost sampling = trials.whole();
     const double probes =
         std::clamp(trials.probesOfCrossing(), kMinProbesOfCrossing, kMaxProbesOfCrossing);
-    cost.seconds += surface * (kCrossingSeconds + probes * trials.probeSeconds());
-    return std::tuple(cost, trials.insideCrossings(), trials.insideBytes());
+    return std::pair(sampling.seconds + trials.insideSeconds() +
+                         surface * (kCrossingSeconds + probes * trials.probeSeconds()),
+                     trials.bytesOf(sampling, surface, threads));
   });
-  better.seconds = before + sampling.seconds / threads;
-  const bool thins = sampling.crossings > kItems * kThinCrossings && placementsOfItem(p) >= 16;
-  const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
-  // What the check of the body has taken is free again when the motion is sampled, and what the map
-  // was made of too.
-  const double bytes =
-      std::max(most * kSortedBytes, kept * kSortedBytes + sampling.elements * kElementBytes + map);
+  better.seconds = before + seconds / threads;
+  // What the check of the body has taken is free again when the motion is sampled.
   better.memoryBytes =
       std::max(better.memoryBytes, bytesForAll + static_cast<std::uint64_t>(bytes));
   return better;
