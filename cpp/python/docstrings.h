@@ -150,9 +150,13 @@ solid gets the smallest one that meets the limits; with exact it is refused inst
 a solid farther from the mesh than the tolerance.)";
 
 constexpr const char* kEstimateSolidDoc =
-    R"(estimate_solid(vertices, triangles, run=None, **options) -> dict
+    R"(estimate_solid(vertices, triangles, run=None, format='step', quick=False, **options) -> dict
 
-What write_solid with the same options would take: triangles, faces (an upper bound), megabytes,
-seconds. Raises ExportFailed where no solid can be made of the mesh.)";
+What write_solid with the same options would take, from a trial: the solid is built and written
+without a file. triangles, faces, megabytes (of a file of this format: 'step' or 'brep'), seconds
+(elapsed, and of these trial_seconds for the trial), tolerance and deviation (mm), tried. With quick a look at the mesh has to do, which takes
+microseconds a triangle: then tried is False and faces, megabytes and seconds are upper bounds, far
+too large where surfaces are recognised. Raises ExportFailed where write_solid would refuse the mesh
+or its options, Cancelled.)";
 
 }  // namespace swept::python

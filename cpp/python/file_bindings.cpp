@@ -149,18 +149,17 @@ py::object pyWriteSolid(const py::object& path, const py::object& vertices,
 }
 
 py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles,
-                         const py::object& run, const py::kwargs& keywords) {
+                         const py::object& run, const std::string& format, bool quick,
+                         const py::kwargs& keywords) {
   const RunPointer context = runFromObject(run);
   const TriMesh mesh = meshFromArrays(vertices, triangles);
   const StepOptions options = solidOptions(keywords);
-  const SolidEstimate found =
-      runWithoutLock(*context, [&] { return estimateSolid(mesh, options, *context); });
-  py::dict result;
-  result["triangles"] = found.triangles;
-  result["faces"] = found.faces;
-  result["megabytes"] = found.megabytes;
-  result["seconds"] = found.seconds;
-  return result;
+  const SolidFormat kind = solidFormatOf("solid." + format);
+  const SolidEstimate found = runWithoutLock(*context, [&] {
+    return quick ? guessSolid(mesh, options, kind, *context)
+                 : trySolid(mesh, options, kind, *context);
+  });
+  return parseJson(toJson(found));
 }
 #else
 [[noreturn]] void refuseSolids(const py::args&, const py::kwargs&) {
@@ -202,7 +201,8 @@ void bindFiles(py::module_& module) {
   module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"), py::arg("run") = py::none(), py::arg("no_clobber") = false);
   module.def("estimate_solid", &pyEstimateSolid, kEstimateSolidDoc, py::arg("vertices"),
-             py::arg("triangles"), py::arg("run") = py::none());
+             py::arg("triangles"), py::arg("run") = py::none(), py::arg("format") = "step",
+             py::arg("quick") = false);
 #else
   module.attr("HAS_SOLIDS") = false;
   module.def("write_solid", &refuseSolids);

@@ -150,6 +150,8 @@ def estimate_solid(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,
     run: Optional[RunContext] = None,
+    format: str = "step",
+    quick: bool = False,
     **options: Any,
 ) -> Dict[str, Any]: ...
 def clearance(

@@ -2262,12 +2262,6 @@ Versucht:
    <translation>Startzahl</translation>
   </message>
   <message>
-   <source>{0} triangles: at most {1} faces,
-up to about {2}, {3}</source>
-   <translation>{0} Dreiecke: höchstens {1} Flächen,
-bis etwa {2}, {3}</translation>
-  </message>
-  <message>
    <source>Solid</source>
    <translation>Festkörper</translation>
   </message>
@@ -2300,12 +2294,32 @@ bis etwa {2}, {3}</translation>
    <translation>Flächen höchstens</translation>
   </message>
   <message>
+   <source>{0} triangles: {1} faces,
+about {2}, {3}</source>
+   <translation>{0} Dreiecke: {1} Flächen,
+etwa {2}, {3}</translation>
+  </message>
+  <message>
+   <source>{0} triangles: at most {1} faces,
+up to about {2}, {3}</source>
+   <translation>{0} Dreiecke: höchstens {1} Flächen,
+bis etwa {2}, {3}</translation>
+  </message>
+  <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
   <message>
    <source>File at most</source>
    <translation>Datei höchstens</translation>
+  </message>
+  <message>
+   <source>The solid is being tried out ...</source>
+   <translation>Der Körper wird zur Probe gebaut ...</translation>
+  </message>
+  <message>
+   <source>The limits ask for a tolerance of {0}</source>
+   <translation>Die Grenzen verlangen eine Toleranz von {0}</translation>
   </message>
   <message>
    <source>Motion from path object</source>

@@ -302,7 +302,14 @@ def test_solid_within_a_tolerance_as_large_as_the_body(box, tmp_path):
     assert report["valid"] and report["volume"] > 0 and 0 < report["tolerance"] <= size
     halved = "would turn inside out; it was made within" in report["note"]
     assert halved == (report["tolerance"] < size)
-    assert _swept.estimate_solid(*mesh, tolerance=size)["faces"] >= 4
+    tried = _swept.estimate_solid(*mesh, tolerance=size)
+    assert tried["faces"] == report["faces"] and tried["tolerance"] == report["tolerance"]
+    bound = _swept.estimate_solid(*mesh, quick=True, tolerance=size)
+    assert not bound["tried"] and bound["faces"] >= 4
+    brep = _swept.estimate_solid(*mesh, format="brep", tolerance=size)
+    assert brep["faces"] == tried["faces"] and brep["megabytes"] != tried["megabytes"]
+    with pytest.raises(_swept.ExportFailed, match="does not end in .step"):
+        _swept.estimate_solid(*mesh, format="stl")
 
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")

@@ -82,6 +82,34 @@ def test_reports_of_solids(report_of, inputs):  # noqa: F811
     report_of("solid", inputs / "slide.csv", "-o", inputs / "o.step", status=1)
 
 
+@pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
+def test_reports_of_estimates_of_solids(report_of, inputs):  # noqa: F811
+    """They say what is made then, and write nothing."""
+    report_of(*envelope(inputs, "swept.ply", "--resolution", 32))
+    for words in (("--solid-tolerance", 0.05), ("--facets",), ("--output-format", "brep")):
+        files = sorted(inputs.iterdir())
+        report = report_of("solid", inputs / "swept.ply", "--estimate", *words)
+        assert [f for f in sorted(inputs.iterdir()) if f not in files] in (
+            [],
+            [inputs / "report.json"],
+        )
+        suffix = "brep" if "brep" in words else "step"
+        made = report_of("solid", inputs / "swept.ply", "-o", inputs / ("made." + suffix), *words)
+        estimate = report["estimate"]
+        assert estimate["faces"] == made["solid"]["faces"] and estimate["tried"]
+        assert abs(1e6 * estimate["megabytes"] - made["solid"]["file_bytes"]) < 100
+        assert estimate["deviation"] == made["solid"]["deviation"]
+        assert estimate["seconds"] >= estimate["trial_seconds"] > 0
+        assert "solid" not in report and "output" not in report
+        (inputs / ("made." + suffix)).unlink()
+    report = report_of("solid", inputs / "slide.csv", "--estimate", status=1)
+    assert "estimate" not in report
+    report = report_of(
+        "solid", inputs / "swept.ply", "--estimate", "--max-faces", 4, "--exact", status=1
+    )
+    assert report["code"] == "TooManyFaces"
+
+
 def test_reports_of_clearances(report_of, inputs, box):  # noqa: F811
     _swept.write_mesh(inputs / "near.ply", box[0] + [15, 0, 0], box[1])
     _swept.write_mesh(inputs / "far.ply", box[0] + [150, 0, 0], box[1])

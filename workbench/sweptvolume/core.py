@@ -311,10 +311,13 @@ def has_solids():
     return bool(module().HAS_SOLIDS)
 
 
-def estimate_solid(vertices, triangles, control, **options):
-    """What write_solid() with the same options would give: triangles, faces, megabytes, seconds."""
+def estimate_solid(vertices, triangles, control, suffix, quick, **options):
+    """What write_solid() of this suffix with the same options would give: triangles, faces, megabytes,
+    seconds, tolerance, tried. quick: bounds, from a look at the mesh; else from a trial."""
     with errors():
-        return module().estimate_solid(vertices, triangles, run=control.context, **options)
+        return module().estimate_solid(
+            vertices, triangles, run=control.context, format=suffix, quick=quick, **options
+        )
 
 
 def write_solid(vertices, triangles, path, control, **options):

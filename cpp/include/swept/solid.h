@@ -68,17 +68,36 @@ struct StepReport {
 /// The key "solid" of a report as JSON text, without the warnings (docs/report.schema.json).
 std::string toJson(const StepReport& report);
 
-/// What a solid would take, from a look at the mesh; faces is an upper bound.
+enum class SolidFormat { Step, Brep };
+/// By suffix: .step/.stp or .brep/.brp. Throws Error(ExportFailed, "BadSuffix").
+SolidFormat solidFormatOf(const std::string& path);
+
+/// What a solid would take.
 struct SolidEstimate {
   std::int64_t triangles = 0;
   std::int64_t faces = 0;
-  double megabytes = 0;
-  double seconds = 0;
+  double megabytes = 0;     ///< of the file
+  double seconds = 0;       ///< elapsed, of writeSolid
+  double trialSeconds = 0;  ///< elapsed, of the trial itself; part of `seconds`
+  double tolerance = 0;     ///< mm, of a trial: the one given, or the one that the limits ask for
+  double deviation = 0;     ///< mm, of a trial: as in StepReport
+  bool tried = false;       ///< from a trial; else faces is an upper bound
 };
+/// The key "estimate" of a report as JSON text (docs/report.schema.json).
+std::string toJson(const SolidEstimate& estimate);
 
-/// Cost: some microseconds a triangle. Throws Error(ExportFailed) where no solid can be made of the
-/// mesh at all.
-SolidEstimate estimateSolid(const TriMesh& mesh, const StepOptions& options, RunContext& run);
+/// From a look at the mesh: all figures are upper bounds, far too large where surfaces are
+/// recognised. Cost: some microseconds a triangle. Throws Error(ExportFailed) where no solid can be
+/// made of the mesh at all.
+SolidEstimate guessSolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+                         RunContext& run);
+
+/// From a trial: the solid is built and written without a file, so faces and bytes are those of
+/// writeSolid, and the seconds of what follows are foretold. Cost: writeSolid without reading back.
+/// Throws what writeSolid throws before it reads back: Error(ExportFailed, "TooManyFaces", ...),
+/// Error(Cancelled).
+SolidEstimate trySolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+                       RunContext& run);
 
 /// Format by suffix: .step/.stp or .brep/.brp. Written beside the target, re-read, checked (one
 /// solid per outer shell, valid, same volume), then renamed; on any failure the old file survives

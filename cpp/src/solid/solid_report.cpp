@@ -57,4 +57,15 @@ std::string toJson(const StepReport& solid) {
   return jsonText(json);
 }
 
+std::string toJson(const SolidEstimate& estimate) {
+  return jsonText({{"triangles", estimate.triangles},
+                   {"faces", estimate.faces},
+                   {"megabytes", estimate.megabytes},
+                   {"seconds", estimate.seconds},
+                   {"trial_seconds", estimate.trialSeconds},
+                   {"tolerance", estimate.tolerance},
+                   {"deviation", estimate.deviation},
+                   {"tried", estimate.tried}});
+}
+
 }  // namespace swept

@@ -11,12 +11,15 @@ from driver import (  # noqa: E402
     Gui,
     QtGui,
     QtWidgets,
+    check_table,
     click,
+    contrast_of,
     find,
     new_document,
     no_panel,
     open_workbench,
     panel_button,
+    read_verdicts,
     run,
     say,
     select,
@@ -35,6 +38,8 @@ def scenario():
     doc = new_document("Dark")
     box, wall = doc.addObject("Part::Box", "Slide"), doc.addObject("Part::Box", "Wall")
     wall.Placement.Base = V(0, 13, 0)
+    for name, place in (("In", V(20, 5, 5)), ("On", V(0, -10, 0)), ("Off", V(0, 0, 60))):
+        doc.addObject("Part::Box", name).Placement.Base = place
     places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
     path = motion.motion_from_poses(doc, [0, 1], places)
     doc.recompute()
@@ -60,6 +65,14 @@ def scenario():
             yield 0.5
             found = doc.getObject("Clearance")
             assert found.Status == clearance.UP_TO_DATE, found.Status
+            table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+            check_table(table)
+            table.clearSelection()
+            behind = read_verdicts(table)
+            assert len(set(behind.values())) == 4, behind
+            ratio, behind = contrast_of(find(QtWidgets.QWidget, "SweptVolumeDistanceGraph"))
+            say("graph on {}: contrast {:.1f}".format(behind, ratio))
+            assert ratio >= 4.5, (behind, ratio)
         form = [w for w in window.findChildren(QtWidgets.QGroupBox) if w.isVisible()][0]
         text = form.palette().color(QtGui.QPalette.WindowText).lightness()
         say("{}: lightness of the text {}".format(name, text))

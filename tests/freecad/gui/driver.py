@@ -24,6 +24,59 @@ STEP, LIMIT = 150, 60.0
 END = object()
 
 
+def contrast_of(widget, where=None):
+    """(contrast of what is written there to what lies behind it, 1 to 21 (WCAG 2.1); that colour, behind),
+    as the pixels of a widget or a QRect in it are."""
+    image = widget.grab(where or widget.rect()).toImage()
+    seen = {}
+    for x in range(image.width()):
+        for y in range(image.height()):
+            seen[image.pixel(x, y)] = seen.get(image.pixel(x, y), 0) + 1
+
+    def luminance(pixel):
+        parts = [(pixel >> shift & 255) / 255.0 for shift in (16, 8, 0)]
+        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2] + 0.05
+
+    behind = max(seen, key=seen.get)
+    own = luminance(behind)
+    ratio = max(max(luminance(p), own) / min(luminance(p), own) for p in seen)
+    return ratio, "#{:06x}".format(behind & 0xFFFFFF)
+
+
+def read_verdicts(table):
+    """{verdict: colour behind it}; each must be seen (WCAG 2.1: 4.5)."""
+    found = {}
+    for row in range(table.rowCount()):
+        cell = table.item(row, 1)
+        box = table.visualItemRect(cell).adjusted(1, 1, -1, -1)  # without the lines of the table
+        ratio, behind = contrast_of(table.viewport(), box)
+        say("{} on {}: contrast {:.1f}".format(cell.text(), behind, ratio))
+        assert ratio >= 4.5, (cell.text(), behind, ratio)
+        found[cell.text()] = behind
+    return found
+
+
+def check_table(table):
+    """Every head of a table is seen in full, and every text in its first column, in as many lines as it
+    takes."""
+    header = table.horizontalHeader()
+    room = header.fontMetrics()
+    for column in range(table.columnCount()):
+        if table.isColumnHidden(column):
+            continue
+        text = table.horizontalHeaderItem(column).text()
+        wide = max(room.boundingRect(line).width() for line in text.split("\n"))
+        assert wide <= header.sectionSize(column), (text, wide, header.sectionSize(column))
+    wraps = int(getattr(QtCore.Qt.TextWordWrap, "value", QtCore.Qt.TextWordWrap))
+    for row in range(table.rowCount()):
+        cell = table.item(row, 0)
+        box = table.visualItemRect(cell)
+        need = table.fontMetrics().boundingRect(0, 0, box.width() - 6, 1000, wraps, cell.text())
+        fits = need.width() <= box.width() and need.height() <= box.height()
+        assert fits, (cell.text(), need, box)
+
+
 class Gaps:
     """Longest time between two ticks of a 5 ms timer: how long the window stood still. `busy` is the
     longest that the window's own thread computed between two ticks: the rest it waited for a core.

@@ -310,7 +310,7 @@ TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
   EXPECT_NE(text("many.step").find("FACETED_BREP("), std::string::npos);
   EXPECT_LT(report.fileBytes, 21000U * 400);
   RunContext run;
-  const SolidEstimate estimate = estimateSolid(mesh, options, run);
+  const SolidEstimate estimate = guessSolid(mesh, options, SolidFormat::Step, run);
   EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(report.fileBytes),
               0.15 * estimate.megabytes);
 }
@@ -349,7 +349,7 @@ TEST_F(StepExport, LimitsChooseTheTolerance) {
 TEST_F(StepExport, EstimateIsOfTheRightSize) {
   const TriMesh mesh = makeTorus(20, 6, 60, 24);
   RunContext run;
-  const SolidEstimate estimate = estimateSolid(mesh, {}, run);
+  const SolidEstimate estimate = guessSolid(mesh, {}, SolidFormat::Step, run);
   EXPECT_EQ(estimate.triangles, 2880);
   const StepReport report = write(mesh, "torus.step");
   EXPECT_EQ(estimate.faces, report.faces);

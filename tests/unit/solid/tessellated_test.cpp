@@ -113,7 +113,7 @@ TEST_F(Tessellated, RefusesWhatItCannotDo) {
 TEST_F(Tessellated, EstimateKnowsTheSizeOfTheFile) {
   const TriMesh mesh = makeTorus(20, 6, 120, 60);
   RunContext run;
-  const SolidEstimate estimate = estimateSolid(mesh, options(), run);
+  const SolidEstimate estimate = trySolid(mesh, options(), SolidFormat::Step, run);
   EXPECT_EQ(estimate.faces, static_cast<std::int64_t>(mesh.triangles.size()));
   EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(write(mesh, options()).fileBytes),
               0.25 * estimate.megabytes);

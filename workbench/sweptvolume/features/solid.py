@@ -212,16 +212,30 @@ class Request:
             "exact": self.exact,
         }
 
-    def estimate(self, control):
-        """Any thread: triangles, faces, megabytes, seconds. Raises core.CoreError."""
-        if core.has_solids():
-            return core.estimate_solid(self.vertices, self.triangles, control, **self.options())
+    def estimates(self, suffix):
+        """Functions of a core.Control, for any thread, that tell what a file of this suffix takes: a quick
+        bound, then a trial. They give dicts as core.estimate_solid() and raise core.CoreError."""
+        if not core.has_solids():
+            return [self._estimate_faceted]
+
+        def estimate(quick):
+            return lambda control: core.estimate_solid(
+                self.vertices, self.triangles, control, suffix, quick, **self.options()
+            )
+
+        return (
+            [estimate(True)] if self.settings["tessellated"] else [estimate(True), estimate(False)]
+        )
+
+    def _estimate_faceted(self, control):
         count = len(self.triangles)  # of each a face
         return {
             "triangles": count,
             "faces": count,
             "megabytes": faceted.MEGABYTES * count,
             "seconds": faceted.SECONDS * count,
+            "tolerance": 0.0,
+            "tried": True,
         }
 
     def write(self, path, control):

@@ -9,6 +9,7 @@ from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
 from .run_panel import StayingPanel
+from .shades import ShadedCells
 from .widgets import QtWidgets
 
 #: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
@@ -78,6 +79,8 @@ class ResultPanel(StayingPanel):
                 "Between the meshes; the line above has taken off how far these may leave the parts",
             )
         )
+        self.shades = ShadedCells()  # the table does not keep it
+        self.table.setItemDelegateForColumn(1, self.shades)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
@@ -157,8 +160,6 @@ class ResultPanel(StayingPanel):
                 if c == 1:
                     cell.setToolTip(translate("Panels", "Rule: {0}").format(rule))
                     cell.setBackground(colour)
-                    dark = colour.lightness() < 120
-                    cell.setForeground(QtGui.QColor("white" if dark else "black"))
                 elif c == 0:
                     cell.setToolTip(row["name"])
                 self.table.setItem(r, c, cell)

@@ -13,7 +13,7 @@ from ..features.path_plan import placement_of
 from ..texts import translate
 from ..trajectory.poses import shift_to
 from ..views.live_distance import LiveDistance
-from . import widgets
+from . import shades, widgets
 from .live_clearance import LiveClearance
 from .widgets import QtWidgets
 
@@ -121,7 +121,8 @@ class LiveBox(QtCore.QObject):
         text = text.format(quantities.quantity(answer.distance), answer.name)
         self.clashes.emit(clash)
         widgets.show_message(self.text, text)
-        self.text.setStyleSheet("color: #d01020; font-weight: bold;" if clash else "")
+        style = "color: {}; font-weight: bold;".format(shades.alarm(self.text))
+        self.text.setStyleSheet(style if clash else "")
         if self.show_box.isChecked():
             if self.drawn is None:
                 self.drawn = LiveDistance(self.document)

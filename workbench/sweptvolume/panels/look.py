@@ -27,18 +27,19 @@ class Look:
 
     def __init__(self, document, show, report):
         self.document, self.show, self.report = document, show, report
-        self.run, self._next = None, None
+        self.run, self._next, self._later = None, (), ()
 
-    def want(self, find):
-        """find(control): in a thread beside the window's, plain values only."""
-        self._next = find
+    def want(self, *finds):
+        """find(control): in a thread beside the window's, plain values only. Of several each is shown when
+        it is found, then the next is looked for: the quick ones first."""
+        self._next = finds
         if self.run is None:
             self._start()
         else:
             self.run.cancel()
 
     def _start(self):
-        find, self._next = self._next, None
+        find, self._next, self._later = self._next[0], (), self._next[1:]
         self.run = runner.start(_LookTask(self.document, find, self.show))
         self.run.ended.connect(self._ended)
 
@@ -46,14 +47,16 @@ class Look:
         self.run = None
         if not alive(self.document):
             return
-        if self._next is not None:
+        if run.state == "ok":
+            self._next = self._next or self._later
+        if self._next:
             self._start()
         elif run.state == "failed":
             self.report(run.message)
 
     def stop(self):
         """Drops what is under way."""
-        self._next = None
+        self._next = self._later = ()
         if self.run is not None:
             self.run.ended.disconnect(self._ended)
             self.run.cancel()

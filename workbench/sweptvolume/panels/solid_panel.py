@@ -128,7 +128,8 @@ class SolidPanel(StartPanel):
             return
         try:
             guard.check_fields(self.form)
-            self.look.want(self.mesh.but(self.settings()).estimate)
+            suffix = os.path.splitext(self.path)[1].lstrip(".").lower() or "brep"
+            self.look.want(*self.mesh.but(self.settings()).estimates(suffix))
         except Exception as problem:
             guard.tell(self.expected, problem)
 
@@ -136,16 +137,22 @@ class SolidPanel(StartPanel):
         widgets.show_message(self.expected, text)
 
     def show_estimate(self, found):
-        text = translate("Panels", "{0} triangles: at most {1} faces,\nup to about {2}, {3}")
-        widgets.show_message(
-            self.expected,
-            text.format(
-                quantities.count(found["triangles"]),
-                quantities.count(found["faces"]),
-                quantities.megabytes(found["megabytes"] * 1e6),
-                quantities.seconds(found["seconds"]),
-            ),
+        if found["tried"]:
+            text = translate("Panels", "{0} triangles: {1} faces,\nabout {2}, {3}")
+        else:
+            text = translate("Panels", "{0} triangles: at most {1} faces,\nup to about {2}, {3}")
+        text = text.format(
+            quantities.count(found["triangles"]),
+            quantities.count(found["faces"]),
+            quantities.megabytes(found["megabytes"] * 1e6),
+            quantities.seconds(found["seconds"]),
         )
+        if not found["tried"]:
+            text += "\n" + translate("Panels", "The solid is being tried out ...")
+        elif found["tolerance"] > 0 and not self.settings()["tolerance"]:
+            asked = translate("Panels", "The limits ask for a tolerance of {0}")
+            text += "\n" + asked.format(quantities.quantity(found["tolerance"]))
+        widgets.show_message(self.expected, text)
 
     # --- run
 
@@ -155,8 +162,13 @@ class SolidPanel(StartPanel):
         return tasks.SolidTask(self.document, self.source, self.obj, self.settings())
 
     def start(self):
+        # A trial would do the run's work beside it.
+        self.timer.stop()
+        self.look.stop()
         if self.begin(self.task, self.ended):
             self._enable(False)
+        else:
+            self._changed()
 
     def _enable(self, on):
         self.fields.setEnabled(on)
@@ -168,6 +180,7 @@ class SolidPanel(StartPanel):
             self._close()
             return
         self._enable(True)
+        self._changed()
         self.box.leave(self.form)
         widgets.show_failure(self.message, run)
 

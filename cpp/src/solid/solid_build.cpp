@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/solid_build.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/limits.h"
+#include "base/number_text.h"
+#include "base/safe_file.h"
+#include "simplify/thin.h"
+#include "solid/kernel/solid_file.h"
+#include "solid/text/step_text.h"
+
+namespace swept {
+namespace step {
+namespace {
+
+[[noreturn]] void badOption(const std::string& text) {
+  throw Error(Status::ExportFailed, "BadOption", text);
+}
+
+void requireLength(const char* name, double value) {
+  if (value >= 0 && value <= kLargestLength) return;
+  badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
+            " mm; allowed: 0 to 1e9 mm");
+}
+
+// The kernel, and therefore most programs, fails on longer names.
+constexpr std::size_t kLongestName = 1000;
+
+void requireName(const char* name, const std::string& text) {
+  if (text.size() <= kLongestName) return;
+  badOption(std::string(name) + " has " + std::to_string(text.size()) + " bytes; allowed: up to " +
+            std::to_string(kLongestName));
+}
+
+// Rough figures, measured on triangulated bodies.
+constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
+constexpr double kSecondsPerFace = 3e-4;
+
+bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
+                    SolidFormat format) {
+  return faces <= options.maxFaces &&
+         (options.maxMegabytes <= 0 ||
+          megabytesOf(faces, mesh, options, format) <= options.maxMegabytes);
+}
+
+[[noreturn]] void refuseTooMany(std::int64_t faces, const HalfEdgeMesh& mesh,
+                                const StepOptions& options, SolidFormat format) {
+  std::string limit = "the limit is " + std::to_string(options.maxFaces) + " faces";
+  if (options.maxMegabytes > 0) limit += " and " + numberText(options.maxMegabytes, 3) + " MB";
+  throw Error(
+      Status::ExportFailed, "TooManyFaces",
+      "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
+          numberText(options.tolerance, 3) + " mm; " + limit + "; the file would take about " +
+          fixedText(megabytesOf(faces, mesh, options, format), 1) + " MB and " +
+          std::to_string(
+              static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)))) +
+          " s. " +
+          (options.exact ? "It may not leave the mesh (exact), so take larger cells or raise the "
+                           "limit of faces"
+                         : "Allow a larger tolerance, raise the limit") +
+          ", or export a mesh file: PLY, STL, OBJ, OFF or 3MF hold it easily");
+}
+
+// Fraction of the tolerance, for thinning a dense mesh before surfaces are recognised.
+constexpr double kThinFraction = 0.15;
+constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
+
+double diagonalOf(const HalfEdgeMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.points) box.extend(p);
+  return box.diagonal().norm();
+}
+
+// Builds with the given tolerance, or with the smallest of a series that meets the limits;
+// `options` then contains it.
+Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
+                   KernelSession& kernel, RunContext& run) {
+  const auto fits = [&](std::int64_t count) {
+    return isWithinLimits(count, mesh, options, format);
+  };
+  constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;  // of the diagonal
+  const bool given = options.tolerance > 0;
+  std::int64_t faces = 0;
+  if (!given) {
+    if (auto built = makeShape(mesh, mesh, options, fits, kernel, faces, run))
+      return std::move(*built);
+    if (options.exact) refuseTooMany(faces, mesh, options, format);
+  }
+  const double diagonal = diagonalOf(mesh);
+  HalfEdgeMesh thin;
+  const HalfEdgeMesh* dense = &mesh;
+  if (!given) options.tolerance = kFirst * diagonal;
+  for (;; options.tolerance *= 2) {
+    if (dense->triangles.size() > kDense) {
+      // Continue with the result of the last round, whose part of the tolerance was half as large.
+      thin = thinned(*dense, kThinFraction * options.tolerance, run);
+      dense = &thin;
+    }
+    if (auto built = makeShape(mesh, *dense, options, fits, kernel, faces, run))
+      return std::move(*built);
+    if (given || 2 * options.tolerance > kMax * diagonal)
+      refuseTooMany(faces, mesh, options, format);
+  }
+}
+
+}  // namespace
+
+void checkOptions(const StepOptions& options) {
+  requireLength("planarTolerance", options.planarTolerance);
+  requireLength("the solid's tolerance", options.tolerance);
+  requireName("the product's name", options.productName);
+  requireName("the author", options.author);
+  requireName("the organization", options.organization);
+  for (const double part : options.colour) {
+    if (!(part >= 0 && part <= 1))
+      badOption("a part of the colour is " + numberText(part, kTellingDigits) +
+                "; allowed: 0 to 1");
+  }
+  if (options.exact && options.tolerance > 0) {
+    badOption("an exact solid has a tolerance of 0 mm");
+  }
+  if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
+    badOption("a solid has 4 faces at least, and a file more than 0 MB");
+  }
+}
+
+double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
+                   SolidFormat format) {
+  // Many plane faces without hollow spaces are written by their corners.
+  const bool corners = faces >= kManyFaces && (options.tolerance <= 0 || !options.recognise) &&
+                       countOuterShells(mesh.shellOwner) == std::ssize(mesh.shellOwner);
+  const double bytes = format == SolidFormat::Brep ? kBrepBytesPerFace
+                       : corners                   ? kBytesByCorners
+                                                   : kStepBytesPerFace;
+  return 1e-6 * static_cast<double>(faces) * bytes;
+}
+
+HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run) {
+  return buildHalfEdges(
+      thinOut({mesh.points, mesh.triangles}, limit, ThinFor::Surfaces, Phase::Export, run).mesh,
+      run);
+}
+
+Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
+                        KernelSession& kernel, RunContext& run) {
+  return uprightWithin(options.tolerance,
+                       [&] { return buildUpright(mesh, options, format, kernel, run); });
+}
+
+void writeBuilt(const Built& built, std::ostream& out, const std::string& name,
+                const StepOptions& options, SolidFormat format, RunContext& run) {
+  if (format == SolidFormat::Brep) {
+    writeBrep(built.brep.shape, out, run);
+  } else {
+    writeStepText(built.model, out, name, options, run);
+  }
+}
+
+bool isWorthFacets(const Error& error) {
+  return error.status() == Status::ExportFailed &&
+         (error.code() == "InvalidFaces" || error.code() == "RereadDiffers" ||
+          error.code() == "RereadFailed" || error.code() == "KernelFailure" ||
+          error.code() == "SolidInaccurate");
+}
+
+void refuseKernelFailure(const Standard_Failure& failure, const KernelSession& kernel,
+                         RunContext& run) {
+  run.checkpoint(Phase::Export);  // a cancelled kernel call may end in an exception of its own
+  const char* text = failure.GetMessageString();
+  throw Error(Status::ExportFailed, "KernelFailure",
+              std::string("the geometry kernel failed: ") + failure.DynamicType()->Name() +
+                  (text != nullptr && *text != 0 ? std::string(": ") + text : std::string()) +
+                  (kernel.messages().empty() ? std::string() : " (" + kernel.messages() + ")"));
+}
+
+void refuseMemory(std::size_t triangles) {
+  throw Error(Status::OutOfMemory, "OutOfMemory",
+              "the memory did not suffice for the solid of a mesh of " + std::to_string(triangles) +
+                  " triangles; simplify the envelope or export a mesh file");
+}
+
+}  // namespace step
+
+SolidFormat solidFormatOf(const std::string& path) {
+  const std::string suffix = suffixOf(path);
+  if (suffix == "step" || suffix == "stp") return SolidFormat::Step;
+  if (suffix == "brep" || suffix == "brp") return SolidFormat::Brep;
+  throw Error(
+      Status::ExportFailed, "BadSuffix",
+      "'" + path + "' does not end in .step, .stp, .brep or .brp, so the format is unknown");
+}
+
+}  // namespace swept

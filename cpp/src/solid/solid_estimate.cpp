@@ -1,0 +1,147 @@
+// What a solid would take: a guess from a look at the mesh, or a trial that builds and writes it
+// without a file. What a trial cannot know is how long the file takes to be read back and judged;
+// that is foretold from the faces.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <ostream>
+#include <streambuf>
+
+#include "base/threads.h"
+#include "base/timer.h"
+#include "solid/mesh/patches.h"
+#include "solid/solid_build.h"
+#include "solid/text/tessellated.h"
+#include "swept/solid.h"
+
+namespace swept {
+namespace {
+
+using namespace step;
+
+// s, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
+constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
+constexpr double kAsItIs = 2e-6;  // a triangle of a tessellated solid
+// To read back and judge a plane face, and an edge of a curved one; a BREP file needs no mending.
+constexpr double kStepFace = 2e-4, kStepCurvedEdge = 1e-3;
+constexpr double kBrepFace = 2e-5, kBrepCurvedEdge = 1e-4;
+
+// Counts what is written.
+class CountingBuffer : public std::streambuf {
+ public:
+  std::uint64_t count() const { return count_; }
+
+ private:
+  int_type overflow(int_type c) override {
+    ++count_;
+    return traits_type::not_eof(c);
+  }
+  std::streamsize xsputn(const char* /*text*/, std::streamsize length) override {
+    count_ += static_cast<std::uint64_t>(length);
+    return length;
+  }
+  std::uint64_t count_ = 0;
+};
+
+bool isTessellated(const StepOptions& options, SolidFormat format) {
+  return options.schema == StepSchema::Ap242Tessellated && format == SolidFormat::Step;
+}
+
+SolidEstimate ofTriangles(const HalfEdgeMesh& mesh) {
+  SolidEstimate estimate;
+  estimate.triangles = estimate.faces = static_cast<std::int64_t>(mesh.triangles.size());
+  estimate.megabytes = tessellatedMegabytes(estimate.faces);
+  estimate.seconds = kAsItIs * static_cast<double>(estimate.triangles);
+  estimate.tried = true;
+  return estimate;
+}
+
+SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidFormat format,
+                    RunContext& run) {
+  const HalfEdgeMesh mesh = buildHalfEdges(input, run);
+  if (isTessellated(options, format)) return ofTriangles(mesh);
+  SolidEstimate estimate;
+  estimate.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  if (options.tolerance > 0) {
+    double tolerance = options.tolerance;
+    estimate.faces = static_cast<std::int64_t>(
+        uprightWithin(tolerance, [&] { return thinned(mesh, tolerance, run); }).triangles.size());
+  } else {
+    Partition partition;
+    partition.patchOf.assign(mesh.triangles.size(), -1);
+    if (options.mergeCoplanar) growPlanes(mesh, options.planarTolerance, partition, run);
+    estimate.faces =
+        static_cast<std::int64_t>(partition.patches.size()) +
+        std::count(partition.patchOf.begin(), partition.patchOf.end(), std::int32_t{-1});
+    // More than the limit allows is not made: a tolerance is looked for.
+    if (!options.exact) estimate.faces = std::min(estimate.faces, options.maxFaces);
+  }
+  estimate.megabytes = megabytesOf(estimate.faces, mesh, options, format);
+  if (options.maxMegabytes > 0)
+    estimate.megabytes = std::min(estimate.megabytes, options.maxMegabytes);
+  estimate.seconds = kGuessPerFace * static_cast<double>(estimate.faces) +
+                     kGuessPerTriangle * static_cast<double>(estimate.triangles);
+  return estimate;
+}
+
+// s, for the kernel to read the file back and to judge what it read.
+double secondsToReadBack(const Model& model, SolidFormat format) {
+  const bool brep = format == SolidFormat::Brep;
+  const double face = brep ? kBrepFace : kStepFace, edge = brep ? kBrepCurvedEdge : kStepCurvedEdge;
+  double seconds = 0;
+  for (const ModelFace& one : model.faces) {
+    if (one.surface.isPlanar()) {
+      seconds += face;
+      continue;
+    }
+    for (const auto& loop : one.loops) seconds += edge * static_cast<double>(loop.size());
+  }
+  return seconds;
+}
+
+SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat format,
+                     RunContext& run) {
+  Timer watch;
+  const HalfEdgeMesh mesh = buildHalfEdges(input, run);
+  if (isTessellated(options, format)) return ofTriangles(mesh);
+  KernelSession kernel;
+  return withKernel(kernel, mesh.triangles.size(), run, [&] {
+    const Built built = buildWithinLimits(mesh, options, format, kernel, run);
+    CountingBuffer buffer;
+    std::ostream out(&buffer);
+    writeBuilt(built, out, "", options, format, run);
+    SolidEstimate estimate;
+    estimate.tried = true;
+    estimate.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+    estimate.faces = static_cast<std::int64_t>(built.model.faces.size());
+    estimate.megabytes = 1e-6 * static_cast<double>(buffer.count());
+    estimate.tolerance = options.tolerance;
+    estimate.deviation = built.deviation;
+    estimate.trialSeconds = watch.seconds();
+    estimate.seconds = estimate.trialSeconds + secondsToReadBack(built.model, format);
+    return estimate;
+  });
+}
+
+}  // namespace
+
+SolidEstimate guessSolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+                         RunContext& run) {
+  checkOptions(options);
+  tbb::task_arena arena(threadsOf(run));
+  return arena.execute([&] { return guess(mesh, options, format, run); });
+}
+
+SolidEstimate trySolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+                       RunContext& run) {
+  checkOptions(options);
+  tbb::task_arena arena(threadsOf(run));
+  return arena.execute([&] {
+    std::string why;
+    return orFacets(options, why,
+                    [&](StepOptions& used) { return tryOut(mesh, used, format, run); });
+  });
+}
+
+}  // namespace swept

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of solids: upper bounds at once, then the figures of a trial, which are those of the solid and of
+its file; a change or Cancel ends a trial, OK does not wait for one."""
+import os
+import re
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Cancel,
+    Gaps,
+    Gui,
+    Ok,
+    QtWidgets,
+    answered,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    say,
+    select,
+    shot,
+)
+
+V = App.Vector
+FIGURES = re.compile(
+    r"([\d,.]+) triangles: (at most )?([\d,.]+) faces,\s+(?:up to )?about ([\d,.]+) MB"
+)
+
+
+def figures(text):
+    """(faces, megabytes, whether they are bounds) that the panel shows; None: none yet."""
+    found = FIGURES.match(text)
+    if found is None:
+        return None
+    return int(found[3].replace(",", "")), float(found[4].replace(",", "")), bool(found[2])
+
+
+def scenario():
+    from sweptvolume import runner
+    from sweptvolume.features import envelope, motion
+    from sweptvolume.panels import file_dialogs
+
+    open_workbench()
+    yield
+    doc = new_document("Trial")
+    part = doc.addObject("Part::Torus", "Ring")
+    places = [
+        App.Placement(),
+        App.Placement(V(20, 3, 6), App.Rotation(V(3, 5, 8), 25)),
+        App.Placement(V(30, 20, 4), App.Rotation(V(-2, 7, 4), 41)),
+    ]
+    path = motion.motion_from_poses(doc, [0, 1, 2], places)
+    doc.recompute()
+    hull = envelope.make_envelope(doc, [part], path, Resolution=64)
+    envelope.compute(hull)
+    select(hull)
+    Gui.runCommand("SweptVolume_Solid")
+    yield
+    label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+    tolerance = find(QtWidgets.QWidget, "SweptVolumeSolidTolerance")
+    tried = lambda: figures(label.text()) is not None and not figures(label.text())[2]  # noqa: E731
+    bound = lambda: figures(label.text()) is not None and figures(label.text())[2]  # noqa: E731
+    yield tried
+    exact = figures(label.text())
+
+    # Bounds first, then the trial's; the window goes on meanwhile.
+    gaps = Gaps()
+    tolerance.setProperty("rawValue", 0.1)
+    yield bound
+    bounds = figures(label.text())
+    assert "being tried out" in label.text(), label.text()
+    shot("85_solid_bounds")
+    yield tried
+    say("longest between two events: " + gaps.stop())
+    fine = figures(label.text())
+    shot("86_solid_tried")
+    yield 0.5
+    assert fine[0] <= bounds[0] and fine[0] < exact[0], (fine, bounds, exact)
+    assert "tried out" not in label.text(), label.text()
+
+    # A change while a trial is under way: the last wish alone is shown.
+    tolerance.setProperty("rawValue", 0.02)
+    yield bound
+    tolerance.setProperty("rawValue", 0.4)
+    shown = []
+
+    def settled():
+        shown.append(label.text())
+        return tried() and figures(label.text()) != fine and not runner.running()
+
+    yield settled
+    coarse = figures(label.text())
+    assert coarse[0] < fine[0], (coarse, fine)
+    exact_ones = {t for t in shown if figures(t) and not figures(t)[2] and figures(t) != fine}
+    assert exact_ones == {label.text()}, exact_ones
+
+    # Cancel in the middle of a trial leaves nothing that runs.
+    tolerance.setProperty("rawValue", 0.03)
+    yield bound
+    assert runner.running()
+    click(panel_button(Cancel))
+    yield no_panel
+    yield lambda: not runner.running()
+    assert doc.getObject("EnvelopeSolid") is None
+
+    # OK in the middle of one does not wait for it; the solid has the faces that its own trial tells.
+    select(hull)
+    Gui.runCommand("SweptVolume_Solid")
+    yield
+    label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+    find(QtWidgets.QWidget, "SweptVolumeSolidTolerance").setProperty("rawValue", 0.1)
+    yield bound
+    click(panel_button(Ok))
+    yield no_panel
+    body = doc.getObject("EnvelopeSolid")
+    assert body.Faces == fine[0], (body.Faces, fine)
+    assert body.Shape.isValid()
+
+    # The limit asks for a tolerance: the panel says which.
+    select(hull)
+    Gui.runCommand("SweptVolume_Solid")
+    yield
+    label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+    yield tried
+    find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(1500)
+    yield lambda: tried() and figures(label.text())[0] <= 1500
+    assert "limits ask for a tolerance of" in label.text(), label.text()
+    # What cannot be made is refused by the trial in the words of the run.
+    find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(4)
+    yield lambda: "the limit is 4 faces" in label.text()
+    click(panel_button(Cancel))
+    yield no_panel
+
+    # A file: its megabytes.
+    target = os.path.join(tempfile.mkdtemp(), "ring.step")
+    with answered(file_dialogs, "ask_export", lambda name: target):
+        select(hull)
+        Gui.runCommand("SweptVolume_Export")
+        yield
+    label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+    find(QtWidgets.QWidget, "SweptVolumeSolidTolerance").setProperty("rawValue", 0.1)
+    yield bound
+    yield tried
+    faces, megabytes, _ = figures(label.text())
+    assert faces == fine[0], (faces, fine)
+    click(panel_button(Ok))
+    yield no_panel
+    real = os.path.getsize(target) / 1e6
+    assert abs(megabytes - real) < 0.01 * real, (megabytes, real)
+
+
+run(scenario)
