@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -37,7 +38,7 @@ constexpr double kLeastShare = 0.2;
 /// planned, and of a crossing that becomes surface.
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 /// Cells that are probed after each trial, to learn what a probe takes.
-constexpr std::size_t kProbesPerTrial = 2;
+constexpr std::size_t kProbesPerTrial = 2, kProbesOfCopies = 64;
 /// A whole sweep has other creases than a few steps of it: 0.0006 to 0.7 probes of a crossing were
 /// seen in crowded sweeps. Within these limits the few steps tell.
 constexpr double kMinProbesOfCrossing = 0.01, kMaxProbesOfCrossing = 0.5;
@@ -163,13 +164,31 @@ class Trials {
     const double faces = static_cast<double>(p_.body.mesh.triangles.size());
     const std::size_t wanted =
         std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost);
-    if (count <= 2 * wanted) return of(motion, 0);
-    Cost sum, least;
-    if (!motion.continuous) {
-      for (std::size_t n = 0; n < wanted; ++n)
-        sum.add(at((2 * n + 1) * count / (2 * wanted), 1), times(count, wanted));
-      return sum;
+    if (count <= 2 * wanted) return of(motion, numbersFrom(0, motion.placements.size()));
+    return motion.continuous ? byWindows(count, wanted) : bySomeCopies(count, wanted);
+  }
+
+ private:
+  /// Of a union of copies: some of them at once, less what sampling takes for the grid alone.
+  Cost bySomeCopies(std::size_t count, std::size_t wanted) {
+    Motion some;
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t n = 0; n < wanted; ++n) {
+      numbers.push_back(static_cast<std::uint32_t>((2 * n + 1) * count / (2 * wanted)));
+      some.placements.push_back(p_.motion.placements[numbers.back()]);
     }
+    some.continuous = false;
+    const Cost all = of(some, numbers);
+    const Cost one = at(count / 2, 1);
+    Cost sum, least;
+    sum.add(all, times(count, wanted - 1));
+    sum.add(one, -times(count, wanted - 1));
+    least.add(all, kLeastShare * times(count, wanted));
+    return largerOf(sum, least);
+  }
+
+  Cost byWindows(std::size_t count, std::size_t wanted) {
+    Cost sum, least;
     const std::size_t steps = std::max<std::size_t>(1, wanted / (3 * kWindows));
     for (std::size_t w = 0; w < kWindows; ++w) {
       const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * kWindows);
@@ -178,11 +197,20 @@ class Trials {
       sum.add(one, -times(count, kWindows * steps));
       least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
     }
-    return {std::max(sum.seconds, least.seconds), std::max(sum.crossings, least.crossings),
-            std::max(sum.elements, least.elements)};
+    return largerOf(sum, least);
   }
 
- private:
+  static Cost largerOf(const Cost& a, const Cost& b) {
+    return {std::max(a.seconds, b.seconds), std::max(a.crossings, b.crossings),
+            std::max(a.elements, b.elements)};
+  }
+
+  static std::vector<std::uint32_t> numbersFrom(std::size_t first, std::size_t count) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
+    return numbers;
+  }
+
   static double times(std::size_t all, std::size_t part) {
     return static_cast<double>(all) / static_cast<double>(part);
   }
@@ -193,11 +221,12 @@ class Trials {
   }
 
   Cost at(std::size_t first, std::size_t count) {
-    return of(partOf(p_.motion, first, count), first);
+    const Motion part = partOf(p_.motion, first, count);
+    return of(part, numbersFrom(first, part.placements.size()));
   }
 
-  /// Of a part of the motion that begins at placement `first`.
-  Cost of(const Motion& motion, std::size_t first) {
+  /// Of a part of the motion; `numbers`: of its placements in the whole.
+  Cost of(const Motion& motion, const std::vector<std::uint32_t>& numbers) {
     const double start = threadSeconds();
     std::uint64_t crossings = 0;
     SamplerInput part = input(motion);
@@ -208,23 +237,24 @@ class Trials {
     cost.seconds = threadSeconds() - start;
     cost.elements = static_cast<double>(marks.elements.size());
     cost.crossings = static_cast<double>(crossings);
-    choosePlaces(marks, static_cast<std::uint32_t>(first));
+    choosePlaces(marks, numbers);
     return cost;
   }
 
   /// Some of the edges that a trial marked.
-  void choosePlaces(const MarkedEdges& marks, std::uint32_t first) {
+  void choosePlaces(const MarkedEdges& marks, const std::vector<std::uint32_t>& numbers) {
     const std::size_t layers = marks.layers.size();
-    for (std::size_t n = 0; n < kProbesPerTrial; ++n) {
+    const std::size_t wanted = p_.motion.continuous ? kProbesPerTrial : kProbesOfCopies;
+    for (std::size_t n = 0; n < wanted; ++n) {
       // The first edge from a layer on; layers apart, so that they lie at different places.
-      for (std::size_t i = (2 * n + 1) * layers / (2 * kProbesPerTrial); i < layers; ++i) {
+      for (std::size_t i = (2 * n + 1) * layers / (2 * wanted); i < layers; ++i) {
         const auto& edges = marks.layers[i].edges[0];
         if (edges.empty()) continue;
         const auto& columns = marks.layers[i].columnStart[0];
         const auto middle = static_cast<std::uint32_t>(edges.size() / 2);
         const auto j = std::upper_bound(columns.begin(), columns.end(), middle) - columns.begin();
         SweptElement element = marks.elements[edges[middle].lowElement];
-        element.placement += first;
+        element.placement = numbers[element.placement];
         places_.push_back(
             {Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j - 1), edges[middle].k),
              element});
