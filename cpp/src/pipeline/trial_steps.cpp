@@ -20,6 +20,7 @@
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/dense/dense_trial.h"
 #include "sampling/sampler.h"
+#include "signs/count_crossings.h"
 #include "signs/signs.h"
 
 namespace swept {
@@ -111,6 +112,8 @@ class Trials {
   /// Of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
   double insideCrossings() const { return static_cast<double>(insideCrossings_); }
+  /// Crossings of the surface, where the trial was the whole motion.
+  std::optional<double> surface() const { return surface_; }
   /// Of the map of it.
   double insideBytes() const {
     if (!inside_) return 0;
@@ -164,11 +167,18 @@ class Trials {
     const double faces = static_cast<double>(p_.body.mesh.triangles.size());
     const std::size_t wanted =
         std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost);
-    if (count <= 2 * wanted) return of(motion, numbersFrom(0, motion.placements.size()));
+    if (count <= 2 * wanted) return ofAll();
     return motion.continuous ? byWindows(count, wanted) : bySomeCopies(count, wanted);
   }
 
  private:
+  Cost ofAll() {
+    MarkedEdges marks;
+    const Cost cost = of(p_.motion, numbersFrom(0, p_.motion.placements.size()), &marks);
+    surface_ = static_cast<double>(countCrossings(marks, p_.grid, run_).crossings);
+    return cost;
+  }
+
   /// Of a union of copies: some of them at once, less what sampling takes for the grid alone.
   Cost bySomeCopies(std::size_t count, std::size_t wanted) {
     Motion some;
@@ -225,19 +235,21 @@ class Trials {
     return of(part, numbersFrom(first, part.placements.size()));
   }
 
-  /// Of a part of the motion; `numbers`: of its placements in the whole.
-  Cost of(const Motion& motion, const std::vector<std::uint32_t>& numbers) {
+  /// Of a part of the motion; `numbers`: of its placements in the whole. `kept`: gets the marks.
+  Cost of(const Motion& motion, const std::vector<std::uint32_t>& numbers,
+          MarkedEdges* kept = nullptr) {
     const double start = threadSeconds();
     std::uint64_t crossings = 0;
     SamplerInput part = input(motion);
     part.crossings = &crossings;
     if (inside_) part.inside = &*inside_;
-    const MarkedEdges marks = sampleCpu(part, run_);
+    MarkedEdges marks = sampleCpu(part, run_);
     Cost cost;
     cost.seconds = threadSeconds() - start;
     cost.elements = static_cast<double>(marks.elements.size());
     cost.crossings = static_cast<double>(crossings);
     choosePlaces(marks, numbers);
+    if (kept != nullptr) *kept = std::move(marks);
     return cost;
   }
 
@@ -272,6 +284,7 @@ class Trials {
   std::optional<InsideMap> inside_;
   double insideSeconds_ = 0;
   std::uint64_t insideCrossings_ = 0;
+  std::optional<double> surface_;
 };
 
 }  // namespace
@@ -281,37 +294,39 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   if (options.offset > 0 || options.conservative) return estimate;
   const FaceClusters clusters = buildClusters(p.body.mesh, topology);
   const double byBox = static_cast<double>(estimate.triangles) / 2;
-  const double surface = std::min(byBox, guessCrossings(clusters, p.motion, p.grid));
-  const std::uint64_t bytesForAll =
-      estimate.memoryBytes -
-      static_cast<std::uint64_t>((byBox - surface) * bytesOfCrossing(options));
+  double surface = std::min(byBox, guessCrossings(clusters, p.motion, p.grid));
+  const auto bytesForAll = [&] {
+    return static_cast<std::uint64_t>(static_cast<double>(estimate.memoryBytes) +
+                                      (surface - byBox) * bytesOfCrossing(options));
+  };
   const double threads = threadsOf(run);
   const double before = std::max(body.seconds / threads,
                                  static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds) +
                         static_cast<double>(p.givenPoses) * kPoseSeconds;
   Estimate better = estimate;
-  better.triangles = static_cast<std::int64_t>(2 * surface);
-  better.memoryBytes = std::max(bytesForAll, body.bytes);
   tbb::task_arena alone(1);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
     const SamplerInput input{p.body.mesh, topology,     p.motion,
                              p.grid,      options.cull, p.body.orientable};
     const auto cost = alone.execute([&] { return dense::tryDense(input, run); });
+    better.triangles = static_cast<std::int64_t>(2 * surface);
     better.seconds = before + (cost.seconds + surface * kCrossingSeconds) / threads;
-    better.memoryBytes = std::max(
-        body.bytes, bytesForAll - denseBytes(p.body.mesh) + static_cast<std::uint64_t>(cost.bytes));
+    better.memoryBytes = std::max(body.bytes, bytesForAll() - denseBytes(p.body.mesh) +
+                                                  static_cast<std::uint64_t>(cost.bytes));
     return better;
   }
   const auto [sampling, most, map] = alone.execute([&] {
     Trials trials(p, topology, clusters, options, run);
     Cost cost = trials.whole();
+    surface = trials.surface().value_or(surface);
     cost.seconds += trials.insideSeconds();
     const double probes =
         std::clamp(trials.probesOfCrossing(), kMinProbesOfCrossing, kMaxProbesOfCrossing);
     cost.seconds += surface * (kCrossingSeconds + probes * trials.probeSeconds());
     return std::tuple(cost, trials.insideCrossings(), trials.insideBytes());
   });
+  better.triangles = static_cast<std::int64_t>(2 * surface);
   better.seconds = before + sampling.seconds / threads;
   const bool thins = sampling.crossings > kItems * kThinCrossings && placementsOfItem(p) >= 16;
   const double kept = thins ? 2 * threads * kThinCrossings + kItems * surface : sampling.crossings;
@@ -319,8 +334,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   // was made of too.
   const double bytes =
       std::max(most * kSortedBytes, kept * kSortedBytes + sampling.elements * kElementBytes + map);
-  better.memoryBytes =
-      std::max(better.memoryBytes, bytesForAll + static_cast<std::uint64_t>(bytes));
+  better.memoryBytes = std::max(body.bytes, bytesForAll() + static_cast<std::uint64_t>(bytes));
   return better;
 }
 
