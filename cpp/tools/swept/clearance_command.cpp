@@ -41,7 +41,7 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
   addNeighbourOptions(app, job.neighbours);
   addRuleOptions(app, job.neighbours);
   addText(app, "--motion", "FILE", job.motionPath, "poses, as for swept envelope")->required();
-  addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
+  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
           "format of the generator, instead of its suffix");
   addUnit(app, "--generator-unit", job.generatorUnit,
           "unit of the generator's numbers (default mm)");
@@ -241,7 +241,6 @@ Run addClearanceCommand(CLI::App& program) {
   return [job] {
     checkNeighbourOptions(job->neighbours);
     job->options.curveSamples = static_cast<int>(job->curve);
-    if (job->generatorPath == "-" && job->generatorFormat.empty()) job->generatorFormat = "ply";
     return runClearance(*job);
   };
 }

@@ -81,20 +81,22 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
                                                [[maybe_unused]] RunContext& run) {
   std::vector<ClearanceNeighbour> list;
   for (const std::string& path : files.paths) {
-    if (!isSolidFile(path)) {
-      list.push_back({pathFromUtf8(path).stem().string(), readMesh(path, files.millimetresPerUnit),
-                      files.chordError});
-      continue;
-    }
+    readRepeatably(path, [&](const std::string& file) {
+      if (!isSolidIn(file, path, "")) {
+        list.push_back({pathFromUtf8(path).stem().string(),
+                        meshFrom(file, path, "", files.millimetresPerUnit), files.chordError});
+        return;
+      }
 #ifdef HAVE_SWEPT_SOLID
-    for (ImportedSolid& solid : readSolids(path, files.deflection, 0.2, run))
-      list.push_back({solid.name, std::move(solid.mesh), files.deflection});
+      for (ImportedSolid& solid : readSolids(file, files.deflection, 0.2, run))
+        list.push_back({solid.name, std::move(solid.mesh), files.deflection});
 #else
-    throw Error(Status::InvalidInput, "BadFormat",
-                "'" + path +
-                    "': this program was built without OpenCASCADE and cannot read solids; "
-                    "give a mesh (ply, stl, obj, off)");
+      throw Error(Status::InvalidInput, "BadFormat",
+                  "'" + path +
+                      "': this program was built without OpenCASCADE and cannot read solids; "
+                      "give a mesh (ply, stl, obj, off)");
 #endif
+    });
   }
   giveRules(files, list);
   return list;

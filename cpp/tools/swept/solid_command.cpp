@@ -31,10 +31,13 @@ int runSolid(const SolidJob& job) {
   run.threads = static_cast<int>(common.threads);
   try {
     std::optional<TriMesh> mesh;
-    if (isStream(job.meshPath)) mesh = readInputMesh(job.meshPath, job.meshFormat, job.unit);
+    const auto read = [&] {
+      mesh = meshFrom(inputPath(job.meshPath), job.meshPath, job.meshFormat, job.unit);
+    };
+    if (isStream(job.meshPath)) read();
     runWatched(run, common.quiet, [&] {
       checkAccess(inputs, outputs);
-      if (!mesh) mesh = readInputMesh(job.meshPath, job.meshFormat, job.unit);
+      if (!mesh) read();
       const Output output(job.outputPath, job.outputFormat);
       solid = writeSolid(*mesh, output.path(), job.options, run);
       output.deliver();
@@ -86,7 +89,6 @@ Run addSolidCommand(CLI::App& program) {
   return [job] {
     job->options.strict = job->common.strict;
     if (job->common.strict && job->options.tolerance <= 0) job->options.exact = true;
-    if (job->meshFormat.empty() && job->meshPath == "-") job->meshFormat = "ply";
     return runSolid(*job);
   };
 }
