@@ -1,7 +1,6 @@
 // What a run takes, after a look: a few of its steps are sampled on its own grid, and counted.
 // In:    checked body and what its check took, planned run. Out: the estimate with seconds and
-//        memory of sampling as these steps take them. What the surface takes is reckoned from its
-//        guessed size, and from what some probes of its cells take.
+//        memory of sampling as these steps take them. What the surface takes is seen on a rough one.
 // Cost:  sampling of 8 to 192 placements, on one thread.
 // Promise: within a factor of 2 for memory and 3 for seconds over most of the inputs of
 //        tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
