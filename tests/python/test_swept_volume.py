@@ -155,6 +155,8 @@ def test_resolution_and_cell_exclude_one_another(mesh, motion):
         assert (caught.value.status, caught.value.code) == ("InvalidInput", "BadOption")
     with pytest.raises(sv.InvalidInput, match="exclude one another"):
         sv.PreviewSession(mesh, resolution=64, cell=1.0)
+    with pytest.raises(sv.InvalidInput, match="exclude one another"):
+        sv.read_body("part.step", resolution=64, cell=1.0)
 
 
 def test_shapes_and_types_are_named(box, slide):
@@ -239,17 +241,28 @@ def test_wrong_types_are_found(root, tmp_path):
     assert done.returncode == 1 and 'Argument 2 to "compute"' in done.stdout
 
 
-def test_the_example_runs(root, tmp_path):
+def run_example(root, name, *words):
     build = pathlib.Path(sys.modules["_swept"].__file__).parent
     done = subprocess.run(
-        [sys.executable, str(root / "examples/python/sweep_box.py"), str(tmp_path / "out.ply")],
+        [sys.executable, str(root / "examples/python" / name), *map(str, words)],
         env={**os.environ, "PYTHONPATH": str(build)},
         capture_output=True,
         text=True,
     )
     assert done.returncode == 0, done.stderr
-    assert "<Result: " in done.stdout and "1 checked" in done.stdout
+    return done.stdout
+
+
+def test_the_example_runs(root, tmp_path):
+    said = run_example(root, "sweep_box.py", tmp_path / "out.ply")
+    assert "<Result: " in said and "1 checked" in said
     assert sv.check_mesh(sv.read_mesh(tmp_path / "out.ply"))["passes"]
+
+
+def test_the_example_of_an_assembly_runs(root, tmp_path):
+    said = run_example(root, "assembly.py", tmp_path / "path.csv")
+    assert "slider and crank: clear" in said and "cover: contact" in said and "way: found" in said
+    assert len(sv.read_motion(tmp_path / "path.csv").times) > 2
 
 
 def test_a_step_file_is_a_body(mesh, motion, tmp_path):
