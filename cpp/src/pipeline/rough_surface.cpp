@@ -17,7 +17,7 @@ namespace {
 constexpr double kRoughFaces = 2e6;
 constexpr std::size_t kFewest = 8, kMost = 192;
 /// About so many are contoured.
-constexpr double kRoughCrossings = 2e5;
+constexpr double kRoughCrossings = 1e5;
 /// So many probes are timed before fewer are, or so many CPU seconds.
 constexpr std::size_t kTimedProbes = 32;
 constexpr double kMostProbeSeconds = 0.1;

@@ -21,7 +21,7 @@ namespace {
 
 /// Copies of triangles that are sampled, and placements.
 constexpr double kTrialCopies = 6e6;
-constexpr std::size_t kFewest = 8, kMost = 192;
+constexpr std::size_t kFewest = 8, kMost = 1536;
 /// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
 /// step takes is their difference, without the copies at both ends that a whole motion has once.
 constexpr std::size_t kWindows = 8;
