@@ -21,7 +21,11 @@ namespace {
 
 /// Copies of triangles that are sampled, and placements.
 constexpr double kTrialCopies = 6e6;
-constexpr std::size_t kFewest = 8, kMost = 1536;
+constexpr std::size_t kFewest = 8, kMost = 192;
+/// More placements of bodies of few triangles: long windows show what pieces far apart in time
+/// hide.
+constexpr double kCheapCopies = 4e5;
+constexpr std::size_t kMostCheap = 1536;
 /// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
 /// step takes is their difference, without the copies at both ends that a whole motion has once.
 constexpr std::size_t kWindows = 8;
@@ -94,7 +98,8 @@ class Trials {
     const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
     const double faces = static_cast<double>(whole_.body.triangles.size());
     const std::size_t wanted =
-        std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost);
+        std::max(std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost),
+                 std::min(static_cast<std::size_t>(kCheapCopies / faces), kMostCheap));
     if (count <= 2 * wanted) return of(motion);
     return motion.continuous ? byWindows(count, wanted) : bySomeCopies(count, wanted);
   }
