@@ -47,7 +47,7 @@ setup(
     description="Envelopes of moving solids: meshes and motions in, closed meshes out",
     license="LGPL-2.1-or-later",
     python_requires=">=3.9",
-    install_requires=["numpy"],
+    install_requires=["numpy", "tomli; python_version < '3.11'"],
     packages=["swept_volume"],
     package_dir={"": "python"},
     package_data={"swept_volume": ["py.typed", "*.pyi"]},

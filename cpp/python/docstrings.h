@@ -115,6 +115,13 @@ body, tessellated within tolerance (mm), else within 0.02 of cell (mm), else wit
 smallest cell that resolution can give for such a body; angle: rad between neighbouring triangles.
 Mesh.chord_error and Mesh.findings say how.)";
 
+constexpr const char* kReadPartsDoc =
+    R"(read_parts(path, unit='mm', chord_error=0.0, deflection=0.05, run=None) -> [(name, Mesh), ...]
+
+Reads parts that keep their names: a mesh file is one, named after the file; of a STEP or BREP file each
+solid is one, named after its product and tessellated within deflection (mm). chord_error: mm, how far a
+mesh file leaves its exact surface. Raises InvalidInput, Cancelled.)";
+
 constexpr const char* kWriteMeshDoc =
     R"(write_mesh(path, vertices, triangles, no_clobber=False)
 

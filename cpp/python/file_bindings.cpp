@@ -53,6 +53,22 @@ Mesh pyReadBody(const py::object& path, const std::string& unit,
           findingsToList(body.findings)};
 }
 
+/// (name, mesh) of each part.
+py::list pyReadParts(const py::object& path, const std::string& unit, double chordError,
+                     double deflection, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  const PartFileOptions options{parseLengthUnit(unit), chordError, deflection};
+  std::vector<NamedPart> parts =
+      runWithoutLock(*context, [&] { return readParts(name, options, *context); });
+  py::list list;
+  for (NamedPart& part : parts) {
+    const auto mesh = std::make_shared<const TriMesh>(std::move(part.mesh));
+    list.append(py::make_tuple(part.name, Mesh{mesh, part.chordError, py::list()}));
+  }
+  return list;
+}
+
 void pyWriteMesh(const py::object& path, const py::object& vertices, const py::object& triangles,
                  bool noClobber) {
   const std::string name = pathFromObject(path);
@@ -170,6 +186,9 @@ void bindFiles(py::module_& module) {
   module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
              py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),
              py::arg("resolution") = 128, py::arg("run") = py::none(), py::arg("angle") = 0.2);
+  module.def("read_parts", &pyReadParts, kReadPartsDoc, py::arg("path"), py::arg("unit") = "mm",
+             py::arg("chord_error") = 0.0, py::arg("deflection") = 0.05,
+             py::arg("run") = py::none());
   module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"), py::arg("no_clobber") = false);
   module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),

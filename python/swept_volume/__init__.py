@@ -42,6 +42,7 @@ from ._clearance import clearance, distance_to_mesh, first_contacts
 from ._mechanisms import mechanism
 from ._paths import find_path, improve_path
 from ._sources import Sources
+from ._study import run_study
 from ._values import (
     Mesh,
     MeshLike,
@@ -50,6 +51,7 @@ from ._values import (
     read_body,
     read_mesh,
     read_motion,
+    read_parts,
     write_mesh,
 )
 
@@ -86,6 +88,8 @@ __all__ = [
     "read_body",
     "read_mesh",
     "read_motion",
+    "read_parts",
+    "run_study",
     "write_mesh",
     "write_solid",
 ]

@@ -123,6 +123,13 @@ def read_body(
     run: Optional[RunContext] = None,
     angle: float = 0.2,
 ) -> Mesh: ...
+def read_parts(
+    path: Any,
+    unit: str = "mm",
+    chord_error: float = 0.0,
+    deflection: float = 0.05,
+    run: Optional[RunContext] = None,
+) -> List[Tuple[str, Mesh]]: ...
 def write_mesh(
     path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike, no_clobber: bool = False
 ) -> None: ...

@@ -325,3 +325,14 @@ def read_body(
     require_file(path)
     cells = 128 if resolution is None else resolution
     return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, cells, angle=angle))
+
+
+def read_parts(
+    path: Path, *, unit: str = "mm", chord_error: float = 0.0, deflection: float = 0.05
+) -> List[Tuple[str, Mesh]]:
+    """Reads parts that keep their names, as neighbours of clearance(): a mesh file is one, named after
+    the file; of a STEP or BREP file each solid is one, named after its product and tessellated within
+    deflection (mm). chord_error: mm, how far a mesh file leaves its exact surface."""
+    require_file(path)
+    parts = _core.read_parts(path, unit, chord_error, deflection)
+    return [(name, Mesh._of_core(mesh)) for name, mesh in parts]

@@ -12,6 +12,17 @@ from sweptvolume.features import clearance, envelope, solid
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
+def changes():
+    """({name: what a user does to the document}, the decorator that adds to it)."""
+    known = {}
+
+    def change(action):
+        known[action.__name__] = action
+        return action
+
+    return known, change
+
+
 def rows(case):
     """Makes a test of each change."""
     for name in case.CHANGES:

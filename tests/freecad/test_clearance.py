@@ -5,31 +5,13 @@ import os
 
 import FreeCAD as App
 
-from case import Case, shift
+from case import shift
+from neighbour_case import Neighbours
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import clearance, clearance_table, envelope
 
 
-class Clearance(Case):
-    NEEDS_CORE = True
-
-    def setUp(self):
-        super().setUp()
-        self.part = self.box()
-        self.path = self.line()  # 30 mm along x: the box ends at x = 40
-        self.wall = self.box("Wall")
-        self.wall.Placement = shift(x=43.5)
-        self.far = self.box("Far")
-        self.far.Placement = shift(y=25)
-        self.doc.recompute()
-
-    def made(self, **settings):
-        obj = clearance.make_clearance(
-            self.doc, Generators=[(self.part, "")], Motion=self.path, **settings
-        )
-        self.doc.recompute()
-        return obj
-
+class Clearance(Neighbours):
     def rows(self, obj):
         return {row["name"]: row for row in clearance.report_of(obj)["neighbours"]}
 

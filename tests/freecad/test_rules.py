@@ -4,33 +4,24 @@ import os
 
 import FreeCAD as App
 
-from case import Case, shift
+from case import shift
+from neighbour_case import Neighbours
 from sweptvolume import convert, core
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import clearance, clearance_table, neighbour_rules
 from sweptvolume.features.neighbour_rules import CONTACT, IGNORE, REQUIRED, Rule
 
 
-class Rules(Case):
-    NEEDS_CORE = True
-
+class Rules(Neighbours):
     def setUp(self):
         super().setUp()
-        self.part = self.box()
-        self.path = self.line()  # 30 mm along x: the box ends at x = 40
-        self.wall = self.box("Wall")
-        self.wall.Placement = shift(x=43.5)
         self.table = self.box("Table")
         self.table.Length, self.table.Width, self.table.Height = 80, 40, 5
         self.table.Placement = shift(x=-20, y=-15, z=-5)
-        self.far = self.box("Far")
-        self.far.Placement = shift(y=25)
         self.doc.recompute()
 
     def made(self, rules=None, **settings):
-        obj = clearance.make_clearance(
-            self.doc, Generators=[(self.part, "")], Motion=self.path, **settings
-        )
+        obj = super().made(**settings)
         neighbour_rules.write(obj, {(part, ""): rule for part, rule in (rules or {}).items()})
         self.doc.recompute()
         return obj

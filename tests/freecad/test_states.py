@@ -11,15 +11,10 @@ from case import Case, V, shift, turn
 from sweptvolume import core
 from sweptvolume.features import clearance, envelope, motion, solid
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
-from table_case import Table, rows
+from table_case import Table, changes, rows
 
 #: name -> what a user does to the document of States.setUp().
-CHANGES = {}
-
-
-def change(action):
-    CHANGES[action.__name__] = action
-    return action
+CHANGES, change = changes()
 
 
 # --- properties of parts

@@ -5,15 +5,10 @@ from case import V, shift, turn
 from sweptvolume.features import clearance, envelope, made_by, path_plan
 from sweptvolume.features.base import UP_TO_DATE, kind_of
 from sweptvolume.trajectory.poses import Poses
-from table_case import Table, rows
+from table_case import Table, changes, rows
 
 #: name -> what a user does to the document of Paths.setUp().
-CHANGES = {}
-
-
-def change(action):
-    CHANGES[action.__name__] = action
-    return action
+CHANGES, change = changes()
 
 
 @change

@@ -7,6 +7,8 @@ import subprocess
 
 import pytest
 
+import _swept
+
 SCRIPT = """
 import FreeCAD
 from sweptvolume import core
@@ -43,6 +45,20 @@ def test_manual_and_completions_are_installed_as_the_program_prints_them(root, t
         done = subprocess.run([tmp_path / "bin/swept", *words], capture_output=True, check=True)
         assert (share / page).read_bytes() == done.stdout, page
     assert {p for p in share.rglob("*") if p.is_file()} == {share / page for page in pages}
+
+
+def test_the_installed_program_finds_the_package_for_studies(root, tmp_path, box):
+    install(root, "program", tmp_path / "usr")
+    _swept.write_mesh(tmp_path / "box.ply", *box)
+    (tmp_path / "still.csv").write_text("0,0,0,0,0,0,0,1\n")
+    (tmp_path / "s.toml").write_text(
+        '[[run]]\npart = "box.ply"\nmotion = "still.csv"\ncompute = ["envelope"]\n'
+    )
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+    command = [tmp_path / "usr/bin/swept", "study", tmp_path / "s.toml"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "results/box still/envelope.ply").stat().st_size > 0
 
 
 def test_the_installed_workbench_is_whole(root, mod):

@@ -45,7 +45,9 @@ def envelope(inputs, output, *more):
     )  # fmt: skip
 
 
-COMMANDS = ["envelope", "check", "clearance", "mechanism", "path"] + ["solid"] * _swept.HAS_SOLIDS
+COMMANDS = ["envelope", "check", "clearance", "mechanism", "path", "study"] + [
+    "solid"
+] * _swept.HAS_SOLIDS
 
 
 def test_help_and_version(call):

@@ -241,26 +241,69 @@ def test_wrong_types_are_found(root, tmp_path):
     assert done.returncode == 1 and 'Argument 2 to "compute"' in done.stdout
 
 
-def run_example(root, name, *words):
+@pytest.fixture
+def example(root, tmp_path):
+    """Runs a program of examples/python in an empty folder; gives what it printed."""
     build = pathlib.Path(sys.modules["_swept"].__file__).parent
-    done = subprocess.run(
-        [sys.executable, str(root / "examples/python" / name), *map(str, words)],
-        env={**os.environ, "PYTHONPATH": str(build)},
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+
+    def run(name, *words):
+        done = subprocess.run(
+            [sys.executable, str(root / "examples/python" / name), *map(str, words)],
+            env={**os.environ, "PYTHONPATH": str(build)},
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    return run
 
 
-def test_the_example_runs(root, tmp_path):
-    said = run_example(root, "sweep_box.py", tmp_path / "out.ply")
-    assert "<Result: " in said and "1 checked" in said
+def test_the_example_runs(example, tmp_path):
+    text = example("sweep_box.py", "out.ply")
+    assert "<Result: " in text and "1 checked" in text
     assert sv.check_mesh(sv.read_mesh(tmp_path / "out.ply"))["passes"]
 
 
-def test_the_example_of_an_assembly_runs(root, tmp_path):
-    said = run_example(root, "assembly.py", tmp_path / "path.csv")
+def test_the_example_of_arrays_runs(example, tmp_path):
+    example("from_arrays.py", "out.ply")
+    mesh = sv.read_mesh(tmp_path / "out.ply")
+    assert sv.check_mesh(mesh)["passes"]
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    # Cells of 1 mm: a corner that is swept along an arc is met to some tenths of one.
+    assert low == pytest.approx([-10, -10, -10], abs=0.2) and high[0] == pytest.approx(50, abs=0.2)
+
+
+def test_the_example_of_a_robot_runs(example, root, tmp_path):
+    data = root / "examples/data"
+    example("robot.py", data / "arm.urdf", data / "arm.csv", "links")
+    assert sorted(p.name for p in (tmp_path / "links").iterdir()) == [
+        "bar.ply", "forearm.ply", "upper_arm.ply",
+    ]  # fmt: skip
+    arm = sv.read_mesh(tmp_path / "links/upper_arm.ply")
+    report = sv.check_mesh(arm)
+    # A block 340 x 50 x 60 mm, from -20 to 320 mm, turned by 1.6 rad about z: its corner at 320, 25 mm
+    # sweeps the farthest arc.
+    assert report["passes"]
+    assert np.linalg.norm(arm.vertices[:, :2], axis=1).max() == pytest.approx(
+        np.hypot(320, 25), abs=0.5
+    )
+    assert np.ptp(arm.vertices[:, 2]) == pytest.approx(60, abs=0.01)
+    forearm = sv.read_mesh(tmp_path / "links/forearm.ply")
+    end = np.cos(0.6) * 250 + 300  # the far end of the tube's axis, 0.6 rad above the horizon
+    assert np.linalg.norm(forearm.vertices[:, :2], axis=1).max() > end
+    assert forearm.vertices[:, 2].max() > 200 + 250 * np.sin(0.6)
+
+
+def test_the_example_of_a_cnc_program_runs(example, root, tmp_path):
+    text = example("cnc.py", root / "examples/data/pocket.nc", 6, "cut.stl")
+    assert "the cut spans 46 x 26 x 29 mm" in text
+    assert sv.check_mesh(sv.read_mesh(tmp_path / "cut.stl"))["passes"]
+
+
+def test_the_example_of_an_assembly_runs(example, tmp_path):
+    said = example("assembly.py", "path.csv")
     assert "slider and crank: clear" in said and "cover: contact" in said and "way: found" in said
     assert len(sv.read_motion(tmp_path / "path.csv").times) > 2
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "swept/report.h"
 #include "swept/run_context.h"
@@ -37,5 +38,23 @@ bool isSolidFile(const std::string& path);
 /// cell that the sweep of such a body can have at this resolution. Throws Error(InvalidInput,
 /// "BadFile" | "NoSurface" | "BadFormat" | "BadOption"), Error(Cancelled).
 Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run);
+
+struct PartFileOptions {
+  double millimetresPerUnit = 1;  ///< of a mesh file; a solid states its own unit
+  double chordError = 0;          ///< mm, of a mesh file: how far it leaves its exact surface
+  double deflection = 0.05;       ///< mm: how far triangles may leave the surface of a solid
+};
+
+struct NamedPart {
+  std::string name;
+  TriMesh mesh;
+  double chordError = 0;  ///< mm
+};
+
+/// Parts that keep their own names: a mesh file is one, named after the file; of a STEP or BREP
+/// file each solid is one, named after its product. Throws Error(InvalidInput, "BadFile" |
+/// "NoSurface" | "BadFormat"), Error(Cancelled).
+std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
+                                 RunContext& run);
 
 }  // namespace swept

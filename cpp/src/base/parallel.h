@@ -1,25 +1,48 @@
 // Loops over all cores. Same result for any number of threads: work is cut into items that do not
-// depend on the thread count, and items write to places of their own.
+// depend on the thread count, and items write to places of their own. Same failure as well: that of
+// the first item that fails.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
+#include <array>
+#include <atomic>
 #include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 namespace swept {
 
 /// body(i) for i in [0, n), one item a task: for items that are each worth microseconds or more.
+/// What an item throws leaves the loop when the other tasks are done. Were it to leave its task at
+/// once, it would cancel the loops within the tasks beside it: these return early and say nothing,
+/// and what follows them would read half of their results.
 template <class Body>
 void parallelFor(std::size_t n, const Body& body) {
+  std::atomic<std::size_t> failed{n};  // the first
+  std::mutex mutex;
+  std::exception_ptr what;
+  const auto guarded = [&](std::size_t i) {
+    if (i > failed.load(std::memory_order_relaxed)) return;
+    try {
+      body(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (i >= failed.load(std::memory_order_relaxed)) return;
+      failed.store(i, std::memory_order_relaxed);
+      what = std::current_exception();
+    }
+  };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1),
                     [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) guarded(i);
                     });
+  if (what) std::rethrow_exception(what);
 }
 
 /// body(begin, end) over blocks of fixed size: for cheap items.
@@ -54,7 +77,8 @@ std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
 /// Different actions side by side.
 template <class... Actions>
 void parallelActions(const Actions&... actions) {
-  tbb::parallel_invoke(actions...);
+  const std::array<std::function<void()>, sizeof...(Actions)> all{std::ref(actions)...};
+  parallelFor(all.size(), [&](std::size_t i) { all[i](); });
 }
 
 /// Replaces counts by their exclusive prefix sums and returns the total.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "base/parallel_tasks.h"
+#include "base/parallel.h"
 #include "base/timer.h"
 #include "clearance/guarded_report.h"
 #include "clearance/options_check.h"
@@ -108,7 +108,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   report.seconds.push_back({"prepare", timer.lap()});
   report.neighbours.resize(neighbours.size());
   std::atomic<std::uint64_t> done{0};
-  parallelTasks(neighbours.size(), [&](std::size_t i) {
+  parallelFor(neighbours.size(), [&](std::size_t i) {
     bool neighbourMended = false;
     const ClearanceNeighbour& part = *neighbours[i];
     const Part still = closedPart(part.mesh, "neighbour '" + part.name + "'", run, neighbourMended);

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/number_text.h"
-#include "base/parallel_tasks.h"
+#include "base/parallel.h"
 #include "base/timer.h"
 #include "clearance/guarded_report.h"
 #include "clearance/mechanism_input.h"
@@ -205,7 +205,7 @@ void runCheck(MechanismReport& report, const std::vector<MechanismPart>& parts,
   std::vector<Looked> looked(pairs.size());
   const PairLook look(parts, prepared, rules, options, report, run);
   std::atomic<std::uint64_t> done{0};
-  parallelTasks(pairs.size(), [&](std::size_t i) {
+  parallelFor(pairs.size(), [&](std::size_t i) {
     // A thread that waits for others of its pair takes no second pair on: that would cost memory.
     tbb::this_task_arena::isolate([&] { looked[i] = look(pairs[i]); });
     run.checkpoint(Phase::Check, ++done, pairs.size());

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "base/parallel_tasks.h"
+#include "base/parallel.h"
 #include "clearance/pair_check.h"
 #include "input/trajectory_check.h"
 #include "motion/pivot.h"
@@ -70,7 +70,7 @@ std::vector<PreparedPart> prepareParts(const std::vector<MechanismPart>& parts, 
   std::vector<std::vector<Finding>> findings(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
     motions.push_back(timedPoses(parts[i], findings[i]));
-  parallelTasks(parts.size(), [&](std::size_t i) {
+  parallelFor(parts.size(), [&](std::size_t i) {
     run.checkpoint(Phase::Input);
     const Eigen::Vector3d pivot = pivotOf(parts[i].motion);
     bool mended = false;

@@ -168,16 +168,14 @@ CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, i
 double CrossingRefiner::nearestTime(const SweptElement& element,
                                     const Eigen::Vector3d& point) const {
   const Placement &p = placements_[element.placement], &q = placements_[element.placement + 1];
-  const Placement& m = bulges_[element.placement];
   const BodyEdge& edge = input_.topology.edges[element.index()];
-  const auto at = [&](double s, const Eigen::Vector3d& v) {
-    return Eigen::Vector3d((1 - s) * p.apply(v) + s * q.apply(v) + 4 * s * (1 - s) * m.apply(v));
-  };
+  const CurvedPatch patch(p, q, bulges_[element.placement], input_.body.vertices[edge.a],
+                          input_.body.vertices[edge.b]);
   const auto distance = [&](double s) {
-    const Eigen::Vector3d a = at(s, input_.body.vertices[edge.a]),
-                          way = at(s, input_.body.vertices[edge.b]) - a;
-    const double along = std::clamp((point - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (point - a - along * way).squaredNorm();
+    const CurvedPatch::At at = patch.at(0, s);
+    const Eigen::Vector3d& way = at.alongEdge;
+    const double along = std::clamp((point - at.x).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    return (point - at.x - along * way).squaredNorm();
   };
   // The step is short: some looks find the valley, halving its width the bottom.
   constexpr int kLooks = 16, kHalvings = 30;

@@ -8,7 +8,9 @@
 // Newton's method on the motion of the step, which is the chord plus a quadratic through the exact
 // midpoint,
 //   x(s) = (1-s) p + s q + 4 s (1-s) m,  m = x_mid - (p + q) / 2,
-// with an error of third order in the turn of the step. The normal is edge x velocity.
+// with an error of third order in the turn of the step. Where Newton's method ends beside the line,
+// the nearest point of the patch is searched with damped steps (Levenberg 1944, Marquardt 1963).
+// The normal is edge x velocity.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

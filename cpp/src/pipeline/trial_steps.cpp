@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "base/threads.h"
 #include "base/timer.h"
 #include "pipeline/rough_surface.h"
 #include "sampling/cpu/deep_inside.h"
+#include "sampling/cpu/work_items.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/dense/dense_trial.h"
@@ -37,16 +38,6 @@ constexpr double kLeastShare = 0.2;
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
-/// sampling/cpu makes about so many work items of a motion, and keeps no more crossings of one than
-/// about so many, in a buffer that each thread has.
-constexpr double kItems = 48, kThinCrossings = 1 << 20;
-
-/// As sampling/cpu makes its work items; those of few placements are not thinned.
-double placementsOfItem(const Prepared& p) {
-  const double placements = static_cast<double>(p.motion.placements.size());
-  if (p.motion.continuous) return placements / kItems;
-  return std::min(8192 / static_cast<double>(p.body.mesh.triangles.size()), placements / 64);
-}
 
 Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
   const auto from = [first](const auto& list, std::size_t n) {
@@ -83,13 +74,16 @@ class Trials {
 
   /// Of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
-  double insideCrossings() const { return static_cast<double>(insideCrossings_); }
-  /// Of the map of it.
-  double insideBytes() const {
-    if (!inside_) return 0;
-    const auto& [x, y, z] = whole_.grid.points;
-    const double points = static_cast<double>(x) * static_cast<double>(y) * static_cast<double>(z);
-    return points > static_cast<double>(InsideMap::kMaxBlocks) ? 0 : 7 * points;
+
+  /// Of what is held while the whole motion is sampled; before that, of what the map is made of.
+  double bytesOf(const Cost& sampling, double surface, double threads) const {
+    const bool thins = sampling.crossings > kMotionItems * kMinThinRecords &&
+                       placementsOfItem(input(whole_.motion)) >= kMinThinPlacements;
+    const double kept =
+        thins ? 2 * threads * kMinThinRecords + kMotionItems * surface : sampling.crossings;
+    const double map = inside_ ? static_cast<double>(inside_->bytes()) : 0;
+    return std::max(static_cast<double>(insideCrossings_) * kSortedBytes,
+                    kept * kSortedBytes + sampling.elements * kElementBytes + map);
   }
 
   /// Of the whole motion.
@@ -204,20 +198,14 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
         body.bytes, bytesForAll - denseBytes(p.body.mesh) + static_cast<std::uint64_t>(cost.bytes));
     return better;
   }
-  const auto [sampling, most, map] = alone.execute([&] {
+  const auto [seconds, bytes] = alone.execute([&] {
     const Trials trials(input, run);
-    Cost cost = trials.whole();
-    cost.seconds += trials.insideSeconds();
-    return std::tuple(cost, trials.insideCrossings(), trials.insideBytes());
+    const Cost sampling = trials.whole();
+    return std::pair(sampling.seconds + trials.insideSeconds(),
+                     trials.bytesOf(sampling, surface.crossings, threads));
   });
-  better.seconds = before + (sampling.seconds + contouring) / threads;
-  const bool thins = sampling.crossings > kItems * kThinCrossings && placementsOfItem(p) >= 16;
-  const double kept =
-      thins ? 2 * threads * kThinCrossings + kItems * surface.crossings : sampling.crossings;
-  // What the check of the body has taken is free again when the motion is sampled, and what the map
-  // was made of too.
-  const double bytes =
-      std::max(most * kSortedBytes, kept * kSortedBytes + sampling.elements * kElementBytes + map);
+  better.seconds = before + (seconds + contouring) / threads;
+  // What the check of the body has taken is free again when the motion is sampled.
   better.memoryBytes = std::max(body.bytes, bytesForAll + static_cast<std::uint64_t>(bytes));
   return better;
 }

@@ -1,6 +1,7 @@
 // swept clearance GENERATOR --motion CSV NEIGHBOUR...: smallest distances over a whole motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
+#include <algorithm>
 #include <cstdio>
 #include <locale>
 #include <map>
@@ -9,10 +10,8 @@
 #include <sstream>
 
 #include "commands.h"
-#include "files.h"
 #include "neighbours.h"
-#include "options.h"
-#include "runner.h"
+#include "reported_run.h"
 #include "swept/body.h"
 #include "swept/clearance.h"
 #include "swept/io.h"
@@ -54,10 +53,7 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
 
 void addOptions(CLI::App& app, ClearanceJob& job) {
   addFileOptions(app, job);
-  addNumber(app, "--required", "MM", job.options.required,
-            "distance asked for (default 0: contact and clash only)");
-  addNumber(app, "--tolerance", "MM", job.options.tolerance,
-            "how far the smallest distance may be off (default 0.01)");
+  addDistanceOptions(app, job.options);
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
@@ -67,15 +63,8 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
            "is linear (default 0,0,0: its origin)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
             "how far the generator's triangles leave its exact surface (default 0)");
-  addNumber(app, "--interval-tolerance", "MM", job.options.intervalTolerance,
-            "travel to which ends of time intervals are found (default 10 tolerances)");
-  addInteger(app, "--curve", job.curve, 0, 1000000,
-             "points of the graph of distance over time (default 200)");
-  app.add_flag_callback(
-      "--no-penetration", [&job] { job.options.penetration = false; },
-      "do not measure how deep a clash goes");
-  addInteger(app, "--stamp", job.stamp, 0, 1000000,
-             "compare with distances at every pose and N more in each step (slow)");
+  addDetailOptions(app, job.options, job.curve,
+                   "points of the graph of distance over time (default 200)", job.stamp);
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if all meet their rules, 3 if one is too near, touches or "
@@ -167,21 +156,17 @@ Trajectory readMotion(const ClearanceJob& job) {
   return readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
 }
 
-void compute(const ClearanceJob& job, RunContext& run, std::optional<Body>& body,
-             std::optional<Trajectory>& motion, ClearanceReport& report) {
-  if (!body) body = readGenerator(job, run);
-  if (!motion) motion = readMotion(job);
+ClearanceReport compute(const ClearanceJob& job, const Body& body, const Trajectory& motion,
+                        RunContext& run) {
   const std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
   ClearanceOptions options = job.options;
-  options.bodyChordError += body->chordError;
-  if (!job.offerPath.empty()) {
-    report = firstContacts(body->mesh, *motion, parts, options, run);
-    return;
-  }
-  report = checkClearance(body->mesh, *motion, parts, options, run);
-  report.warnings.insert(report.warnings.begin(), body->findings.begin(), body->findings.end());
+  options.bodyChordError += body.chordError;
+  if (!job.offerPath.empty()) return firstContacts(body.mesh, motion, parts, options, run);
+  ClearanceReport report = checkClearance(body.mesh, motion, parts, options, run);
+  report.warnings.insert(report.warnings.begin(), body.findings.begin(), body.findings.end());
   if (job.stamp >= 0 && report.status == Status::Ok)
-    compareWithStamps(job, body->mesh, *motion, parts, report, run);
+    compareWithStamps(job, body.mesh, motion, parts, report, run);
+  return report;
 }
 
 int runClearance(const ClearanceJob& job) {
@@ -192,29 +177,20 @@ int runClearance(const ClearanceJob& job) {
   if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
   const std::vector<RoledFile> outputs{
       {"--csv", job.csvPath}, {"--report", common.report}, {"--offer-rules", job.offerPath}};
-  checkIdentity(inputs, outputs, common.noClobber);
-  checkAccess({}, outputs);
-  ClearanceReport report;
-  RunContext run;
-  run.threads = static_cast<int>(common.threads);
-  try {
-    std::optional<Body> body;
-    std::optional<Trajectory> motion;
-    if (isStream(job.generatorPath)) body = readGenerator(job, run);
-    if (isStream(job.motionPath)) motion = readMotion(job);
-    runWatched(run, common.quiet, [&] {
-      checkAccess(inputs, {});
-      compute(job, run, body, motion, report);
-    });
-  } catch (const Error& error) {
-    report = {};
-    takeError(report, error.status(), error.code(), error.what());
-  }
-  if (!common.report.empty()) writeText(toJson(report), common.report);
-  if (report.status != Status::Ok) {
-    printError(report.status, report.code, report.message);
-    return exitStatus(report.status);
-  }
+  std::optional<Body> body;
+  std::optional<Trajectory> motion;
+  const auto report = runReported<ClearanceReport>(
+      common, inputs, outputs,
+      [&](RunContext& run) {
+        if (!body) body = readGenerator(job, run);
+        if (!motion) motion = readMotion(job);
+        return compute(job, *body, *motion, run);
+      },
+      [&](RunContext& run) {
+        if (isStream(job.generatorPath)) body = readGenerator(job, run);
+        if (isStream(job.motionPath)) motion = readMotion(job);
+      });
+  if (report.status != Status::Ok) return exitStatus(report.status);
   if (!job.offerPath.empty()) {
     writeText(offeredRules(report), job.offerPath);
     printFindings(report.warnings, common.quiet);
@@ -222,11 +198,9 @@ int runClearance(const ClearanceJob& job) {
   }
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
   if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
-  printFindings(report.warnings, common.quiet);
-  if (common.verbose) printSeconds(report.seconds);
-  for (const NeighbourClearance& row : report.neighbours)
-    if (!row.meetsRule()) return kExitNotClear;
-  return kExitOk;
+  return finishReported(report, common,
+                        std::all_of(report.neighbours.begin(), report.neighbours.end(),
+                                    [](const auto& row) { return row.meetsRule(); }));
 }
 
 }  // namespace

@@ -16,5 +16,6 @@ Run addClearanceCommand(CLI::App& program);
 Run addMechanismCommand(CLI::App& program);
 Run addPathCommand(CLI::App& program);
 Run addSolidCommand(CLI::App& program);
+Run addStudyCommand(CLI::App& program);
 
 }  // namespace swept::cli

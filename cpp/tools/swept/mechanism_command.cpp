@@ -1,6 +1,7 @@
 // swept mechanism --moving PART MOTION ...: smallest distances of parts that move at the same time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
+#include <algorithm>
 #include <cstdio>
 #include <locale>
 #include <map>
@@ -8,10 +9,8 @@
 #include <sstream>
 
 #include "commands.h"
-#include "files.h"
 #include "neighbours.h"
-#include "options.h"
-#include "runner.h"
+#include "reported_run.h"
 #include "swept/body.h"
 #include "swept/io.h"
 #include "swept/mechanism.h"
@@ -51,24 +50,15 @@ void addOptions(CLI::App& app, MechanismJob& job) {
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
       "motion between two poses (default linear); with screw, parts that keep their place to each "
       "other at two poses keep it between them");
-  addNumber(app, "--required", "MM", job.options.required,
-            "distance asked for (default 0: contact and clash only)");
-  addNumber(app, "--tolerance", "MM", job.options.tolerance,
-            "how far the smallest distance may be off (default 0.01)");
+  addDistanceOptions(app, job.options);
   addNumber(app, "--range", "MM", job.options.range,
             "pairs that come nearer than this are listed (default a tenth of the size of the "
             "parts)");
   addTwoWords(app, "--ignore", "PART PART", job.ignored,
               "a pair by name that is not looked at, as parts that a joint holds together");
-  addNumber(app, "--interval-tolerance", "MM", job.options.intervalTolerance,
-            "travel to which ends of time intervals are found (default 10 tolerances)");
-  addInteger(app, "--curve", job.curve, 0, 1000000,
-             "points of the graph of distance over time in the report (default 0)");
-  app.add_flag_callback(
-      "--no-penetration", [&job] { job.options.penetration = false; },
-      "do not measure how deep a clash goes");
-  addInteger(app, "--stamp", job.stamp, 0, 1000000,
-             "compare with distances at every pose and N more in each step (slow)");
+  addDetailOptions(app, job.options, job.curve,
+                   "points of the graph of distance over time in the report (default 0)",
+                   job.stamp);
   addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
@@ -166,36 +156,21 @@ int runMechanism(const MechanismJob& job) {
     inputs.push_back({i % 2 == 0 ? "a moving part" : "a motion", job.moving[i]});
   for (const std::string& path : job.still.paths) inputs.push_back({"a part that stands", path});
   const std::vector<RoledFile> outputs{{"--csv", job.csvPath}, {"--report", common.report}};
-  checkIdentity(inputs, outputs, common.noClobber);
-  checkAccess({}, outputs);
-  MechanismReport report;
-  RunContext run;
-  run.threads = static_cast<int>(common.threads);
-  try {
-    runWatched(run, common.quiet, [&] {
-      checkAccess(inputs, {});
-      std::vector<Finding> findings;
-      const std::vector<MechanismPart> parts = readParts(job, run, findings);
-      report = checkMechanism(parts, job.options, run);
-      report.warnings.insert(report.warnings.begin(), findings.begin(), findings.end());
-      if (job.stamp >= 0 && report.status == Status::Ok) compareWithStamps(job, parts, report, run);
-    });
-  } catch (const Error& error) {
-    report = {};
-    takeError(report, error.status(), error.code(), error.what());
-  }
-  if (!common.report.empty()) writeText(toJson(report), common.report);
-  if (report.status != Status::Ok) {
-    printError(report.status, report.code, report.message);
-    return exitStatus(report.status);
-  }
+  const auto report = runReported<MechanismReport>(common, inputs, outputs, [&](RunContext& run) {
+    std::vector<Finding> findings;
+    const std::vector<MechanismPart> parts = readParts(job, run, findings);
+    MechanismReport found = checkMechanism(parts, job.options, run);
+    found.warnings.insert(found.warnings.begin(), findings.begin(), findings.end());
+    if (job.stamp >= 0 && found.status == Status::Ok) compareWithStamps(job, parts, found, run);
+    return found;
+  });
+  if (report.status != Status::Ok) return exitStatus(report.status);
   if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
   if (!common.quiet && common.report != "-" && job.csvPath != "-") printTable(report);
-  printFindings(report.warnings, common.quiet);
-  if (common.verbose) printSeconds(report.seconds);
-  for (const PairClearance& pair : report.pairs)
-    if (pair.clearance.verdict != ClearanceVerdict::Clear) return kExitNotClear;
-  return kExitOk;
+  return finishReported(report, common,
+                        std::all_of(report.pairs.begin(), report.pairs.end(), [](const auto& pair) {
+                          return pair.clearance.verdict == ClearanceVerdict::Clear;
+                        }));
 }
 
 }  // namespace

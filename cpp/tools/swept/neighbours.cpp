@@ -2,14 +2,10 @@
 #ifdef HAVE_SWEPT_CLEARANCE
 #include "neighbours.h"
 
-#include "base/safe_file.h"
 #include "files.h"
 #include "io/line_source.h"
 #include "swept/body.h"
 #include "swept/io.h"
-#ifdef HAVE_SWEPT_SOLID
-#include "swept/solid.h"
-#endif
 
 namespace swept::cli {
 
@@ -77,8 +73,8 @@ void giveRules(const NeighbourFiles& files, std::vector<ClearanceNeighbour>& lis
 
 }  // namespace
 
-std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
-                                               [[maybe_unused]] RunContext& run) {
+std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run) {
+  const PartFileOptions options{files.millimetresPerUnit, files.chordError, files.deflection};
   std::vector<ClearanceNeighbour> list;
   for (const std::string& path : files.paths) {
     readRepeatably(path, [&](const std::string& file) {
@@ -87,15 +83,8 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files,
                         meshFrom(file, path, "", files.millimetresPerUnit), files.chordError});
         return;
       }
-#ifdef HAVE_SWEPT_SOLID
-      for (ImportedSolid& solid : readSolids(file, files.deflection, 0.2, run))
-        list.push_back({solid.name, std::move(solid.mesh), files.deflection});
-#else
-      throw Error(Status::InvalidInput, "BadFormat",
-                  "'" + path +
-                      "': this program was built without OpenCASCADE and cannot read solids; "
-                      "give a mesh (ply, stl, obj, off)");
-#endif
+      for (NamedPart& part : readParts(file, options, run))
+        list.push_back({part.name, std::move(part.mesh), part.chordError});
     });
   }
   giveRules(files, list);

@@ -8,10 +8,8 @@
 #include <sstream>
 
 #include "commands.h"
-#include "files.h"
 #include "neighbours.h"
-#include "options.h"
-#include "runner.h"
+#include "reported_run.h"
 #include "swept/body.h"
 #include "swept/path.h"
 
@@ -159,32 +157,14 @@ int runPath(const PathJob& job) {
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
   const std::vector<RoledFile> outputs{{"--output", job.output}, {"--report", common.report}};
-  checkIdentity(inputs, outputs, common.noClobber);
-  checkAccess({}, outputs);
-  PathReport report;
-  RunContext run;
-  run.threads = static_cast<int>(common.threads);
-  try {
-    runWatched(run, common.quiet, [&] {
-      checkAccess(inputs, {});
-      report = compute(job, run);
-    });
-  } catch (const Error& error) {
-    report = {};
-    takeError(report, error.status(), error.code(), error.what());
-  }
-  if (!common.report.empty()) writeText(toJson(report), common.report);
-  if (report.status != Status::Ok) {
-    printError(report.status, report.code, report.message);
-    return exitStatus(report.status);
-  }
+  const auto report = runReported<PathReport>(common, inputs, outputs,
+                                              [&](RunContext& run) { return compute(job, run); });
+  if (report.status != Status::Ok) return exitStatus(report.status);
   const bool found = report.verdict == PathVerdict::Found;
   if (found && !job.output.empty()) writeText(tableOf(report.path), job.output);
   if (!common.quiet && common.report != "-" && job.output != "-")
     std::printf("%s; %.2f s\n", report.summary.c_str(), report.seconds.back().seconds);
-  printFindings(report.warnings, common.quiet);
-  if (common.verbose) printSeconds(report.seconds);
-  return found ? kExitOk : kExitNotClear;
+  return finishReported(report, common, found);
 }
 
 }  // namespace

@@ -97,13 +97,28 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
   return body;
 }
 
+std::vector<NamedPart> readSolidParts(const std::string& path, double deflection, RunContext& run) {
+  std::vector<NamedPart> parts;
+  for (ImportedSolid& solid : readSolids(path, deflection, 0.2, run))
+    parts.push_back({solid.name, std::move(solid.mesh), deflection});
+  return parts;
+}
+
 #else
 
-Body readSolidBody(const std::string& path, const BodyFileOptions&, RunContext&) {
+[[noreturn]] void refuseSolid(const std::string& path) {
   throw Error(Status::InvalidInput, "BadFormat",
               "'" + path +
                   "': this build is without OpenCASCADE and cannot read solids; give a mesh (ply, "
                   "stl, obj, off)");
+}
+
+Body readSolidBody(const std::string& path, const BodyFileOptions&, RunContext&) {
+  refuseSolid(path);
+}
+
+std::vector<NamedPart> readSolidParts(const std::string& path, double, RunContext&) {
+  refuseSolid(path);
 }
 
 #endif
@@ -119,6 +134,16 @@ bool isSolidFile(const std::string& path) {
 Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run) {
   if (isSolidFile(path)) return readSolidBody(path, options, run);
   return {readMesh(path, options.millimetresPerUnit), 0, {}};
+}
+
+std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
+                                 RunContext& run) {
+  if (isSolidFile(path)) return readSolidParts(path, options.deflection, run);
+  std::vector<NamedPart> parts(1);
+  parts[0].name = pathFromUtf8(path).stem().string();
+  parts[0].mesh = readMesh(path, options.millimetresPerUnit);
+  parts[0].chordError = options.chordError;
+  return parts;
 }
 
 }  // namespace swept

@@ -11,48 +11,13 @@
 #include "grid/rasterise.h"
 #include "grid/snap.h"
 #include "sampling/cpu/sample_cache.h"
+#include "sampling/cpu/work_items.h"
 #include "sampling/culling/inside_map.h"
 #include "sampling/culling/step_blocks.h"
 #include "sampling/sampler.h"
 
 namespace swept {
 namespace {
-
-// A work item with this many placements or crossings may contain many crossings that do not matter;
-// then they are reduced on the way (see thin()).
-constexpr std::size_t kMinThinPlacements = 16, kMinThinRecords = std::size_t{1} << 20;
-
-/// Work item: the placements [begin, end) with the faces [faceBegin, faceEnd).
-struct WorkItem {
-  std::size_t begin, end, faceBegin, faceEnd;
-};
-
-std::vector<WorkItem> workItems(const SamplerInput& input) {
-  const std::size_t placements = input.motion.placements.size();
-  const std::size_t faces = input.body.triangles.size();
-  std::vector<WorkItem> items;
-  if (input.motion.continuous) {
-    // The direction of a face is decided once per step within an item, and once more where two
-    // items meet, so that items should be long. With a cache, items of one placement are kept for
-    // the next run, unless the motion has many placements.
-    const std::size_t longest = input.cache != nullptr && placements < 256 ? placements : 48;
-    const std::size_t group = std::max<std::size_t>(1, placements / longest);
-    for (std::size_t k = 0; k < placements; k += group) {
-      items.push_back({k, std::min(k + group, placements), 0, faces});
-    }
-  } else {
-    // Faces per item: one item is some milliseconds of work, and large bodies are shared by all
-    // cores.
-    constexpr std::size_t kFaces = 8192;
-    const std::size_t group = std::max<std::size_t>(1, std::min(kFaces / faces, placements / 64));
-    for (std::size_t k = 0; k < placements; k += group) {
-      for (std::size_t f = 0; f < faces; f += kFaces) {
-        items.push_back({k, std::min(k + group, placements), f, std::min(f + kFaces, faces)});
-      }
-    }
-  }
-  return items;
-}
 
 /// Counts the crossings of all items together. Where large faces turn, thousands of side patches
 /// cover each other, and no estimate tells beforehand how many; a run that would exceed its memory

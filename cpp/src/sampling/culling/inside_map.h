@@ -59,6 +59,7 @@ class InsideMap {
 
   /// Whether single crossings can be told: not on grids of more than kMaxBlocks points.
   bool hasFronts() const { return !fronts_[0].empty(); }
+  std::size_t bytes() const { return depth_.size() + 3 * fronts_[0].size() * sizeof(Front); }
 
  private:
   /// Crossings of an edge in [from, to] / kParts of its length are hidden.

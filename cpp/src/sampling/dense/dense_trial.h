@@ -1,4 +1,4 @@
-// What the dense sampler takes, from a part of the body.
+// Estimates time and memory of the dense sampler by running it on a part of the body.
 // In: sampler input that suits it. Out: CPU seconds and bytes of the whole. Cost: the tree over the
 // placements, and candidates and samples of kTrialFaces faces, on one thread.
 // SPDX-License-Identifier: LGPL-2.1-or-later

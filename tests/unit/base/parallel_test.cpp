@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/parallel_tasks.h"
+#include "base/parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace swept {
 namespace {
 
 // Beside a task that fails at once, the loops of the others do all of their work.
-TEST(ParallelTasks, AFailureCutsNoLoopOfOtherTasksShort) {
+TEST(Parallel, AFailureCutsNoLoopOfOtherTasksShort) {
   constexpr std::size_t kTasks = 16, kItems = 2000;
   for (int round = 0; round < 50; ++round) {
     std::vector<std::size_t> done(kTasks, kItems);
@@ -23,7 +23,7 @@ TEST(ParallelTasks, AFailureCutsNoLoopOfOtherTasksShort) {
       done[task] = static_cast<std::size_t>(std::accumulate(marks.begin(), marks.end(), 0));
     };
     try {
-      parallelTasks(kTasks, work);
+      parallelFor(kTasks, work);
       FAIL() << "nothing was thrown";
     } catch (const std::runtime_error& error) {
       EXPECT_STREQ(error.what(), "seven");  // the first, whichever came first

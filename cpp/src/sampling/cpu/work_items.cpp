@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sampling/cpu/work_items.h"
+
+#include <algorithm>
+
+namespace swept {
+namespace {
+
+/// Faces of an item of a union: one item is some milliseconds of work, and large bodies are shared
+/// by all cores.
+constexpr std::size_t kFaces = 8192;
+
+}  // namespace
+
+std::size_t placementsOfItem(const SamplerInput& input) {
+  const std::size_t placements = input.motion.placements.size();
+  if (!input.motion.continuous) {
+    const std::size_t faces = input.body.triangles.size();
+    return std::max<std::size_t>(1, std::min(kFaces / faces, placements / 64));
+  }
+  // The direction of a face is decided once per step within an item, and once more where two items
+  // meet, so that items should be long. With a cache, items of one placement are kept for the next
+  // run, unless the motion has many placements.
+  const bool kept = input.cache != nullptr && placements < 256;
+  return std::max<std::size_t>(1, placements / (kept ? placements : kMotionItems));
+}
+
+std::vector<WorkItem> workItems(const SamplerInput& input) {
+  const std::size_t placements = input.motion.placements.size();
+  const std::size_t faces = input.body.triangles.size();
+  const std::size_t group = placementsOfItem(input);
+  const std::size_t facesOfItem = input.motion.continuous ? faces : kFaces;
+  std::vector<WorkItem> items;
+  for (std::size_t k = 0; k < placements; k += group) {
+    for (std::size_t f = 0; f < faces; f += facesOfItem) {
+      items.push_back({k, std::min(k + group, placements), f, std::min(f + facesOfItem, faces)});
+    }
+  }
+  return items;
+}
+
+}  // namespace swept

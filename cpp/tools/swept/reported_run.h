@@ -1,0 +1,73 @@
+// What commands share whose result is one report: files that are looked at before anything long, a
+// run with progress and signals, the report, the error. And the options of searches for distances.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "files.h"
+#include "options.h"
+#include "runner.h"
+
+namespace swept::cli {
+
+/// Computes a report and writes it where `common` asks for it. What is thrown meanwhile is how the
+/// run ended, and is printed. readStreams: reads standard input, before the run is watched.
+template <class AnyReport>
+AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>& inputs,
+                      const std::vector<RoledFile>& outputs,
+                      const std::function<AnyReport(RunContext&)>& compute,
+                      const std::function<void(RunContext&)>& readStreams = {}) {
+  checkIdentity(inputs, outputs, common.noClobber);
+  checkAccess({}, outputs);
+  AnyReport report;
+  RunContext run;
+  run.threads = static_cast<int>(common.threads);
+  try {
+    if (readStreams) readStreams(run);
+    runWatched(run, common.quiet, [&] {
+      checkAccess(inputs, {});
+      report = compute(run);
+    });
+  } catch (const Error& error) {
+    report = {};
+    takeError(report, error.status(), error.code(), error.what());
+  }
+  if (!common.report.empty()) writeText(toJson(report), common.report);
+  if (report.status != Status::Ok) printError(report.status, report.code, report.message);
+  return report;
+}
+
+/// Findings and seconds on standard error; the exit status.
+template <class AnyReport>
+int finishReported(const AnyReport& report, const CommonOptions& common, bool clear) {
+  printFindings(report.warnings, common.quiet);
+  if (common.verbose) printSeconds(report.seconds);
+  return clear ? kExitOk : kExitNotClear;
+}
+
+/// --required and --tolerance.
+template <class Options>
+void addDistanceOptions(CLI::App& app, Options& options) {
+  addNumber(app, "--required", "MM", options.required,
+            "distance asked for (default 0: contact and clash only)");
+  addNumber(app, "--tolerance", "MM", options.tolerance,
+            "how far the smallest distance may be off (default 0.01)");
+}
+
+/// --interval-tolerance, --curve, --no-penetration and --stamp.
+template <class Options>
+void addDetailOptions(CLI::App& app, Options& options, std::int64_t& curve, const char* aboutCurve,
+                      std::int64_t& stamp) {
+  addNumber(app, "--interval-tolerance", "MM", options.intervalTolerance,
+            "travel to which ends of time intervals are found (default 10 tolerances)");
+  addInteger(app, "--curve", curve, 0, 1000000, aboutCurve);
+  app.add_flag_callback(
+      "--no-penetration", [&options] { options.penetration = false; },
+      "do not measure how deep a clash goes");
+  addInteger(app, "--stamp", stamp, 0, 1000000,
+             "compare with distances at every pose and N more in each step (slow)");
+}
+
+}  // namespace swept::cli

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`python -m swept_volume study FILE`, which the program calls for `swept study`."""
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import signal
+import sys
+from typing import Any, List
+
+from . import Error, RunContext, __version__
+from ._study import Row, exit_status, run_study
+from ._study_file import read_study
+from ._values import bad_option
+
+USAGE, FAILED = 2, 1
+EXAMPLES = """Exit status 0 if all runs are done and clear, 3 if one is not clear, 1 if one failed.
+
+Examples:
+  swept study doors.toml --jobs 4
+  swept study doors.toml --scheduler tcp://cluster:8786 --send-files"""
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser("swept")
+    parser.add_argument("-V", "--version", action="version", version=f"swept {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True)
+    study = commands.add_parser(
+        "study",
+        help="computes the runs of a study file",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    study.add_argument("file", metavar="FILE", help="the study, a TOML file")
+    study.add_argument("-o", "--output", metavar="FOLDER", help="folder for results")
+    study.add_argument("--jobs", type=int, metavar="N", help="runs at once on this machine")
+    study.add_argument("--scheduler", metavar="ADDRESS", help="dask scheduler to compute on")
+    study.add_argument("--send-files", action="store_true", help="files go through the scheduler")
+    study.add_argument("--again", action="store_true", help="compute what is there again")
+    study.add_argument("--report", metavar="FILE", help="write the report of the study")
+    study.add_argument("-q", "--quiet", action="store_true", help="no progress, no summary")
+    return parser
+
+
+def _line(row: Row) -> str:
+    text = f"{row['state']:<9} {row['run']}"
+    if "distance" in row:
+        text += f": {row['verdict']}, {row['distance']:.6g} mm to {row['neighbour']}"
+    return text + (f": {row['message']}" if "message" in row else "")
+
+
+def _show(done: int, all_runs: int, row: Row) -> None:
+    print(f"{done}/{all_runs} {_line(row)}", file=sys.stderr)
+
+
+def _check_report(options: argparse.Namespace) -> None:
+    """A report that replaced an input would be noticed at the end only."""
+    study = read_study(options.file, options.output)
+    inputs = [options.file, *(file for run in study.runs for file in run.files())]
+    if options.report and os.path.exists(options.report):
+        for file in inputs:
+            if os.path.samefile(file, options.report):
+                raise bad_option(f"--report '{options.report}' is an input; name another file")
+
+
+def _study(options: argparse.Namespace) -> int:
+    _check_report(options)
+    context = RunContext()
+    received: List[int] = []
+
+    def cancel(number: int, _: Any) -> None:
+        received.append(number)
+        context.cancel()
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, cancel)
+    report = run_study(
+        options.file,
+        output=options.output,
+        jobs=options.jobs,
+        scheduler=options.scheduler,
+        send_files=options.send_files,
+        again=options.again,
+        progress=None if options.quiet else _show,
+        run=context,
+    )
+    text = json.dumps(report, indent=1) + "\n"
+    if options.report == "-":
+        sys.stdout.write(text)
+    elif options.report:
+        with open(options.report, "w", encoding="utf-8") as file:
+            file.write(text)
+    if not options.quiet and options.report != "-":
+        print(
+            f"{report['name']}: {report['done']} done, {report['not_clear']} not clear, "
+            f"{report['failed']} failed, {report['not_run']} left; results in {report['output']}"
+        )
+        if report["done"] < len(report["runs"]):
+            worst = next(row for row in report["runs"] if row["run"] == report["worst"])
+            print("look first at: " + _line(worst))
+    if report["status"] != "Ok":
+        print(f"swept: {report['message']}", file=sys.stderr)
+    return 128 + received[0] if received else exit_status(report)
+
+
+def main(words: List[str]) -> int:
+    """Runs a command; returns its exit status."""
+    options = _parser().parse_args(words)
+    try:
+        return _study(options)
+    except Error as error:
+        print(f"swept: {error.status}/{error.code}: {error}", file=sys.stderr)
+        return USAGE if error.code == "BadOption" else FAILED
+    except OSError as error:
+        place = f"'{error.filename}': " if error.filename else ""
+        print(f"swept: {place}{error.strerror or error}", file=sys.stderr)
+        return FAILED
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Study files: TOML that names parts, motions, neighbours, rules and what to compute of each.
+
+A file has a table [study], a table [defaults] with any key of a run, and a table [[run]] for each run.
+Where `part` or `motion` is a list, there is one run for each combination. Nothing in a study file is
+executed: every key is known, and every value is checked before the first run starts.
+"""
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import importlib
+import itertools
+import math
+import os
+import pathlib
+import re
+import sys
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
+
+from . import _core
+from ._values import Path
+
+Table = Mapping[str, Any]
+
+STAGES = ("envelope", "solid", "clearance")
+_UNITS = ("mm", "cm", "m", "in")
+_KNOWN_PROBLEMS = 12  # that one message lists
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """One run of a study: files as absolute paths; options: of the files ("") and of each stage."""
+
+    name: str
+    part: str
+    motion: str
+    neighbours: Tuple[str, ...]
+    rules: Table
+    compute: Tuple[str, ...]
+    options: Mapping[str, Table]
+
+    def files(self) -> List[str]:
+        """What it reads."""
+        return list(dict.fromkeys([self.part, self.motion, *self.neighbours]))
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    """A study file that was read: its name, the folder for results, its runs in their order."""
+
+    name: str
+    output: pathlib.Path
+    runs: Tuple[Run, ...]
+
+
+def _is_number(value: Any) -> bool:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return number and math.isfinite(value)
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str) and value != ""
+
+
+Check = Tuple[Callable[[Any], bool], str]
+_NUMBER: Check = (lambda v: _is_number(v) and v >= 0, "a number of 0 or more")
+_ABOVE: Check = (lambda v: _is_number(v) and v > 0, "a number above 0")
+_COUNT: Check = (lambda v: isinstance(v, int) and _is_number(v) and v > 0, "a whole number above 0")
+_YES_NO: Check = (lambda v: isinstance(v, bool), "true or false")
+_TEXT: Check = (_is_text, "a text")
+_POINT: Check = (
+    lambda v: isinstance(v, list) and len(v) == 3 and all(map(_is_number, v)),
+    "a list of three numbers",
+)
+_TEXTS: Check = (lambda v: isinstance(v, list) and all(map(_is_text, v)), "a list of texts")
+_FILES: Check = (
+    lambda v: _is_text(v) or (isinstance(v, list) and v != [] and all(map(_is_text, v))),
+    "a file, or a list of files",
+)
+_RULES: Check = (
+    lambda v: isinstance(v, dict) and all(_is_text(r) or _is_number(r) for r in v.values()),
+    "a table of names, each with a distance in mm, 'contact', 'contact:MM' or 'ignore'",
+)
+
+
+def _one_of(*words: str) -> Check:
+    return (lambda v: v in words), "one of " + ", ".join(words)
+
+
+_STAGES: Check = (
+    lambda v: isinstance(v, list) and v != [] and all(s in STAGES for s in v),
+    "a list of " + ", ".join(STAGES),
+)
+_RUN_KEYS: Dict[str, Check] = {
+    "name": _TEXT,
+    "part": _FILES,
+    "motion": _FILES,
+    "neighbours": _TEXTS,
+    "rules": _RULES,
+    "compute": _STAGES,
+}
+#: Of the files, and of each stage: as the arguments of the calls in this package are named.
+_OPTIONS: Dict[str, Dict[str, Check]] = {
+    "": {
+        "part_unit": _one_of(*_UNITS),
+        "motion_unit": _one_of(*_UNITS),
+        "neighbour_unit": _one_of(*_UNITS),
+        "interpolation": _one_of("none", "linear", "screw"),
+        "pivot": _POINT,
+    },
+    "envelope": {
+        "format": _one_of("ply", "stl", "obj", "off", "3mf"),
+        "resolution": _COUNT,
+        "cell": _ABOVE,
+        "tolerance": _NUMBER,
+        "offset": _NUMBER,
+        "conservative": _YES_NO,
+        "keep_cavities": _YES_NO,
+        "position_filter": _NUMBER,
+        "chord": _ABOVE,
+    },
+    "solid": {
+        "format": _one_of("step", "brep"),
+        "tolerance": _NUMBER,
+        "exact": _YES_NO,
+        "recognise": _YES_NO,
+        "max_faces": _COUNT,
+        "max_megabytes": _ABOVE,
+        "schema": _one_of("ap214", "ap242", "ap242-tessellated"),
+        "author": _TEXT,
+        "organization": _TEXT,
+        "product_name": _TEXT,
+    },
+    "clearance": {
+        "required": _NUMBER,
+        "tolerance": _ABOVE,
+        "deflection": _ABOVE,
+        "neighbour_chord": _NUMBER,
+        "interval_tolerance": _ABOVE,
+        "curve": _COUNT,
+        "penetration": _YES_NO,
+    },
+}
+
+
+class _Problems(List[str]):
+    """What is wrong with a file, each with its place."""
+
+    def unknown(self, where: str, key: str, known: Sequence[str]) -> None:
+        near = difflib.get_close_matches(key, known, 1)
+        hint = f"did you mean '{near[0]}'?" if near else "known keys: " + ", ".join(known)
+        self.append(f"{where}: unknown key '{key}'; {hint}")
+
+    def check(self, where: str, key: str, value: Any, check: Check) -> bool:
+        good, wanted = check
+        if good(value):
+            return True
+        self.append(f"{where}: {key} is {value!r}; it must be {wanted}")
+        return False
+
+
+def _bad_study(path: pathlib.Path, problems: Sequence[str]) -> _core.InvalidInput:
+    more = len(problems) - _KNOWN_PROBLEMS
+    lines = list(problems[:_KNOWN_PROBLEMS]) + ([f"and {more} more"] if more > 0 else [])
+    error = _core.InvalidInput(f"'{path}': " + "\n  ".join(lines))
+    error.status, error.code, error.report = "InvalidInput", "BadStudy", None
+    return error
+
+
+def _parsed(path: pathlib.Path) -> Dict[str, Any]:
+    name = "tomllib" if sys.version_info >= (3, 11) else "tomli"
+    toml: Any = importlib.import_module(name)
+    text = path.read_bytes()
+    try:
+        parsed: Dict[str, Any] = toml.loads(text.decode("utf-8-sig"))
+    except UnicodeDecodeError as error:
+        raise _bad_study(path, [f"byte {error.start} is not UTF-8"]) from error
+    except toml.TOMLDecodeError as error:
+        raise _bad_study(path, [str(error)]) from error
+    return parsed
+
+
+def _checked(table: Table, where: str, problems: _Problems) -> Dict[str, Any]:
+    """The keys of a table [[run]] or [defaults] that are as they must be."""
+    good: Dict[str, Any] = {}
+    known = {**_RUN_KEYS, **_OPTIONS[""]}
+    for key, value in table.items():
+        if key in STAGES:
+            if not isinstance(value, dict):
+                problems.append(f"{where}: {key} is {value!r}; it must be a table of options")
+                continue
+            options = good[key] = {}
+            for option, setting in value.items():
+                place = f"{where}, {key}"
+                if option not in _OPTIONS[key]:
+                    problems.unknown(place, option, list(_OPTIONS[key]))
+                elif problems.check(place, option, setting, _OPTIONS[key][option]):
+                    options[option] = setting
+        elif key not in known:
+            problems.unknown(where, key, [*known, *STAGES])
+        elif problems.check(where, key, value, known[key]):
+            good[key] = value
+    return good
+
+
+def _merged(defaults: Table, table: Table) -> Dict[str, Any]:
+    merged = {**defaults, **table}
+    for stage in STAGES:
+        merged[stage] = {**defaults.get(stage, {}), **table.get(stage, {})}
+        given = table.get(stage, {})
+        if "cell" in given and "resolution" not in given:  # of a run, instead of the common one
+            merged[stage].pop("resolution", None)
+        elif "resolution" in given and "cell" not in given:
+            merged[stage].pop("cell", None)
+    return merged
+
+
+def _listed(value: Any) -> List[str]:
+    return list(value) if isinstance(value, list) else [value]
+
+
+def _combinations(
+    table: Table, folder: pathlib.Path, where: str, problems: _Problems
+) -> Iterator[Run]:
+    missing = [key for key in ("part", "motion", "compute") if key not in table]
+    if missing:
+        problems.append(f"{where}: {' and '.join(missing)} missing")
+        return
+    stages = tuple(stage for stage in STAGES if stage in table["compute"])
+    if "clearance" in stages and not table.get("neighbours"):
+        problems.append(f"{where}: clearance is to be computed, but there are no neighbours")
+    if {"cell", "resolution"} <= set(table["envelope"]):
+        problems.append(f"{where}, envelope: cell and resolution exclude one another")
+    if "solid" in stages and not _core.HAS_SOLIDS:
+        problems.append(f"{where}: this build is without OpenCASCADE and makes no solids")
+    neighbours = tuple(str(folder / name) for name in table.get("neighbours", ()))
+    used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid is made of one
+    options: Dict[str, Table] = {s: table[s] for s in STAGES if s in used}
+    options[""] = {key: table[key] for key in _OPTIONS[""] if key in table}
+    pattern = table.get("name", "{part} {motion}")
+    for part, motion in itertools.product(_listed(table["part"]), _listed(table["motion"])):
+        name = pattern.replace("{part}", pathlib.PurePath(part).stem)
+        name = name.replace("{motion}", pathlib.PurePath(motion).stem)
+        files = str(folder / part), str(folder / motion), neighbours
+        yield Run(name, *files, dict(table.get("rules", {})), stages, options)
+
+
+def _check_names(runs: Sequence[Run], problems: _Problems) -> None:
+    """Names of runs are names of folders, also on systems that do not tell A from a."""
+    seen: Dict[str, str] = {}
+    for run in runs:
+        if not re.fullmatch(r"[\w()+=,@ .-]{1,120}", run.name) or run.name.strip(" .") != run.name:
+            problems.append(
+                f"run {run.name!r}: a name has 1 to 120 letters, digits, blanks or ()+=,@.-_, and "
+                "neither begins nor ends with a blank or a dot"
+            )
+        elif run.name.casefold() in seen:
+            problems.append(
+                f"two runs are called {run.name!r}; give them names, with {{part}} and {{motion}} "
+                "where these are lists"
+            )
+        seen[run.name.casefold()] = run.name
+
+
+def _check_files(runs: Sequence[Run], output: pathlib.Path, problems: _Problems) -> None:
+    inside = output.resolve()
+    for file in dict.fromkeys(file for run in runs for file in run.files()):
+        path = pathlib.Path(file)
+        if not path.is_file():
+            problems.append(f"there is no file '{path}'")
+        elif inside in path.resolve().parents:
+            problems.append(f"'{path}' lies in the folder for results, where it could be replaced")
+
+
+def read_study(path: Path, output: Optional[Path] = None) -> Study:
+    """Reads and checks a study file; output: another folder for results than the file says. Relative
+    paths start at the folder of the file. Raises InvalidInput (BadStudy) with all that is wrong in it,
+    FileNotFoundError."""
+    file = pathlib.Path(os.fsdecode(path))
+    parsed, problems = _parsed(file), _Problems()
+    for key in parsed:
+        if key not in ("study", "defaults", "run"):
+            problems.unknown("the file", key, ["study", "defaults", "run"])
+    about, tables = parsed.get("study", {}), parsed.get("run", [])
+    if not isinstance(about, dict) or not isinstance(tables, list) or not tables:
+        raise _bad_study(file, [*problems, "it has no table [[run]]"])
+    for key, value in about.items():
+        if key not in ("name", "output"):
+            problems.unknown("[study]", key, ["name", "output"])
+        else:
+            problems.check("[study]", key, value, _TEXT)
+    if problems:
+        raise _bad_study(file, problems)
+    defaults = _checked(parsed.get("defaults", {}), "[defaults]", problems)
+    folder = file.absolute().parent
+    runs: List[Run] = []
+    for number, table in enumerate(tables, 1):
+        where = f"run {number}" + (f" ({table['name']!r})" if "name" in table else "")
+        before = len(problems)
+        good = _checked(table, where, problems)
+        if len(problems) == before:
+            runs.extend(_combinations(_merged(defaults, good), folder, where, problems))
+    chosen = (
+        pathlib.Path(os.fsdecode(output)) if output else folder / about.get("output", "results")
+    )
+    if not problems:
+        _check_names(runs, problems)
+        _check_files(runs, chosen, problems)
+    if problems:
+        raise _bad_study(file, problems)
+    return Study(about.get("name", file.stem), chosen.absolute(), tuple(runs))

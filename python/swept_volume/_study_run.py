@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One run of a study: reads its files, computes what is asked for, writes results into a folder."""
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import pathlib
+import tempfile
+import time
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+
+from . import _core
+from ._calls import Result, RunContext, compute, write_solid
+from ._clearance import clearance
+from ._study_file import Run
+from ._values import Mesh, Motion, read_body, read_motion, read_parts
+
+Report = Dict[str, Any]
+
+REPORT_FILE = "report.json"
+PARTIAL = ".partial-"  # begins the name of a folder that is being filled
+DONE, NOT_CLEAR, FAILED = "done", "not clear", "failed"
+_SUFFIXES = {"envelope": "ply", "solid": "step"}  # where the file does not choose
+
+
+def file_hash(path: str) -> str:
+    """SHA-256 of a file's bytes."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as file:
+        while block := file.read(1 << 20):
+            digest.update(block)
+    return digest.hexdigest()
+
+
+def run_key(run: Run, hashes: Mapping[str, str]) -> str:
+    """What the results of a run depend on, as one hash: the version of the core, the bytes of the
+    files with the names that appear in reports, rules and options."""
+    files = [[pathlib.PurePath(file).name, hashes[file]] for file in run.files()]
+    roles = [run.part, run.motion, *run.neighbours]
+    order = [run.files().index(file) for file in roles]
+    parts = [_core.__version__, files, order, run.rules, run.compute, run.options]
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+def output_name(run: Run, stage: str) -> str:
+    """Of the file with a stage's result; a clearance has none beside the report."""
+    suffix = run.options[stage].get("format", _SUFFIXES[stage])
+    return f"{stage}.{suffix}"
+
+
+def output_names(run: Run) -> List[str]:
+    """Of all files with results, without the report."""
+    return [output_name(run, stage) for stage in run.compute if stage in _SUFFIXES]
+
+
+class _Stages:
+    """The stages of one run; what several of them need is read or computed once."""
+
+    def __init__(self, run: Run, locate: Callable[[str], str], context: RunContext) -> None:
+        self.run, self.locate, self.context = run, locate, context
+        self.files = run.options[""]
+        pivot = self.files.get("pivot", (0.0, 0.0, 0.0))
+        unit = self.files.get("motion_unit", "mm")
+        interpolation = self.files.get("interpolation", "linear")
+        self.motion: Motion = read_motion(
+            locate(run.motion), unit=unit, interpolation=interpolation, pivot=pivot
+        )
+        self.warnings: List[Dict[str, Any]] = []  # of the solid
+        self._result: Optional[Result] = None
+
+    def _body(self, **how: Any) -> Mesh:
+        return read_body(self.locate(self.run.part), unit=self.files.get("part_unit", "mm"), **how)
+
+    def _options(self, stage: str, *without: str) -> Dict[str, Any]:
+        options = self.run.options.get(stage, {})
+        return {key: value for key, value in options.items() if key not in ("format", *without)}
+
+    def _computed(self) -> Result:
+        if self._result is None:
+            options = self._options("envelope")
+            size = {key: options[key] for key in ("cell", "resolution") if key in options}
+            self._result = compute(self._body(**size), self.motion, run=self.context, **options)
+        return self._result
+
+    def envelope(self, path: str) -> Report:
+        result = self._computed()
+        result.mesh.write(path)
+        return result.report
+
+    def solid(self, path: str) -> Report:
+        mesh, options = self._computed().mesh, self._options("solid")
+        report = write_solid(path, mesh, run=self.context, **options)
+        self.warnings = report.pop("warnings")
+        return report
+
+    def clearance(self) -> Report:
+        options = self._options("clearance", "deflection", "neighbour_chord")
+        given = self.run.options["clearance"]
+        deflection = given.get("deflection", 0.05)
+        neighbours = [
+            part
+            for file in self.run.neighbours
+            for part in read_parts(
+                self.locate(file),
+                unit=self.files.get("neighbour_unit", "mm"),
+                chord_error=given.get("neighbour_chord", 0.0),
+                deflection=deflection,
+            )
+        ]
+        body = self._body(tolerance=deflection)
+        rules = self.run.rules
+        report = clearance(body, self.motion, neighbours, rules=rules, run=self.context, **options)
+        report["warnings"][:0] = body.findings
+        return report
+
+
+def _failure(error: BaseException) -> Report:
+    if isinstance(error, _core.Error):
+        return {"status": error.status, "code": error.code, "message": str(error)}
+    if isinstance(error, MemoryError):
+        text = "memory ran out; use a larger cell or smaller files"
+        return {"status": "OutOfMemory", "code": "OutOfMemory", "message": text}
+    if isinstance(error, OSError):
+        return {"status": "InvalidInput", "code": "BadFile", "message": str(error)}
+    text = f"{type(error).__name__}: {error}"
+    return {"status": "InternalError", "code": "Unexpected", "message": text}
+
+
+def failed(run: Run, key: str, status: str, code: str, message: str) -> Report:
+    """The report of a run that did not come to its end."""
+    found = {"status": status, "code": code, "message": message}
+    return {
+        "report_version": 1,
+        "command": "run",
+        "run": run.name,
+        "key": key,
+        "warnings": [],
+        **found,
+    }
+
+
+def state_of(report: Mapping[str, Any]) -> str:
+    """done, not clear (a neighbour does not meet its rule) or failed."""
+    if report["status"] != "Ok":
+        return FAILED
+    rows = report.get("clearance", {}).get("neighbours", ())
+    return DONE if all(row["meets_rule"] for row in rows) else NOT_CLEAR
+
+
+def execute(
+    run: Run,
+    key: str,
+    output: str,
+    threads: int,
+    locate: Optional[Callable[[str], str]] = None,
+) -> Tuple[Report, str]:
+    """Computes a run into a new folder below output; returns its report, which is written there too,
+    and the folder. What fails is told by the report and never raised. locate: where a file of the run
+    lies on this machine."""
+    began = time.monotonic()
+    folder = tempfile.mkdtemp(prefix=PARTIAL, dir=output)
+    report = failed(run, key, "Ok", "", "")
+    try:
+        stages = _Stages(run, locate or (lambda file: file), RunContext(threads=threads))
+        for stage in run.compute:
+            if stage == "clearance":
+                report[stage] = stages.clearance()
+            else:
+                path = os.path.join(folder, output_name(run, stage))
+                report[stage] = getattr(stages, stage)(path)
+        report["warnings"] = stages.warnings
+    except Exception as error:  # one run that fails does not stop the others
+        report.update(_failure(error))
+    report["seconds"] = {"total": round(time.monotonic() - began, 3)}
+    with open(os.path.join(folder, REPORT_FILE), "w", encoding="utf-8") as file:
+        json.dump(report, file, indent=1)
+        file.write("\n")
+    return report, folder

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Who computes the runs of a study: processes of this machine, or the workers of a dask cluster.
+
+A process of this machine reads tasks from its standard input and writes their reports, both pickled
+(serve()). When it dies, its run has failed and a new process goes on.
+"""
+from __future__ import annotations
+
+import importlib
+import os
+import pathlib
+import pickle
+import queue
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from typing import Any, Callable, Dict, Iterator, NamedTuple, Optional, Sequence, Tuple
+
+from ._study_file import Run
+from ._study_run import PARTIAL, REPORT_FILE, Report, execute, failed, output_names
+from ._values import bad_option
+
+_POLL = 0.1  # s between two looks whether the study was cancelled
+_SERVE = (
+    "import sys; from swept_volume import _study_workers; _study_workers.serve(int(sys.argv[1]))"
+)
+Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, the folder it filled
+
+
+class Task(NamedTuple):
+    """What a worker needs for one run."""
+
+    number: int
+    run: Run
+    key: str
+    output: str
+
+
+def cores() -> int:
+    """That this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _ended(code: int) -> str:
+    if code >= 0:
+        return f"the process of the run ended with status {code}"
+    text = f"the process of the run was ended by {signal.Signals(-code).name}"
+    return text + (", as systems do when memory runs out" if code == -9 else "")
+
+
+class _Process:
+    """One process of this machine; started again when it has died."""
+
+    def __init__(self, threads: int) -> None:
+        self._threads = threads
+        self._child: Optional[subprocess.Popen[bytes]] = None
+        self._lock = threading.Lock()
+        self._stopped = False
+
+    def _running(self) -> Optional[subprocess.Popen[bytes]]:
+        with self._lock:
+            if self._stopped:
+                return None
+            if self._child is None:
+                package = str(pathlib.Path(__file__).resolve().parents[1])
+                paths = [package, os.environ.get("PYTHONPATH", "")]
+                environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
+                self._child = subprocess.Popen(
+                    [sys.executable, "-c", _SERVE, str(self._threads)],
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    env=environment,
+                )
+            return self._child
+
+    def compute(self, task: Task) -> Optional[Done]:
+        """None: it was stopped."""
+        child = self._running()
+        if child is None:
+            return None
+        assert child.stdin and child.stdout
+        try:
+            pickle.dump(task, child.stdin)
+            child.stdin.flush()
+            done: Done = pickle.load(child.stdout)
+            return done
+        except (EOFError, OSError, pickle.UnpicklingError):
+            code = child.wait()
+            self._child = None
+            if self._stopped:
+                return None
+            text = _ended(code)
+            report = failed(task.run, task.key, "InternalError", "ProcessEnded", text)
+            return task.number, report, None
+
+    def stop(self) -> None:
+        """From any thread; a run that is computed is given up."""
+        with self._lock:
+            self._stopped = True
+            child = self._child
+        if child is not None:
+            child.kill()
+            child.wait()
+
+
+def compute_here(tasks: Sequence[Task], jobs: int, cancelled: Callable[[], bool]) -> Iterator[Done]:
+    """Computes tasks in processes of this machine, `jobs` at once; yields them as they end. Ends early
+    when cancelled."""
+    jobs = min(jobs, len(tasks))
+    todo: queue.SimpleQueue[Task] = queue.SimpleQueue()
+    results: queue.SimpleQueue[Optional[Done]] = queue.SimpleQueue()
+    for task in tasks:
+        todo.put(task)
+    processes = [_Process(max(1, cores() // jobs)) for _ in range(jobs)]
+
+    def work(process: _Process) -> None:
+        try:
+            while (done := process.compute(todo.get_nowait())) is not None:
+                results.put(done)
+        except queue.Empty:
+            pass
+        finally:
+            process.stop()
+            results.put(None)
+
+    threads = [threading.Thread(target=work, args=(p,), daemon=True) for p in processes]
+    for thread in threads:
+        thread.start()
+    working = jobs
+    try:
+        while working > 0 and not cancelled():
+            try:
+                found = results.get(timeout=_POLL)
+            except queue.Empty:
+                continue
+            if found is None:
+                working -= 1
+            else:
+                yield found
+    finally:
+        for process in processes:
+            process.stop()
+        for thread in threads:
+            thread.join()
+
+
+def _distributed() -> Any:
+    try:
+        return importlib.import_module("distributed")
+    except ImportError as error:
+        raise bad_option(
+            "a scheduler needs dask.distributed (python3-distributed), which is not installed"
+        ) from error
+
+
+def _threads_of_worker() -> int:
+    threads: int = _distributed().get_worker().state.nthreads
+    return max(1, cores() // max(1, threads))
+
+
+def _on_worker(task: Task) -> Tuple[Report, Optional[str]]:
+    """For folders that all machines share."""
+    return execute(task.run, task.key, task.output, _threads_of_worker())
+
+
+Sent = Tuple[Report, Dict[str, bytes]]
+
+
+def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
+    """For machines that share no folder: the inputs come with the task, the results go back with it."""
+    with tempfile.TemporaryDirectory(prefix="swept-study-") as place:
+        where = {}
+        for number, (name, data) in enumerate(files.items()):
+            folder = pathlib.Path(place) / str(number)
+            folder.mkdir()
+            where[name] = (
+                folder / pathlib.PurePath(name).name
+            )  # reports name parts after their file
+            where[name].write_bytes(data)
+        locate = {name: str(path) for name, path in where.items()}
+        report, filled = execute(
+            task.run, task.key, place, _threads_of_worker(), locate.__getitem__
+        )
+        names = [REPORT_FILE, *output_names(task.run)]
+        names = [name for name in names if (pathlib.Path(filled) / name).exists()]
+        return report, {name: (pathlib.Path(filled) / name).read_bytes() for name in names}
+
+
+def _same(data: bytes) -> bytes:
+    return data
+
+
+def _received(task: Task, sent: Sent) -> Tuple[Report, str]:
+    report, files = sent
+    folder = pathlib.Path(tempfile.mkdtemp(prefix=PARTIAL, dir=task.output))
+    for name, data in files.items():
+        (folder / name).write_bytes(data)
+    return report, str(folder)
+
+
+def compute_on_cluster(
+    tasks: Sequence[Task], address: str, send_files: bool, cancelled: Callable[[], bool]
+) -> Iterator[Done]:
+    """Computes tasks on the workers of the dask scheduler at an address; yields them as they end. A
+    worker that is lost costs nothing but time: the scheduler gives its runs to another one. send_files:
+    inputs and results go through the scheduler; else all machines see the same folders."""
+    client = _distributed().Client(address, timeout=20, set_as_default=False)
+    with client, client.as_current():
+        sent: Dict[str, Any] = {}  # the bytes of a file travel once and can be sent again
+        futures: Dict[Any, Task] = {}
+        for task in tasks:
+            if not send_files:
+                futures[client.submit(_on_worker, task, pure=False)] = task
+                continue
+            for file in task.run.files():
+                if file not in sent:
+                    data = pathlib.Path(file).read_bytes()
+                    sent[file] = client.submit(_same, data, pure=False)
+            inputs = {file: sent[file] for file in task.run.files()}
+            futures[client.submit(_on_worker_with_files, task, inputs, pure=False)] = task
+        try:
+            yield from _as_they_end(futures, send_files, cancelled)
+        finally:
+            client.cancel(list(futures))
+
+
+def _as_they_end(
+    futures: Dict[Any, Task], send_files: bool, cancelled: Callable[[], bool]
+) -> Iterator[Done]:
+    ends, left = _distributed().as_completed(futures), len(futures)
+    while left > 0 and not cancelled():
+        ended = ends.next_batch(block=False)
+        if not ended:
+            time.sleep(_POLL / 10)
+        for future in ended:
+            if future.status in ("pending", "lost"):  # its worker died with it: another computes it
+                ends.add(future)
+                continue
+            task = futures[future]
+            left -= 1
+            if future.status == "finished":
+                result = future.result()
+                report, folder = _received(task, result) if send_files else result
+            else:  # its workers died again and again, or the cluster was closed
+                error = future.exception() if future.status == "error" else "it was cancelled"
+                text = f"the cluster gave the run up: {error}"
+                report = failed(task.run, task.key, "InternalError", "WorkerLost", text)
+                folder = None
+            yield task.number, report, folder
+
+
+def serve(threads: int) -> None:
+    """The loop of a process: tasks from standard input, reports to standard output."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study tells its processes when to end
+    reports = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # nothing else writes between the reports
+    while True:
+        try:
+            task: Task = pickle.load(sys.stdin.buffer)
+        except EOFError:
+            return
+        report, folder = execute(task.run, task.key, task.output, threads)
+        pickle.dump((task.number, report, folder), reports)
+        reports.flush()
