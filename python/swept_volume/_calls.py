@@ -23,6 +23,7 @@ from ._values import (
     frozen,
     mesh_of,
     motion_of,
+    refuse_both,
 )
 
 logger = logging.getLogger("swept_volume")
@@ -135,8 +136,7 @@ class Result:
 
 def _given(**options: Any) -> Dict[str, Any]:
     """What the caller has set; resolution and cell exclude one another, as in the program."""
-    if options.get("resolution") is not None and options.get("cell") is not None:
-        raise bad_option("resolution and cell exclude one another; give one of them")
+    refuse_both(options.get("resolution"), options.get("cell"))
     if options.get("cell") is not None and not options["cell"] > 0:
         raise bad_option("cell must be greater than 0 mm")
     return {name: value for name, value in options.items() if value is not None}

@@ -22,6 +22,12 @@ def bad_option(message: str) -> _core.InvalidInput:
     return error
 
 
+def refuse_both(resolution: Optional[int], cell: Optional[float]) -> None:
+    """Raises InvalidInput where both are given, as the program does."""
+    if resolution is not None and cell is not None:
+        raise bad_option("resolution and cell exclude one another; give one of them")
+
+
 def require_file(path: Path) -> None:
     """Raises the system's own error (FileNotFoundError, PermissionError ...) for what cannot be read."""
     with open(path, "rb"):
@@ -308,15 +314,17 @@ def read_body(
     unit: str = "mm",
     tolerance: Optional[float] = None,
     cell: Optional[float] = None,
-    resolution: int = 128,
+    resolution: Optional[int] = None,
     angle: float = 0.2,
 ) -> Mesh:
     """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
     body, tessellated within tolerance (mm); else within 0.02 of cell (mm), the cell of the run to
-    come; else within 0.02 of the smallest cell that resolution can give. angle: rad between
+    come; else within 0.02 of the smallest cell that resolution (128) can give. angle: rad between
     neighbouring triangles of a solid, at most."""
+    refuse_both(resolution, cell)
     require_file(path)
-    return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, resolution, angle=angle))
+    cells = 128 if resolution is None else resolution
+    return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, cells, angle=angle))
 
 
 def read_parts(

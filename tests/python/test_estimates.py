@@ -32,7 +32,22 @@ def test_the_inputs_are_the_same_for_a_seed_and_solids():
         assert np.allclose(np.linalg.norm(quaternions, axis=1), 1)
 
 
-@pytest.mark.parametrize("seed", [1000008, 1000011, 1000018, 1000030, 1000036, 2000009, 2000014])
+@pytest.mark.parametrize(
+    "seed",
+    [
+        1000008,
+        1000011,
+        1000018,
+        1000030,
+        1000036,
+        2000009,
+        2000014,
+        43000134,
+        53000180,
+        67000227,
+        73000231,
+    ],
+)
 def test_estimates_are_near_what_runs_take(seed):
     found = estimate_suite.measure(seed, BUILD, threads=1)
     memory, seconds = estimate_suite.factors(found)

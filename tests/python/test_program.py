@@ -45,8 +45,16 @@ def envelope(inputs, output, *more):
     )  # fmt: skip
 
 
+COMMANDS = ["envelope", "check", "clearance", "mechanism", "path", "study"] + [
+    "solid"
+] * _swept.HAS_SOLIDS
+
+
 def test_help_and_version(call):
-    commands = ["envelope", "check"] + ["solid"] * _swept.HAS_SOLIDS
+    listed = call("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
+    named = [line.split()[0] for line in listed.splitlines() if line[2] != " "]
+    assert sorted(named) == sorted([*COMMANDS, "manual", "completion"]), "a command is not tested"
+    commands = COMMANDS
     for words in (["--help"], ["-h"], ["help"]):
         done = call(*words)
         assert done.returncode == 0 and done.stderr == "", done.stderr

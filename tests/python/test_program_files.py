@@ -15,7 +15,7 @@ import pytest
 
 import _swept
 from bodies import torus
-from test_program import call, envelope, inputs, long_run, wait_until_caught  # noqa: F401
+from test_program import COMMANDS, call, envelope, inputs, long_run, wait_until_caught  # noqa: F401
 
 SOLIDS = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 
@@ -48,6 +48,23 @@ def test_outputs_that_are_inputs_or_other_outputs(call, inputs, output, report, 
     assert done.stderr.count("\n") == 1 and "SameFile" in done.stderr
     assert sorted(os.listdir(inputs)) == before
     assert bytes_before == ((inputs / "box.ply").read_bytes(), (inputs / "slide.csv").read_bytes())
+
+
+def test_standard_output_that_is_an_input_or_another_output(program, inputs):  # noqa: F811
+    whole = (inputs / "box.ply").read_bytes()
+    rest = "--motion slide.csv --resolution 16 --quiet"
+    for line, says in (
+        (f"{program} envelope box.ply {rest} -o - >> box.ply", "is the generator"),
+        (f"{program} envelope - {rest} -o - < box.ply >> box.ply", "is the generator"),
+        (f"{program} check box.ply --report - >> box.ply", "is the file to check"),
+        (f"{program} envelope box.ply {rest} -o o.ply --report - > o.ply", "the file of --output"),
+        (f"{program} envelope box.ply {rest} -o - --report - > /dev/null", "the file of --output"),
+    ):
+        done = subprocess.run(["bash", "-c", line], cwd=inputs, capture_output=True, text=True)
+        assert done.returncode == 2 and says in done.stderr, line + done.stderr
+        assert (inputs / "box.ply").read_bytes() == whole
+    line = f"{program} envelope box.ply {rest} -o o.ply --report - > /dev/null"
+    assert subprocess.run(["bash", "-c", line], cwd=inputs).returncode == 0
 
 
 def test_check_and_clearance_do_not_overwrite_their_inputs(call, inputs):  # noqa: F811
@@ -92,6 +109,7 @@ def test_closed_pipe_and_full_device_are_named_failures(program, inputs):  # noq
             capture_output=True, text=True,
         )  # fmt: skip
         assert done.returncode == 1 and "ExportFailed/WriteFailed" in done.stderr, done.stderr
+        assert done.stderr.count("\n") == 1, "said twice: " + done.stderr
 
 
 def test_terminated_runs_end_with_143(program, shared, inputs):  # noqa: F811
@@ -125,6 +143,48 @@ def test_pipes_in_and_out_give_the_same_bytes(program, inputs):  # noqa: F811
         assert done.returncode == 0 and done.stderr == "", line + done.stderr
         assert (inputs / "piped.ply").read_bytes() == expected, line
         (inputs / "piped.ply").unlink()
+
+
+@SOLIDS
+def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
+    """What comes from a pipe is known by how it begins, or by the format that is named."""
+    _swept.write_mesh(inputs / "far.ply", box[0] + [100, 0, 0], box[1])
+    _swept.write_mesh(inputs / "box.stl", *box)
+    for name in ("box", "far"):
+        line = [program, "solid", name + ".ply", "-o", name + ".step", "-q"]
+        subprocess.run(line, cwd=inputs, check=True)
+    (inputs / "x.step").symlink_to("/dev/stdin")
+
+    def run(line):
+        done = subprocess.run(
+            ["bash", "-c", line.replace("swept", program, 1)], cwd=inputs, capture_output=True,
+            text=True,
+        )  # fmt: skip
+        return done.returncode, done.stdout + done.stderr
+
+    for line in (
+        "swept check - < box.step",
+        "swept check <(cat box.step)",
+        "cat box.step | swept check x.step",
+        "cat box.step | swept check - --format step",
+    ):
+        status, said = run(line)
+        assert status == 0 and "1 solids" in said, line + said
+    for line in (
+        "swept clearance {} <(cat far.step) --motion <(cat slide.csv) -q --csv - < box.ply",
+        "swept clearance {} <(cat far.ply) --motion <(cat slide.csv) -q --csv - < box.step",
+        "swept clearance {} --generator-format stl far.step --motion slide.csv -q --csv - < box.stl",
+    ):
+        for generator in ("-", "/dev/stdin"):
+            status, said = run(line.format(generator))
+            assert status == 0 and ",clear,40" in said, line + said
+    for line, says in (
+        ("cat box.ply | swept check - --format step", "'-' does not begin as a STEP"),
+        ("cat slide.csv | swept check -", "nothing names its format"),
+        ("swept check <(head -c 300 box.step)", "is no sound STEP file"),
+    ):
+        status, said = run(line)
+        assert status == 1 and says in said and "/proc/" not in said, said
 
 
 def test_formats_of_standard_input_and_output(program, inputs):  # noqa: F811
@@ -309,7 +369,7 @@ def test_short_options(call, inputs):  # noqa: F811
 def test_completions_name_every_option_of_the_help(call, shell, tmp_path):  # noqa: F811
     text = call("completion", shell).stdout
     (tmp_path / "completion").write_text(text)
-    for command in ("envelope", "check"):
+    for command in COMMANDS:
         for word in call(command, "--help").stdout.split():
             name = word.split(",")[-1]
             if name.startswith("--") and name[2:].replace("-", "").isalpha():
@@ -332,7 +392,7 @@ def test_manual_page_names_every_option(call):  # noqa: F811
     page = call("manual").stdout
     assert page.startswith(".TH SWEPT 1")
     plain = page.replace("\\-", "-").replace("\\fB", "").replace("\\fR", "")
-    for command in ("envelope", "check"):
+    for command in COMMANDS:
         assert f"SWEPT {command}" in plain
         for word in call(command, "--help").stdout.split():
             if word.startswith("--") and word[2:].replace("-", "").isalpha():

@@ -155,6 +155,8 @@ def test_resolution_and_cell_exclude_one_another(mesh, motion):
         assert (caught.value.status, caught.value.code) == ("InvalidInput", "BadOption")
     with pytest.raises(sv.InvalidInput, match="exclude one another"):
         sv.PreviewSession(mesh, resolution=64, cell=1.0)
+    with pytest.raises(sv.InvalidInput, match="exclude one another"):
+        sv.read_body("part.step", resolution=64, cell=1.0)
 
 
 def test_shapes_and_types_are_named(box, slide):
@@ -298,6 +300,12 @@ def test_the_example_of_a_cnc_program_runs(example, root, tmp_path):
     text = example("cnc.py", root / "examples/data/pocket.nc", 6, "cut.stl")
     assert "the cut spans 46 x 26 x 29 mm" in text
     assert sv.check_mesh(sv.read_mesh(tmp_path / "cut.stl"))["passes"]
+
+
+def test_the_example_of_an_assembly_runs(example, tmp_path):
+    said = example("assembly.py", "path.csv")
+    assert "slider and crank: clear" in said and "cover: contact" in said and "way: found" in said
+    assert len(sv.read_motion(tmp_path / "path.csv").times) > 2
 
 
 def test_a_step_file_is_a_body(mesh, motion, tmp_path):

@@ -2,13 +2,16 @@
 """Compares what estimate() says with what runs take, over drawn inputs (unseen_inputs.py).
 
     python3 tests/tools/estimate_suite.py [--build build] [--seed 1] [--count 40] [--copies 2e9]
+        [--least-copies 0] [--most-seconds 600]
 
 Each case runs in a process of its own. Seconds: the processor's, shared out to the threads, so that
 other work on the machine counts little. Memory: by how much the process grows. Prints a row a case;
-exit status 1 if a factor is above 2 for memory or 3 for seconds.
+exit status 1 if a factor is above 2 for memory or 3 for seconds. What is foreseen to take more than
+--most-seconds is listed and not run.
 """
 import argparse
 import json
+import math
 import os
 import pathlib
 import resource
@@ -29,8 +32,8 @@ def resident():
         return int(file.read().split()[1]) * resource.getpagesize()
 
 
-def run_case(seed, build, threads):
-    """Estimate, run; a dict. In the process of the case."""
+def run_case(seed, build, threads, most_seconds):
+    """Estimate, run unless that is foreseen to take longer; a dict. In the process of the case."""
     sys.path.insert(0, str(build / "python"))
     import swept_volume as sv
 
@@ -42,6 +45,8 @@ def run_case(seed, build, threads):
     except sv.Error as error:  # refused as the run would be
         return {"name": case.name, "failed": str(error)}
     looked = time.process_time() - start
+    if foreseen["seconds"] > most_seconds:
+        return {"name": case.name, "failed": f"not run: {foreseen['seconds']:.0f} s are foreseen"}
     usage, before = resource.getrusage(resource.RUSAGE_SELF), resident()
     try:
         report = sv.compute(mesh, motion, threads=threads, **case.options).report
@@ -75,10 +80,11 @@ def factors(found):
     )
 
 
-def measure(seed, build, threads=None):
+def measure(seed, build, threads=None, most_seconds=math.inf):
     """run_case() in another process."""
     words = [sys.executable, __file__, "--case", str(seed), "--build", str(build)]
     words += ["--threads", str(threads or os.cpu_count() or 1)]
+    words += ["--most-seconds", str(most_seconds)]
     done = subprocess.run(words, capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(f"seed {seed}: {done.stderr}")
@@ -91,24 +97,27 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--copies", type=float, default=2e9, help="triangles times poses at most")
+    parser.add_argument("--least-copies", type=float, default=0)
+    parser.add_argument("--most-seconds", type=float, default=math.inf)
     parser.add_argument("--threads", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--case", type=int, help="one case, as JSON")
     parser.add_argument("--json", type=pathlib.Path, help="also write all that was found")
     given = parser.parse_args()
     if given.case is not None:
-        print(json.dumps(run_case(given.case, given.build.resolve(), given.threads)))
+        found = run_case(given.case, given.build.resolve(), given.threads, given.most_seconds)
+        print(json.dumps(found))
         return 0
     worst, rows = [0.0, 0.0], []
     for number in range(given.count):
         seed = 1_000_003 * given.seed + number
         case = unseen_inputs.draw_case(seed)
-        if case.copies > given.copies:
+        if not given.least_copies <= case.copies <= given.copies:
             print(f"  not run  {case.name}", flush=True)
             continue
-        found = measure(seed, given.build, given.threads)
+        found = measure(seed, given.build, given.threads, given.most_seconds)
         rows.append(found)
         if "failed" in found:
-            print(f"  failed   {found['name']}: {found['failed']}", flush=True)
+            print(f"  no run   {found['name']}: {found['failed']}", flush=True)
             continue
         memory, seconds = factors(found)
         worst = [max(worst[0], memory), max(worst[1], seconds)]

@@ -93,7 +93,8 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   checkClearanceOptions(options, all);
   const std::vector<const ClearanceNeighbour*> neighbours = withoutIgnored(all, report);
   const Eigen::Vector3d pivot = pivotOf(trajectory);
-  CheckedTrajectory checked = checkTrajectory(trajectory);
+  // A body that waits is as near for as long.
+  CheckedTrajectory checked = checkTrajectory(trajectory, RepeatedPoses::Keep);
   report.warnings = std::move(checked.findings);
   bool mended = false;
   const Part moving = closedPart(seenFromPivot(body, pivot), "the moving body", run, mended);

@@ -2,7 +2,11 @@
 #include "geometry/ray_columns.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -25,6 +29,35 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
   return aboveB ? 1 : -1;
 }
 
+/// Columns that a triangle may stand in, in the mean, and pairs of both that lists can number.
+constexpr double kMostColumns = 256, kMostPairs = 4e9;
+constexpr std::size_t kBlock = 1 << 13;
+constexpr double kRoom = 1e-12;  ///< of the largest coordinate
+
+using Corners = std::array<const Eigen::Vector3d*, 3>;
+
+/// Smallest and largest coordinate.
+std::pair<double, double> extent(const Corners& corners, int axis) {
+  return std::minmax({(*corners[0])[axis], (*corners[1])[axis], (*corners[2])[axis]});
+}
+
+/// Smallest and largest y of the part of a triangle whose z lies from `low` to `high`; the smallest
+/// is larger than the largest where there is none.
+std::pair<double, double> between(const Corners& corners, double low, double high) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d &a = *corners[k], &b = *corners[(k + 1) % 3];
+    if (std::min(a.z(), b.z()) > high || std::max(a.z(), b.z()) < low) continue;
+    for (const double z : {low, high}) {
+      const double along = b.z() == a.z() ? 0 : std::clamp((z - a.z()) / (b.z() - a.z()), 0.0, 1.0);
+      const double y = a.y() + along * (b.y() - a.y());
+      first = std::min(first, y);
+      last = std::max(last, y);
+    }
+  }
+  return {first, last};
+}
+
 }  // namespace
 
 RayColumns::RayColumns(const TriMesh& mesh) : mesh_(mesh) {
@@ -43,28 +76,54 @@ RayColumns::RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Ei
   build();
 }
 
-bool RayColumns::cellsOf(std::size_t triangle, Cells& cells) const {
+template <class Use>
+void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   const auto& tri = mesh_.triangles[triangle];
-  const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]], &c = mesh_.vertices[tri[2]];
-  const double y0 = std::min({a.y(), b.y(), c.y()}), y1 = std::max({a.y(), b.y(), c.y()});
-  const double z0 = std::min({a.z(), b.z(), c.z()}), z1 = std::max({a.z(), b.z(), c.z()});
-  if (y1 < low_.y() || y0 > high_.y() || z1 < low_.z() || z0 > high_.z()) return false;
-  cells = {column(y0, 1), column(y1, 1), column(z0, 2), column(z1, 2)};
-  return true;
+  const Corners corners{&mesh_.vertices[tri[0]], &mesh_.vertices[tri[1]], &mesh_.vertices[tri[2]]};
+  const auto [yLow, yHigh] = extent(corners, 1);
+  const auto [zLow, zHigh] = extent(corners, 2);
+  if (yHigh < low_.y() || yLow > high_.y() || zHigh < low_.z() || zLow > high_.z()) return;
+  const std::int32_t y0 = column(yLow, 1), y1 = column(yHigh, 1);
+  const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
+  const bool few = y1 - y0 < 2 || z1 - z0 < 2;
+  // What rounding may do to a row's limits and to a place on an edge is far below this.
+  const Eigen::Vector3d room = kRoom * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
+  const double row = (high_.z() - low_.z()) / columns_;
+  for (std::int32_t z = z0; z <= z1; ++z) {
+    if (few) {
+      use(z, y0, y1);
+      continue;
+    }
+    const double from = z == z0 ? zLow : low_.z() + z * row - room.z();
+    const double to = z == z1 ? zHigh : low_.z() + (z + 1) * row + room.z();
+    const auto [first, last] = between(corners, from, to);
+    if (first <= last) use(z, column(first - room.y(), 1), column(last + room.y(), 1));
+  }
+}
+
+std::int64_t RayColumns::countPairs() const {
+  std::atomic<std::int64_t> pairs{0};
+  parallelBlocks(mesh_.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::int64_t sum = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      forRows(t, [&](std::int32_t, std::int32_t y0, std::int32_t y1) { sum += y1 - y0 + 1; });
+    }
+    pairs += sum;
+  });
+  return pairs;
 }
 
 void RayColumns::build() {
-  columns_ = std::clamp(
-      static_cast<std::int32_t>(std::sqrt(static_cast<double>(mesh_.triangles.size()))), 1, 128);
+  const double count = static_cast<double>(mesh_.triangles.size());
+  columns_ = std::clamp(static_cast<std::int32_t>(std::sqrt(count)), 1, 128);
+  const double most = std::min(kMostColumns * count, kMostPairs);
+  while (columns_ > 1 && static_cast<double>(countPairs()) > most) columns_ /= 2;
   const auto forAll = [&](const auto& use) {
-    parallelBlocks(mesh_.triangles.size(), 1 << 13, [&](std::size_t begin, std::size_t end) {
-      Cells under{};
+    parallelBlocks(mesh_.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
-        if (!cellsOf(t, under)) continue;
-        for (std::int32_t z = under.z0; z <= under.z1; ++z) {
-          for (std::int32_t y = under.y0; y <= under.y1; ++y)
-            use(cellAt(y, z), static_cast<std::int32_t>(t));
-        }
+        forRows(t, [&](std::int32_t z, std::int32_t y0, std::int32_t y1) {
+          for (std::int32_t y = y0; y <= y1; ++y) use(cellAt(y, z), static_cast<std::int32_t>(t));
+        });
       }
     });
   };

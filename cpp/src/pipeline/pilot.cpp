@@ -2,14 +2,11 @@
 #include "pipeline/pilot.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
 
-#include "base/parallel.h"
 #include "sampling/sampler.h"
-#include "signs/contributing_edges.h"
-#include "signs/signs.h"
+#include "signs/count_crossings.h"
 
 namespace swept {
 namespace {
@@ -21,30 +18,6 @@ constexpr double kRoom = 1.1;
 constexpr double kMinRatio = 2;          ///< of the resolutions
 constexpr double kMaxCopiedFaces = 5e7;  ///< of a union of copies
 
-struct Counts {
-  std::int64_t crossings = 0;
-  std::int64_t walls = 0;  ///< edges with a wall thinner than a cell on them
-};
-
-Counts countCrossings(const SamplerInput& input, RunContext& run) {
-  const MarkedEdges marked = sampleCpu(input, run);
-  const SignRuns signs = findOutside(marked, input.grid, run);
-  std::atomic<std::int64_t> crossings{0}, walls{0};
-  parallelFor(marked.layers.size(), [&](std::size_t i) {
-    std::int64_t edges = 0, both = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      forContributing(marked, signs, input.grid, static_cast<std::int32_t>(i), axis,
-                      [&](std::int32_t, const MarkedEdge&, std::uint8_t sides) {
-                        ++edges;
-                        both += sides == 3;
-                      });
-    }
-    crossings += edges + both;
-    walls += both;
-  });
-  return {crossings, walls};
-}
-
 }  // namespace
 
 Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
@@ -55,7 +28,7 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
                         static_cast<double>(prepared.motion.placements.size());
   if (ratio < kMinRatio || options.offset > 0 || options.conservative) return estimate;
   if (!prepared.motion.continuous && copies > kMaxCopiedFaces) return estimate;
-  const auto countAt = [&](double coarser) -> std::optional<Counts> {
+  const auto countAt = [&](double coarser) -> std::optional<CrossingCounts> {
     Prepared coarse;
     coarse.body = prepared.body;
     coarse.keepBody = true;
@@ -64,11 +37,11 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
     plain.cellSize = prepared.grid.cell * coarser;
     planRun(coarse, plain, run);
     if (!fitsMemory(estimateOf(coarse, plain), run)) return std::nullopt;
-    return countCrossings({coarse.body.mesh, topology, coarse.motion, coarse.grid, options.cull,
-                           coarse.body.orientable},
-                          run);
+    const SamplerInput input{coarse.body.mesh, topology,     coarse.motion,
+                             coarse.grid,      options.cull, coarse.body.orientable};
+    return countCrossings(sampleCpu(input, run), coarse.grid, run);
   };
-  const std::optional<Counts> coarse = countAt(2 * ratio), fine = countAt(ratio);
+  const std::optional<CrossingCounts> coarse = countAt(2 * ratio), fine = countAt(ratio);
   if (!coarse || !fine || coarse->crossings == 0) return estimate;
   // A surface grows by four from one to the next; thin walls that come into sight, by more.
   const double power = std::clamp(

@@ -4,23 +4,18 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <optional>
 #include <utility>
 
 #include "base/threads.h"
 #include "base/timer.h"
-#include "contour/dual_surface.h"
-#include "crossings/element_probe.h"
-#include "crossings/hermite.h"
-#include "pipeline/coarse_surface.h"
+#include "pipeline/rough_surface.h"
 #include "sampling/cpu/deep_inside.h"
 #include "sampling/cpu/work_items.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/dense/dense_trial.h"
 #include "sampling/sampler.h"
-#include "signs/signs.h"
 
 namespace swept {
 namespace {
@@ -28,6 +23,10 @@ namespace {
 /// Copies of triangles that are sampled, and placements.
 constexpr double kTrialCopies = 6e6;
 constexpr std::size_t kFewest = 8, kMost = 192;
+/// More placements of bodies of few triangles: long windows show what pieces far apart in time
+/// hide.
+constexpr double kCheapCopies = 4e5;
+constexpr std::size_t kMostCheap = 1536;
 /// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
 /// step takes is their difference, without the copies at both ends that a whole motion has once.
 constexpr std::size_t kWindows = 8;
@@ -37,13 +36,6 @@ constexpr double kLeastShare = 0.2;
 /// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
 /// planned, and of a crossing that becomes surface.
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
-/// Cells that are probed after each trial, to learn what a probe takes.
-constexpr std::size_t kProbesPerTrial = 2;
-/// Limits for the probes of a crossing that are counted on a few steps: the surface of a whole
-/// sweep has other creases. In crowded sweeps 0.0006 to 0.7 were seen.
-constexpr double kMinProbesOfCrossing = 0.01, kMaxProbesOfCrossing = 0.5;
-/// Steps whose surface is made to count its probes.
-constexpr std::size_t kProbedSteps = 4;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
@@ -70,31 +62,13 @@ struct Cost {
   }
 };
 
-/// A marked edge that a trial found, in the numbers of the whole motion.
-struct ProbePlace {
-  Eigen::Vector3d corner;
-  SweptElement element;
-};
-
-/// Counts the probes instead of casting them.
-class ProbeCount : public SurfaceProbe {
- public:
-  void cast(const Eigen::AlignedBox3d& /*region*/, const std::vector<std::uint32_t>& /*crossings*/,
-            std::vector<ProbeLine>& /*lines*/) const override {
-    ++count;
-  }
-  mutable std::atomic<std::size_t> count{0};
-};
-
 class Trials {
  public:
-  Trials(const Prepared& p, const BodyTopology& topology, const FaceClusters& clusters,
-         const Options& options, RunContext& run)
-      : p_(p), topology_(topology), clusters_(clusters), options_(options), run_(run) {
+  Trials(const SamplerInput& whole, RunContext& run) : whole_(whole), run_(run) {
     const double start = threadSeconds();
-    SamplerInput whole = input(p.motion);
-    whole.crossings = &insideCrossings_;
-    inside_ = findDeepInside(whole, run);
+    SamplerInput counted = input(whole.motion);
+    counted.crossings = &insideCrossings_;
+    inside_ = findDeepInside(counted, run);
     insideSeconds_ = threadSeconds() - start;
   }
 
@@ -104,7 +78,7 @@ class Trials {
   /// Of what is held while the whole motion is sampled; before that, of what the map is made of.
   double bytesOf(const Cost& sampling, double surface, double threads) const {
     const bool thins = sampling.crossings > kMotionItems * kMinThinRecords &&
-                       placementsOfItem(input(p_.motion)) >= kMinThinPlacements;
+                       placementsOfItem(input(whole_.motion)) >= kMinThinPlacements;
     const double kept =
         thins ? 2 * threads * kMinThinRecords + kMotionItems * surface : sampling.crossings;
     const double map = inside_ ? static_cast<double>(inside_->bytes()) : 0;
@@ -112,58 +86,35 @@ class Trials {
                     kept * kSortedBytes + sampling.elements * kElementBytes + map);
   }
 
-  /// How many probes the surface of a few steps needs for each of its crossings.
-  double probesOfCrossing() const {
-    const std::size_t steps = std::min(kProbedSteps, p_.motion.steps());
-    const Motion part = p_.motion.continuous
-                            ? partOf(p_.motion, (p_.motion.steps() - steps) / 2, steps)
-                            : partOf(p_.motion, p_.motion.placements.size() / 2, 1);
-    const SamplerInput piece = input(part);
-    MarkedEdges marked = sampleCpu(piece, run_);
-    const SignRuns signs = findOutside(marked, p_.grid, run_);
-    const HermiteGrid hermite = buildHermiteGrid(piece, marked, signs, ExactTimes::Dropped, run_);
-    if (hermite.crossings.empty()) return 0;
-    const ProbeCount probes;
-    buildDualSurface(hermite, options_.components, &probes, run_);
-    return static_cast<double>(probes.count) / static_cast<double>(hermite.crossings.size());
-  }
-
-  /// Of a probe, in the mean over the cells that the trials before met.
-  double probeSeconds() const {
-    if (places_.empty()) return 0;
-    std::vector<SweptElement> elements;
-    std::vector<std::uint32_t> numbers;
-    for (const ProbePlace& place : places_) {
-      numbers.push_back(static_cast<std::uint32_t>(elements.size()));
-      elements.push_back(place.element);
-    }
-    const SamplerInput whole = input(p_.motion);
-    const ElementProbe probe(whole, elements, numbers);
-    const double start = threadSeconds();
-    for (const std::uint32_t n : numbers) {
-      const Eigen::Vector3d low = places_[n].corner, high = low + Eigen::Vector3d::Ones();
-      std::vector<ProbeLine> lines(1);
-      lines[0].from = low;
-      lines[0].to = high;
-      probe.cast({low, high}, {n}, lines);
-    }
-    return (threadSeconds() - start) / static_cast<double>(places_.size());
-  }
-
   /// Of the whole motion.
-  Cost whole() {
-    const Motion& motion = p_.motion;
+  Cost whole() const {
+    const Motion& motion = whole_.motion;
     const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
-    const double faces = static_cast<double>(p_.body.mesh.triangles.size());
+    const double faces = static_cast<double>(whole_.body.triangles.size());
     const std::size_t wanted =
-        std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost);
-    if (count <= 2 * wanted) return of(motion, 0);
+        std::max(std::clamp(static_cast<std::size_t>(kTrialCopies / faces), kFewest, kMost),
+                 std::min(static_cast<std::size_t>(kCheapCopies / faces), kMostCheap));
+    if (count <= 2 * wanted) return of(motion);
+    return motion.continuous ? byWindows(count, wanted) : bySomeCopies(count, wanted);
+  }
+
+ private:
+  /// Of a union of copies: some of them at once, less what sampling takes for the grid alone.
+  Cost bySomeCopies(std::size_t count, std::size_t wanted) const {
+    Motion some;
+    for (std::size_t n = 0; n < wanted; ++n)
+      some.placements.push_back(whole_.motion.placements[(2 * n + 1) * count / (2 * wanted)]);
+    const Cost all = of(some);
+    const Cost one = at(count / 2, 1);
     Cost sum, least;
-    if (!motion.continuous) {
-      for (std::size_t n = 0; n < wanted; ++n)
-        sum.add(at((2 * n + 1) * count / (2 * wanted), 1), times(count, wanted));
-      return sum;
-    }
+    sum.add(all, times(count, wanted - 1));
+    sum.add(one, -times(count, wanted - 1));
+    least.add(all, kLeastShare * times(count, wanted));
+    return largerOf(sum, least);
+  }
+
+  Cost byWindows(std::size_t count, std::size_t wanted) const {
+    Cost sum, least;
     const std::size_t steps = std::max<std::size_t>(1, wanted / (3 * kWindows));
     for (std::size_t w = 0; w < kWindows; ++w) {
       const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * kWindows);
@@ -172,26 +123,29 @@ class Trials {
       sum.add(one, -times(count, kWindows * steps));
       least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
     }
-    return {std::max(sum.seconds, least.seconds), std::max(sum.crossings, least.crossings),
-            std::max(sum.elements, least.elements)};
+    return largerOf(sum, least);
   }
 
- private:
+  static Cost largerOf(const Cost& a, const Cost& b) {
+    return {std::max(a.seconds, b.seconds), std::max(a.crossings, b.crossings),
+            std::max(a.elements, b.elements)};
+  }
+
   static double times(std::size_t all, std::size_t part) {
     return static_cast<double>(all) / static_cast<double>(part);
   }
 
   SamplerInput input(const Motion& motion) const {
-    return {p_.body.mesh,       topology_,  motion,  p_.grid, options_.cull,
-            p_.body.orientable, &clusters_, nullptr, nullptr, !options_.keepCavities};
+    return {whole_.body,       whole_.topology, motion,  whole_.grid, whole_.cull,
+            whole_.orientable, whole_.clusters, nullptr, nullptr,     whole_.fillsHollows};
   }
 
-  Cost at(std::size_t first, std::size_t count) {
-    return of(partOf(p_.motion, first, count), first);
+  Cost at(std::size_t first, std::size_t count) const {
+    return of(partOf(whole_.motion, first, count));
   }
 
-  /// Of a part of the motion that begins at placement `first`.
-  Cost of(const Motion& motion, std::size_t first) {
+  /// Of a part of the motion.
+  Cost of(const Motion& motion) const {
     const double start = threadSeconds();
     std::uint64_t crossings = 0;
     SamplerInput part = input(motion);
@@ -202,37 +156,11 @@ class Trials {
     cost.seconds = threadSeconds() - start;
     cost.elements = static_cast<double>(marks.elements.size());
     cost.crossings = static_cast<double>(crossings);
-    choosePlaces(marks, static_cast<std::uint32_t>(first));
     return cost;
   }
 
-  /// Some of the edges that a trial marked.
-  void choosePlaces(const MarkedEdges& marks, std::uint32_t first) {
-    const std::size_t layers = marks.layers.size();
-    for (std::size_t n = 0; n < kProbesPerTrial; ++n) {
-      // The first edge from a layer on; layers apart, so that they lie at different places.
-      for (std::size_t i = (2 * n + 1) * layers / (2 * kProbesPerTrial); i < layers; ++i) {
-        const auto& edges = marks.layers[i].edges[0];
-        if (edges.empty()) continue;
-        const auto& columns = marks.layers[i].columnStart[0];
-        const auto middle = static_cast<std::uint32_t>(edges.size() / 2);
-        const auto j = std::upper_bound(columns.begin(), columns.end(), middle) - columns.begin();
-        SweptElement element = marks.elements[edges[middle].lowElement];
-        element.placement += first;
-        places_.push_back(
-            {Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j - 1), edges[middle].k),
-             element});
-        break;
-      }
-    }
-  }
-
-  const Prepared& p_;
-  const BodyTopology& topology_;
-  const FaceClusters& clusters_;
-  const Options& options_;
+  const SamplerInput& whole_;
   RunContext& run_;
-  std::vector<ProbePlace> places_;
   std::optional<InsideMap> inside_;
   double insideSeconds_ = 0;
   std::uint64_t insideCrossings_ = 0;
@@ -244,42 +172,41 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
                          const BodyCost& body, const Options& options, RunContext& run) {
   if (options.offset > 0 || options.conservative) return estimate;
   const FaceClusters clusters = buildClusters(p.body.mesh, topology);
+  const SamplerInput input{p.body.mesh,       topology,  p.motion, p.grid,  options.cull,
+                           p.body.orientable, &clusters, nullptr,  nullptr, !options.keepCavities};
+  const bool dense =
+      options.backend != Backend::Gpu &&
+      dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {});
+  tbb::task_arena alone(1);
+  const RoughSurface surface =
+      alone.execute([&] { return roughSurface(input, options.components, !dense, run); });
   const double byBox = static_cast<double>(estimate.triangles) / 2;
-  const double surface = std::min(byBox, guessCrossings(clusters, p.motion, p.grid));
-  const std::uint64_t bytesForAll =
-      estimate.memoryBytes -
-      static_cast<std::uint64_t>((byBox - surface) * bytesOfCrossing(options));
+  const auto bytesForAll = static_cast<std::uint64_t>(
+      std::max(0.0, static_cast<double>(estimate.memoryBytes) +
+                        (surface.crossings - byBox) * bytesOfCrossing(options)));
   const double threads = threadsOf(run);
   const double before = std::max(body.seconds / threads,
                                  static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds) +
                         static_cast<double>(p.givenPoses) * kPoseSeconds;
+  const double contouring = surface.crossings * (kCrossingSeconds + surface.probeSeconds);
   Estimate better = estimate;
-  better.triangles = static_cast<std::int64_t>(2 * surface);
-  better.memoryBytes = std::max(bytesForAll, body.bytes);
-  tbb::task_arena alone(1);
-  if (options.backend != Backend::Gpu &&
-      dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {})) {
-    const SamplerInput input{p.body.mesh, topology,     p.motion,
-                             p.grid,      options.cull, p.body.orientable};
+  better.triangles = static_cast<std::int64_t>(2 * surface.crossings);
+  if (dense) {
     const auto cost = alone.execute([&] { return dense::tryDense(input, run); });
-    better.seconds = before + (cost.seconds + surface * kCrossingSeconds) / threads;
+    better.seconds = before + (cost.seconds + contouring) / threads;
     better.memoryBytes = std::max(
         body.bytes, bytesForAll - denseBytes(p.body.mesh) + static_cast<std::uint64_t>(cost.bytes));
     return better;
   }
   const auto [seconds, bytes] = alone.execute([&] {
-    Trials trials(p, topology, clusters, options, run);
+    const Trials trials(input, run);
     const Cost sampling = trials.whole();
-    const double probes =
-        std::clamp(trials.probesOfCrossing(), kMinProbesOfCrossing, kMaxProbesOfCrossing);
-    return std::pair(sampling.seconds + trials.insideSeconds() +
-                         surface * (kCrossingSeconds + probes * trials.probeSeconds()),
-                     trials.bytesOf(sampling, surface, threads));
+    return std::pair(sampling.seconds + trials.insideSeconds(),
+                     trials.bytesOf(sampling, surface.crossings, threads));
   });
-  better.seconds = before + seconds / threads;
+  better.seconds = before + (seconds + contouring) / threads;
   // What the check of the body has taken is free again when the motion is sampled.
-  better.memoryBytes =
-      std::max(better.memoryBytes, bytesForAll + static_cast<std::uint64_t>(bytes));
+  better.memoryBytes = std::max(body.bytes, bytesForAll + static_cast<std::uint64_t>(bytes));
   return better;
 }
 

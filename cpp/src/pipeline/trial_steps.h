@@ -1,8 +1,10 @@
 // What a run takes, after a look: a few of its steps are sampled on its own grid, and counted.
 // In:    checked body and what its check took, planned run. Out: the estimate with seconds and
-//        memory of sampling as these steps take them. The cost of the surface is estimated from its
-//        guessed size and from a few probes of its cells.
-// Cost:  sampling of 8 to 192 placements, on one thread.
+//        memory of sampling as these steps take them. What the surface takes is seen on a rough
+//        one.
+// Cost:  sampling of 8 to 192 placements, as far as they have 6 million triangles together, or of
+// up
+//        to 1,536 with 400,000; on one thread.
 // Promise: within a factor of 2 for memory and 3 for seconds over most of the inputs of
 //        tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
 // SPDX-License-Identifier: LGPL-2.1-or-later

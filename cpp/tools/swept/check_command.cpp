@@ -52,11 +52,12 @@ void fail(Report& report, const std::string& path, const std::string& faults) {
   takeError(report, Status::InvalidInput, "CheckFailed", "'" + path + "': " + faults);
 }
 
-void checkOne(const std::string& path, const CheckJob& job, RunContext& run, Checked& found) {
-  const std::string format = job.format.empty() ? suffixOf(path) : job.format;
-  if (isSolidSuffix(format)) {
+// `file`: the name of `path` that can be read again and again.
+void checkFile(const std::string& file, const std::string& path, const CheckJob& job,
+               RunContext& run, Checked& found) {
+  if (isSolidIn(file, path, job.format)) {
 #ifdef HAVE_SWEPT_SOLID
-    found.solid = checkSolidFile(path, run);
+    found.solid = checkSolidFile(file, run);
     if (!found.solid->valid) fail(found.report, path, found.solid->complaint);
     return;
 #else
@@ -66,8 +67,12 @@ void checkOne(const std::string& path, const CheckJob& job, RunContext& run, Che
 #endif
   }
   MeshCheck& check = found.report.check;
-  check = checkMesh(readInputMesh(path, job.format, job.unit), run);
+  check = checkMesh(meshFrom(file, path, job.format, job.unit), run);
   if (!check.passes()) fail(found.report, path, faultsOf(check));
+}
+
+void checkOne(const std::string& path, const CheckJob& job, RunContext& run, Checked& found) {
+  readRepeatably(path, [&](const std::string& file) { checkFile(file, path, job, run, found); });
 }
 
 void print(const std::string& path, const Checked& found) {
@@ -165,7 +170,7 @@ Run addCheckCommand(CLI::App& program) {
                  "ply, stl, obj, off, step, stp, brep or brp; - for standard input")
       ->type_name("FILE")
       ->required();
-  addText(app, "--format", "ply|stl|obj|off", job->format,
+  addText(app, "--format", "ply|stl|obj|off|step|brep", job->format,
           "format of the files, instead of suffixes");
   addUnit(app, "--unit", job->unit, "unit of the numbers in meshes (default mm)");
   addCommonOptions(app, job->common);
@@ -173,11 +178,7 @@ Run addCheckCommand(CLI::App& program) {
       "Exit status 0 only if every mesh is closed, manifold, oriented and without degenerate "
       "triangles,\nand every solid valid.\n\nExamples:\n  swept check envelope.ply\n"
       "  swept check parts/*.stl --report -\n  cat a.stl | swept check - --format stl");
-  return [job] {
-    const bool standard = std::find(job->paths.begin(), job->paths.end(), "-") != job->paths.end();
-    if (standard && job->format.empty()) job->format = "ply";
-    return runCheck(*job);
-  };
+  return [job] { return runCheck(*job); };
 }
 
 }  // namespace swept::cli

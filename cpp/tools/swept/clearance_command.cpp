@@ -42,7 +42,7 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
   addNeighbourOptions(app, job.neighbours);
   addRuleOptions(app, job.neighbours);
   addText(app, "--motion", "FILE", job.motionPath, "poses, as for swept envelope")->required();
-  addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
+  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
           "format of the generator, instead of its suffix");
   addUnit(app, "--generator-unit", job.generatorUnit,
           "unit of the generator's numbers (default mm)");
@@ -254,7 +254,6 @@ Run addClearanceCommand(CLI::App& program) {
     if (!job->page.path.empty() && !job->offerPath.empty())
       badOption("--page and --offer-rules exclude each other: with the second nothing is checked");
     job->options.curveSamples = static_cast<int>(job->curve);
-    if (job->generatorPath == "-" && job->generatorFormat.empty()) job->generatorFormat = "ply";
     return runClearance(*job);
   };
 }

@@ -92,7 +92,7 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
       "standard output");
   addText(app, "--format", "ply|stl|obj|off|3mf|step|brep", job.outputFormat,
           "format of standard output (default ply)");
-  addText(app, "--generator-format", "ply|stl|obj|off", job.generatorFormat,
+  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
           "format of the generator, instead of its suffix");
   addUnit(app, "--generator-unit", job.generatorUnit,
           "unit of the generator's numbers (default mm)");
@@ -144,7 +144,6 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   job.options.sources = !job.sourcesPath.empty();
   if (job.options.sources && isSolidSuffix(suffixOfOutput(job)))
     badOption("--sources tells of the triangles of a mesh: write ply, stl, obj, off or 3mf");
-  if (job.generatorPath == "-" && job.generatorFormat.empty()) job.generatorFormat = "ply";
 }
 
 void checkFormat(const EnvelopeJob& job) {

@@ -31,9 +31,13 @@ fs::path resolved(const std::string& path) {
   return code ? name : real;
 }
 
+std::string outputPath(const std::string& path) { return path == "-" ? "/dev/stdout" : path; }
+
 bool areSame(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
   std::error_code code;
+  const fs::file_status status = fs::status(pathFromUtf8(a), code);
+  // Terminals, /dev/null and sockets keep nothing that could be lost.
+  if (fs::is_character_file(status) || fs::is_socket(status)) return false;
   if (fs::equivalent(pathFromUtf8(a), pathFromUtf8(b), code) && !code) return true;
   return resolved(a) == resolved(b);
 }
@@ -43,8 +47,10 @@ bool areSame(const std::string& a, const std::string& b) {
 }
 
 [[noreturn]] void failedOutput() {
-  throw Error(Status::ExportFailed, "WriteFailed",
-              "writing to standard output failed: " + std::system_category().message(errno));
+  const std::string reason = std::system_category().message(errno);
+  // It is said once: what still waits in memory goes nowhere, so that no later flush fails again.
+  if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
+  throw Error(Status::ExportFailed, "WriteFailed", "writing to standard output failed: " + reason);
 }
 
 void put(const char* bytes, std::size_t count) {
@@ -52,22 +58,48 @@ void put(const char* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, stdout) != count) failedOutput();
 }
 
+/// Makes a file in the folder of temporary files; returns its handle.
+int makeTemporary(std::string& name) {
+  name = (fs::temp_directory_path() / "swept-XXXXXX").string();
+  const int handle = ::mkstemp(name.data());
+  if (handle < 0)
+    throw Error(Status::ExportFailed, "ReadOnly",
+                "cannot make '" + name + "': " + std::system_category().message(errno));
+  return handle;
+}
+
+void copyTo(int handle, std::istream& stream, const std::string& path) {
+  std::array<char, 1 << 16> block{};
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    for (std::size_t done = 0; done < count;) {
+      const ssize_t wrote = ::write(handle, block.data() + done, count - done);
+      if (wrote < 0)
+        throw Error(Status::ExportFailed, "WriteFailed",
+                    "'" + path + "' is a stream, and keeping it in a temporary file failed: " +
+                        std::system_category().message(errno));
+      done += static_cast<std::size_t>(wrote);
+    }
+  }
+}
+
 }  // namespace
 
 void checkIdentity(const std::vector<RoledFile>& inputs, const std::vector<RoledFile>& outputs,
                    bool noClobber) {
-  const auto same = [](const RoledFile& a, const RoledFile& b) {
-    return !a.path.empty() && !b.path.empty() && areSame(a.path, b.path);
-  };
   for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].path.empty()) continue;
+    const std::string name = outputPath(outputs[i].path);
     for (const RoledFile& input : inputs) {
-      if (outputs[i].path == "-" || !same(outputs[i], input)) continue;
+      if (input.path.empty() || !areSame(name, inputPath(input.path))) continue;
       throw Error(Status::InvalidInput, "SameFile",
                   outputs[i].role + " '" + outputs[i].path + "' is " + input.role + " '" +
                       input.path + "', which would be lost; choose another name");
     }
     for (std::size_t k = 0; k < i; ++k) {
-      if (!same(outputs[i], outputs[k])) continue;
+      if (outputs[k].path.empty()) continue;
+      const bool both = outputs[i].path == "-" && outputs[k].path == "-";
+      if (!both && !areSame(name, outputPath(outputs[k].path))) continue;
       throw Error(Status::InvalidInput, "SameFile",
                   outputs[i].role + " '" + outputs[i].path + "' is the file of " + outputs[k].role +
                       " too; choose another name for one of them");
@@ -111,16 +143,61 @@ bool isStream(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-TriMesh readInputMesh(const std::string& path, const std::string& format, double unit) {
-  return readMesh(inputPath(path), unit, format);
+RepeatableInput::RepeatableInput(const std::string& path) : given_(path), path_(inputPath(path)) {
+  if (!isStream(path)) return;
+  std::ifstream stream(pathFromUtf8(inputPath(path)), std::ios::binary);
+  if (!stream) badFile("'" + path + "' cannot be opened for reading");
+  std::string name;
+  handle_ = makeTemporary(name);
+  fs::remove(name);
+  try {
+    copyTo(handle_, stream, path);
+  } catch (...) {
+    ::close(handle_);
+    throw;
+  }
+  path_ = "/proc/self/fd/" + std::to_string(handle_);
+}
+
+RepeatableInput::~RepeatableInput() {
+  if (handle_ >= 0) ::close(handle_);
+}
+
+Error RepeatableInput::named(const Error& error) const {
+  std::string text = error.what();
+  for (std::size_t at = text.find(path_); path_ != given_ && at != std::string::npos;
+       at = text.find(path_, at + given_.size())) {
+    text.replace(at, path_.size(), given_);
+  }
+  return {error.status(), error.code(), text};
+}
+
+bool isSolidIn(const std::string& file, const std::string& path, const std::string& format) {
+  if (!isSolidSuffix(format)) return format.empty() && isSolidFile(file);
+  if (!isSolidFile(file)) badFile("'" + path + "' does not begin as a STEP or BREP file does");
+  return true;
+}
+
+TriMesh meshFrom(const std::string& file, const std::string& path, const std::string& format,
+                 double unit) {
+  const std::string suffix = format.empty() ? suffixOf(path) : format;
+  // /dev/stdin may well be a file.
+  const bool unnamed = path == "-" || isStream(path) || path.starts_with("/dev/");
+  if (!suffix.empty() || !unnamed) return readMesh(file, unit, suffix);
+  try {
+    return readMesh(file, unit, "ply");
+  } catch (const Error& error) {
+    throw Error(error.status(), error.code(),
+                std::string(error.what()) + "; nothing names its format, so it was read as ply");
+  }
 }
 
 Body readInputBody(const std::string& path, const std::string& format,
                    const BodyFileOptions& options, RunContext& run) {
-  if (format.empty() && !isStream(path)) return readBody(path, options, run);
-  Body body;
-  body.mesh = readInputMesh(path, format, options.millimetresPerUnit);
-  return body;
+  return readRepeatably(path, [&](const std::string& file) -> Body {
+    if (isSolidIn(file, path, format)) return readBody(file, options, run);
+    return {meshFrom(file, path, format, options.millimetresPerUnit), 0, {}};
+  });
 }
 
 Trajectory readInputMotion(const std::string& path, double unit, Interpolation interpolation,
@@ -136,12 +213,8 @@ bool isSolidSuffix(const std::string& suffix) {
 
 Output::Output(const std::string& path, const std::string& format) : path_(path) {
   if (path != "-") return;
-  std::string name = (fs::temp_directory_path() / "swept-XXXXXX").string();
-  const int handle = ::mkstemp(name.data());
-  if (handle < 0)
-    throw Error(Status::ExportFailed, "ReadOnly",
-                "cannot make '" + name + "': " + std::system_category().message(errno));
-  ::close(handle);
+  std::string name;
+  ::close(makeTemporary(name));
   // The suffix says the format; the name without it is the one that mkstemp() made unique.
   temporary_.path = name + "." + format;
   fs::rename(name, temporary_.path);

@@ -34,10 +34,39 @@ std::string inputPath(const std::string& path);
 /// True of what can be read only once: standard input, pipes, devices. Such inputs are read before
 /// the run, where an interrupt ends the program at once.
 bool isStream(const std::string& path);
-/// `format` in place of the suffix where it is not empty.
-TriMesh readInputMesh(const std::string& path, const std::string& format, double unit);
+/// An input under a name that can be read again and again: a stream is copied to a file without a
+/// name, which goes with this object.
+class RepeatableInput {
+ public:
+  explicit RepeatableInput(const std::string& path);
+  ~RepeatableInput();
+  RepeatableInput(const RepeatableInput&) = delete;
+  RepeatableInput& operator=(const RepeatableInput&) = delete;
+  const std::string& path() const { return path_; }
+  /// The same error, about the name that was given.
+  Error named(const Error& error) const;
 
-/// The same where a solid (STEP, BREP) may stand for the mesh.
+ private:
+  std::string given_, path_;
+  int handle_ = -1;
+};
+/// read(name): with a name that can be read again and again, and errors that say the given one.
+template <class Read>
+auto readRepeatably(const std::string& path, const Read& read) {
+  const RepeatableInput input(path);
+  try {
+    return read(input.path());
+  } catch (const Error& error) {
+    throw input.named(error);
+  }
+}
+
+/// `file`: an input's repeatable name, `path`: the name that was given. `format` in place of the
+/// suffix where it is not empty; a stream without both is known by how it begins, or a ply file.
+bool isSolidIn(const std::string& file, const std::string& path, const std::string& format);
+TriMesh meshFrom(const std::string& file, const std::string& path, const std::string& format,
+                 double unit);
+/// A mesh, or solids (STEP, BREP) that are tessellated.
 Body readInputBody(const std::string& path, const std::string& format,
                    const BodyFileOptions& options, RunContext& run);
 

@@ -76,9 +76,17 @@ void giveRules(const NeighbourFiles& files, std::vector<ClearanceNeighbour>& lis
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run) {
   const PartFileOptions options{files.millimetresPerUnit, files.chordError, files.deflection};
   std::vector<ClearanceNeighbour> list;
-  for (const std::string& path : files.paths)
-    for (NamedPart& part : readParts(path, options, run))
-      list.push_back({part.name, std::move(part.mesh), part.chordError});
+  for (const std::string& path : files.paths) {
+    readRepeatably(path, [&](const std::string& file) {
+      if (!isSolidIn(file, path, "")) {
+        list.push_back({pathFromUtf8(path).stem().string(),
+                        meshFrom(file, path, "", files.millimetresPerUnit), files.chordError});
+        return;
+      }
+      for (NamedPart& part : readParts(file, options, run))
+        list.push_back({part.name, std::move(part.mesh), part.chordError});
+    });
+  }
   giveRules(files, list);
   return list;
 }

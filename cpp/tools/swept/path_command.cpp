@@ -110,7 +110,7 @@ void addOptions(CLI::App& app, PathJob& job) {
       app, "--interpolation", "linear|screw",
       [&o](const std::string& t) { o.interpolation = parseInterpolation(t); },
       "motion between two keys (default linear)");
-  addText(app, "--generator-format", "ply|stl|obj|off", job.partFormat,
+  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.partFormat,
           "format of the part, instead of its suffix");
   addUnit(app, "--generator-unit", job.partUnit, "unit of the part's numbers (default mm)");
   addNumber(app, "--generator-chord", "MM", o.bodyChordError,
@@ -178,7 +178,6 @@ Run addPathCommand(CLI::App& program) {
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->neighbours);
-    if (job->partPath == "-" && job->partFormat.empty()) job->partFormat = "ply";
     return runPath(*job);
   };
 }

@@ -23,7 +23,7 @@ struct SolidJob {
 };
 
 TriMesh meshOf(const SolidJob& job) {
-  return readInputMesh(job.meshPath, job.meshFormat, job.unit);
+  return meshFrom(inputPath(job.meshPath), job.meshPath, job.meshFormat, job.unit);
 }
 
 void printEstimate(const SolidEstimate& estimate) {
@@ -139,7 +139,6 @@ Run addSolidCommand(CLI::App& program) {
   return [job] {
     job->options.strict = job->common.strict;
     if (job->common.strict && job->options.tolerance <= 0) job->options.exact = true;
-    if (job->meshFormat.empty() && job->meshPath == "-") job->meshFormat = "ply";
     return job->estimate ? runEstimate(*job) : runSolid(*job);
   };
 }

@@ -78,6 +78,31 @@ TEST(Clearance, BallPastBall) {
   EXPECT_LE(row.below[0].to, to + slack);
 }
 
+TEST(Clearance, ABodyThatWaitsIsNearForAsLong) {
+  const TriMesh body = makeBox({-5, -5, -5}, {5, 5, 5}),
+                wall = makeBox({-50, 11, -50}, {50, 15, 50});
+  ClearanceOptions options;
+  options.required = 7.5;
+  // 9 mm nearer in a second, there for five seconds, and back.
+  for (const std::vector<double>& waiting : {std::vector<double>{1, 6}, {1, 2, 3.5, 4, 6}}) {
+    std::vector<Pose> poses{shifted(0, {0, -10, 0})};
+    for (const double time : waiting) poses.push_back(shifted(time, {0, -1, 0}));
+    poses.push_back(shifted(7, {0, -10, 0}));
+    const NeighbourClearance row = checkOne(body, motionOf(poses), wall, options);
+    EXPECT_NEAR(row.distance, 7, 1e-9);
+    EXPECT_GE(row.timeSeconds, 1 - 1e-9);
+    EXPECT_LE(row.timeSeconds, 6 + 1e-9);
+    const double slack = 10 * options.tolerance / 9;  // intervals end within ten tolerances
+    ASSERT_EQ(row.below.size(), 1u);
+    EXPECT_NEAR(row.below[0].from, 1 - 0.5 / 9, slack);
+    EXPECT_NEAR(row.below[0].to, 6 + 0.5 / 9, slack);
+    for (const auto& [time, distance] : row.curve) {
+      const double aside = std::max({0.0, 1 - time, time - 6});
+      EXPECT_NEAR(distance, 7 + 9 * aside, options.tolerance) << time;
+    }
+  }
+}
+
 TEST(Clearance, BoxPastBox) {
   const TriMesh box = makeBox(Vector3d::Constant(-5), Vector3d::Constant(5));
   const Trajectory motion = motionOf({shifted(0, {0, 40, 0}), shifted(1, {50, -10, 0})});

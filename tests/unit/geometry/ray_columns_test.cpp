@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "geometry/triangle_distance.h"
 #include "support/random_numbers.h"
@@ -102,6 +104,43 @@ TEST(RayColumns, ColumnsOfAPartAnswerForThatPart) {
       EXPECT_EQ(a[i].triangle, b[i].triangle);
     }
   }
+}
+
+TEST(RayColumns, LongTrianglesStandInTheColumnsThatTheyCover) {
+  Random random(41);
+  // Slanted, and far from the origin.
+  const TriMesh mesh =
+      transformed(makeCylinder(1, 0, 40, 1000), placement({1, 2, 3}, 70, {5e4, -7e4, 1e4}));
+  const RayColumns rays(mesh);
+  // The columns of their boxes are hundreds.
+  EXPECT_LT(rays.entries(), 60 * mesh.triangles.size());
+
+  // A mesh of one triangle has one column.
+  std::vector<TriMesh> alone(mesh.triangles.size());
+  std::vector<RayColumns> raysAlone;
+  for (std::size_t t = 0; t < alone.size(); ++t) {
+    for (const std::int32_t v : mesh.triangles[t]) alone[t].vertices.push_back(mesh.vertices[v]);
+    alone[t].triangles = {{0, 1, 2}};
+    raysAlone.emplace_back(alone[t], rays.low(), rays.high());
+  }
+  std::vector<RayColumns::Crossing> line, one;
+  std::size_t crossed = 0;
+  for (std::size_t n = 0; n < 300; ++n) {
+    const Vector3d along = random.point(0.5).array() + 0.5;
+    const Vector3d p = n % 3 == 0  // a corner, too
+                           ? mesh.vertices[7 * n % mesh.vertices.size()]
+                           : Vector3d(rays.low() + along.cwiseProduct(rays.high() - rays.low()));
+    rays.crossings(p.y(), p.z(), line);
+    std::set<std::int32_t> found, expected;
+    for (const auto& crossing : line) found.insert(crossing.triangle);
+    for (std::size_t t = 0; t < alone.size(); ++t) {
+      raysAlone[t].crossings(p.y(), p.z(), one);
+      if (!one.empty()) expected.insert(static_cast<std::int32_t>(t));
+    }
+    EXPECT_EQ(found, expected) << p.transpose();
+    crossed += line.size();
+  }
+  EXPECT_GT(crossed, 200u);
 }
 
 }  // namespace
