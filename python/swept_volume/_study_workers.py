@@ -24,8 +24,10 @@ from ._study_run import PARTIAL, REPORT_FILE, Report, execute, failed, output_na
 from ._values import bad_option
 
 _POLL = 0.1  # s between two looks whether the study was cancelled
+#: Without the current folder in the path of modules: anything may lie there.
 _SERVE = (
-    "import sys; from swept_volume import _study_workers; _study_workers.serve(int(sys.argv[1]))"
+    "import sys; sys.path[:] = [p for p in sys.path if p]; "
+    "from swept_volume import _study_workers; _study_workers.serve(int(sys.argv[1]))"
 )
 Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, the folder it filled
 

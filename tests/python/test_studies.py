@@ -244,6 +244,13 @@ def test_bad_options(run, study):
     assert (study / "by30.csv").read_text().startswith("0,0")
 
 
+def test_modules_in_the_current_folder_are_not_run(run, study):
+    for name in ("json", "numpy", "swept_volume", "tomllib"):
+        (study / f"{name}.py").write_text(f"open('{study}/was_run', 'w').close()")
+    assert run(cwd=study).returncode == 3
+    assert not (study / "was_run").exists()
+
+
 def test_program_and_package_have_the_same_options(call):  # noqa: F811
     package = pathlib.Path(sv.__file__).parents[1]
     environment = {**os.environ, "PYTHONPATH": str(package)}

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -39,17 +38,14 @@ std::string packageFolder() {
   return {};
 }
 
-void findPackage() {
-  const std::string folder = packageFolder();
-  if (folder.empty()) return;
-  const char* given = std::getenv("PYTHONPATH");
-  const std::string more = given == nullptr || *given == '\0' ? "" : std::string(":") + given;
-  setenv("PYTHONPATH", (folder + more).c_str(), 1);
-}
+/// What the interpreter runs. Its path of modules would begin with the current folder, where
+/// anybody may have put a file called like one of them.
+constexpr const char* kStart =
+    "import sys; sys.path[:] = [p for p in [sys.argv[1], *sys.path] if p]; "
+    "from swept_volume.__main__ import main; sys.exit(main(sys.argv[2:]))";
 
 int runStudy(const StudyJob& job) {
-  findPackage();
-  std::vector<std::string> words{SWEPT_PYTHON, "-m", "swept_volume", "study"};
+  std::vector<std::string> words{SWEPT_PYTHON, "-c", kStart, packageFolder(), "study"};
   for (const auto& [name, value] : job.values)
     if (!value.empty()) words.push_back(name + "=" + value);
   for (const auto& [name, given] : job.flags)
@@ -58,7 +54,7 @@ int runStudy(const StudyJob& job) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  execvp(arguments[0], arguments.data());
+  execv(arguments[0], arguments.data());
   throw Error(Status::InvalidInput, "NoPython",
               std::string("'") + SWEPT_PYTHON + "' cannot be started: " + std::strerror(errno) +
                   "; studies need the Python that this program was built for");
