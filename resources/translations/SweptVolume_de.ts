@@ -406,6 +406,10 @@
    <translation>Eine Regel für ein Nachbarteil ist nicht verwendbar: berichtigen oder entfernen.</translation>
   </message>
   <message>
+   <source>The template for reports has a placeholder that is not known: correct the template.</source>
+   <translation>Die Vorlage für Berichte enthält einen unbekannten Platzhalter: Vorlage berichtigen.</translation>
+  </message>
+  <message>
    <source>The part does not fit where it belongs: a neighbour is in the way.</source>
    <translation>Das Teil passt nicht an seinen Platz: ein Nachbar ist im Weg.</translation>
   </message>

@@ -36,5 +36,5 @@ class CoreTexts(unittest.TestCase):
         self.assertEqual(set(core_texts._TEXTS) - found, set())
         #: What no object of FreeCAD can cause.
         refusals -= {"BadFaces", "BadIndex", "NothingKept", "NoSurface", "SameFile", "CheckFailed"}
-        refusals -= {"UnknownPart"}  # mechanisms are not in FreeCAD yet
+        refusals -= {"BadReport", "NoPython", "UnknownPart"}
         self.assertEqual(refusals - set(core_texts._TEXTS), set())

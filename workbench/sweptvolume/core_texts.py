@@ -44,6 +44,10 @@ _TEXTS = {
     "Cancelled": mark("Core", "Cancelled."),
     "NoNeighbours": mark("Core", "There is no neighbour to be checked against."),
     "BadRule": mark("Core", "A rule for a neighbour cannot be used: correct or remove it."),
+    "BadTemplate": mark(
+        "Core",
+        "The template for reports has a placeholder that is not known: correct the template.",
+    ),
     "GoalBlocked": mark(
         "Core", "The part does not fit where it belongs: a neighbour is in the way."
     ),

@@ -13,7 +13,7 @@ import numpy as np
 from . import core, settings
 from .convert import InputProblem, label_of
 from .core_texts import said
-from .features import clearance
+from .features import check, clearance
 from .features.clearance_plan import envelope_arrays
 from .safe_file import written_beside
 from .texts import language, translate
@@ -99,7 +99,7 @@ def _file_of(document, is_changed):
 def request(obj, is_changed=False):
     """What text() needs of a clearance check. is_changed: the document was, since it was saved. Raises
     InputProblem where there is no result, or where it is not that of the parts as they are now."""
-    clearance.update_status(obj)
+    check.update_status(obj)
     if clearance.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
             "Messages",
