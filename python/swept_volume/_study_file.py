@@ -140,6 +140,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
         "interval_tolerance": _ABOVE,
         "curve": _COUNT,
         "penetration": _YES_NO,
+        "page": _YES_NO,
     },
 }
 

@@ -13,12 +13,14 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 from . import _core
 from ._calls import Result, RunContext, compute, write_solid
 from ._clearance import clearance
+from ._pages import report_page
 from ._study_file import Run
 from ._values import Mesh, Motion, read_body, read_motion, read_parts
 
 Report = Dict[str, Any]
 
 REPORT_FILE = "report.json"
+PAGE_FILE = "clearance.html"
 PARTIAL = ".partial-"  # begins the name of a folder that is being filled
 DONE, NOT_CLEAR, FAILED = "done", "not clear", "failed"
 _SUFFIXES = {"envelope": "ply", "solid": "step"}  # where the file does not choose
@@ -51,7 +53,8 @@ def output_name(run: Run, stage: str) -> str:
 
 def output_names(run: Run) -> List[str]:
     """Of all files with results, without the report."""
-    return [output_name(run, stage) for stage in run.compute if stage in _SUFFIXES]
+    names = [output_name(run, stage) for stage in run.compute if stage in _SUFFIXES]
+    return names + [PAGE_FILE] * run.options.get("clearance", {}).get("page", False)
 
 
 class _Stages:
@@ -94,8 +97,8 @@ class _Stages:
         self.warnings = report.pop("warnings")
         return report
 
-    def clearance(self) -> Report:
-        options = self._options("clearance", "deflection", "neighbour_chord")
+    def clearance(self, folder: str) -> Report:
+        options = self._options("clearance", "deflection", "neighbour_chord", "page")
         given = self.run.options["clearance"]
         deflection = given.get("deflection", 0.05)
         neighbours = [
@@ -112,7 +115,22 @@ class _Stages:
         rules = self.run.rules
         report = clearance(body, self.motion, neighbours, rules=rules, run=self.context, **options)
         report["warnings"][:0] = body.findings
+        if given.get("page"):
+            self._write_page(os.path.join(folder, PAGE_FILE), report, body, neighbours)
         return report
+
+    def _write_page(
+        self, path: str, report: Report, body: Mesh, neighbours: List[Tuple[str, Mesh]]
+    ) -> None:
+        roles = [("body", self.run.part), ("motion", self.run.motion)]
+        roles += [("neighbour", file) for file in self.run.neighbours]
+        inputs = [
+            (role, os.path.basename(file), "", file_hash(self.locate(file))) for role, file in roles
+        ]
+        moving = (pathlib.PurePath(self.run.part).stem, body, self.motion)
+        text = report_page(report, parts=[moving, *neighbours], inputs=inputs, title=self.run.name)
+        with open(path, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
 
 
 def _failure(error: BaseException) -> Report:
@@ -165,7 +183,7 @@ def execute(
         stages = _Stages(run, locate or (lambda file: file), RunContext(threads=threads))
         for stage in run.compute:
             if stage == "clearance":
-                report[stage] = stages.clearance()
+                report[stage] = stages.clearance(folder)
             else:
                 path = os.path.join(folder, output_name(run, stage))
                 report[stage] = getattr(stages, stage)(path)

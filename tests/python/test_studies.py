@@ -97,6 +97,19 @@ def test_results_are_the_bytes_of_single_runs(run, call, study, validator):  # n
     assert reproducible(own["clearance"]) == expected
 
 
+def test_pages_of_runs(run, study):
+    text = (study / "study.toml").read_text()
+    (study / "study.toml").write_text(text + "clearance = { page = true }\n")
+    assert run().returncode == 3
+    page = study / "results/with rail/clearance.html"
+    assert "with rail" in page.read_text() and "clash" in page.read_text().lower()
+    assert not (study / "results/box by30/clearance.html").exists()
+    first = page.read_bytes()
+    page.unlink()
+    run()
+    assert page.read_bytes() == first, "what is missing is made again, the same"
+
+
 def test_any_number_of_processes_gives_the_same(run, study):
     assert run("--jobs", 1, "-o", study / "one").returncode == 3
     assert run("--jobs", 3, "-o", study / "three").returncode == 3
