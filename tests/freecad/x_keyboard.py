@@ -2,10 +2,12 @@
 """A keyboard whose keys the X server itself sends, for scenarios in FreeCAD's window."""
 import ctypes
 import os
+import time
 
 import FreeCADGui as Gui
 
 from driver import QtWidgets, say
+from PySide import QtCore
 
 #: Characters whose keys have other names in X.
 _NAMES = {
@@ -29,6 +31,24 @@ def entry(name):
     return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
+#: s that a key may take to the window, on a machine that is busy.
+LATE = 2.0
+
+
+class _Heard(QtCore.QObject):
+    """Counts the keys that the window got and that were let go there."""
+
+    def __init__(self):
+        super().__init__()
+        self.count = 0
+        QtWidgets.QApplication.instance().installEventFilter(self)
+
+    def eventFilter(self, where, event):
+        if event.type() == QtCore.QEvent.KeyRelease and where.isWindowType():
+            self.count += 1
+        return False
+
+
 class Keyboard:
     """Presses keys by their X names; "Alt_L+s" holds the first one. Raises OSError without the
     libraries for it."""
@@ -38,6 +58,7 @@ class Keyboard:
         self.x.XOpenDisplay.restype = ctypes.c_void_p
         self.x.XStringToKeysym.restype = ctypes.c_ulong
         self.display = ctypes.c_void_p(self.x.XOpenDisplay(None))
+        self.heard = _Heard()
         self.give(Gui.getMainWindow())
 
     def give(self, window):
@@ -63,7 +84,9 @@ class Keyboard:
     def press(self, *keys):
         """One after the other; a generator."""
         for key in keys:
+            wanted, until = self.heard.count + key.count("+") + 1, time.monotonic() + LATE
             self._stroke(key)
+            yield lambda: self.heard.count >= wanted or time.monotonic() > until
             yield 0.2  # a button that a letter presses stays down for 0.1 s
 
     def type(self, text, *then):
