@@ -71,6 +71,44 @@ def hinge(doc):
     return simulation, arm, drive
 
 
+class Stuck:
+    """The calls of an assembly of FreeCAD 1.1, for a solver that finds no position after 0.75 s: frames are
+    missing at the end, and nothing else says so. Frame 0 is the part as it stands."""
+
+    FRAMES = 4
+
+    def __init__(self, assembly):
+        assembly.Proxy = self
+
+    def generateSimulation(self, simulation):  # noqa: N802 (FreeCAD's names)
+        self.part = simulation.Document.getObject("Stuck")
+        self.before, self.step = App.Placement(self.part.Placement), simulation.cTimeStepOutput
+        self.found = self.FRAMES
+
+    def numberOfFrames(self):  # noqa: N802
+        return self.found + 1
+
+    def updateForFrame(self, frame):  # noqa: N802
+        way = App.Placement(V(10 * self.step * max(frame - 1, 0), 0, 0), App.Rotation())
+        self.part.Placement = way.multiply(self.before)
+
+
+def stuck(doc):
+    """(simulation, part): one second by 0.25 s, of which the solver gives 0.75 s. Any FreeCAD has it: what
+    FreeCAD's own solver makes of a mechanism that gets stuck changes with its version."""
+    part = doc.addObject("Part::Box", "Stuck")
+    simulation = doc.addObject("App::FeaturePython", "StuckSimulation")
+    for name, value in (("aTimeStart", 0.0), ("bTimeEnd", 1.0), ("cTimeStepOutput", 0.25)):
+        simulation.addProperty("App::PropertyFloat", name)
+        setattr(simulation, name, value)
+    whole = doc.addObject("App::FeaturePython", "StuckAssembly")
+    whole.addProperty("App::PropertyLinkList", "Members")
+    whole.Members = [part, simulation]
+    Stuck(whole)
+    doc.recompute()
+    return simulation, part
+
+
 def arm_after(seconds, speed=SPEED):
     """Where the arm is after so long: turned about the hinge."""
     turned = App.Rotation(V(0, 0, 1), math.degrees(speed * seconds))
