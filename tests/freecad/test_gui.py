@@ -86,6 +86,6 @@ def test_scenario(scenario):
         )
     print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
-    assert "passed" in done.stdout
+    assert scenario + " passed" in done.stdout.splitlines(), "another file's scenario was run"
     # An error in a button's own code is only printed.
     assert "Traceback" not in done.stdout + done.stderr, done.stdout + done.stderr

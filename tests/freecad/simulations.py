@@ -71,40 +71,41 @@ def hinge(doc):
     return simulation, arm, drive
 
 
-class Stuck:
-    """The calls of an assembly of FreeCAD 1.1, for a solver that finds no position after 0.75 s: frames are
-    missing at the end, and nothing else says so. Frame 0 is the part as it stands."""
+FOUND = 4  # frames of a simulation that gets stuck
 
-    FRAMES = 4
 
-    def __init__(self, assembly):
-        assembly.Proxy = self
+def _begin(assembly, simulation):
+    assembly.Before, assembly.Step = assembly.Part.Placement, simulation.cTimeStepOutput
 
-    def generateSimulation(self, simulation):  # noqa: N802 (FreeCAD's names)
-        self.part = simulation.Document.getObject("Stuck")
-        self.before, self.step = App.Placement(self.part.Placement), simulation.cTimeStepOutput
-        self.found = self.FRAMES
 
-    def numberOfFrames(self):  # noqa: N802
-        return self.found + 1
+def _frames(assembly):
+    return FOUND + 1  # the first is the part as it stands
 
-    def updateForFrame(self, frame):  # noqa: N802
-        way = App.Placement(V(10 * self.step * max(frame - 1, 0), 0, 0), App.Rotation())
-        self.part.Placement = way.multiply(self.before)
+
+def _show(assembly, frame):
+    way = App.Placement(V(10 * assembly.Step * max(frame - 1, 0), 0, 0), App.Rotation())
+    assembly.Part.Placement = way.multiply(assembly.Before)
 
 
 def stuck(doc):
-    """(simulation, part): one second by 0.25 s, of which the solver gives 0.75 s. Any FreeCAD has it: what
-    FreeCAD's own solver makes of a mechanism that gets stuck changes with its version."""
+    """(simulation, part): an object with the calls of FreeCAD 1.1's Assembly, for any FreeCAD. Of one second
+    by 0.25 s its solver finds the first three quarters; that frames are missing at the end is all that says
+    so, as with FreeCAD's own solver, which gets stuck in different mechanisms in each version."""
     part = doc.addObject("Part::Box", "Stuck")
     simulation = doc.addObject("App::FeaturePython", "StuckSimulation")
     for name, value in (("aTimeStart", 0.0), ("bTimeEnd", 1.0), ("cTimeStepOutput", 0.25)):
         simulation.addProperty("App::PropertyFloat", name)
         setattr(simulation, name, value)
     whole = doc.addObject("App::FeaturePython", "StuckAssembly")
-    whole.addProperty("App::PropertyLinkList", "Members")
-    whole.Members = [part, simulation]
-    Stuck(whole)
+    for kind, name in (
+        ("Link", "Part"),
+        ("Link", "Simulation"),
+        ("Placement", "Before"),
+        ("Float", "Step"),
+    ):
+        whole.addProperty("App::Property" + kind, name)
+    whole.Part, whole.Simulation = part, simulation
+    whole.generateSimulation, whole.numberOfFrames, whole.updateForFrame = _begin, _frames, _show
     doc.recompute()
     return simulation, part
 
