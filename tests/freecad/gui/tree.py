@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tree: envelopes below their motion, solids and checks below their envelope; a double click and
 FreeCAD's Edit open the panel of each; a clash is seen in the icon."""
+import contextlib
 import os
 import sys
 
@@ -39,7 +40,8 @@ def drawn(label):
 
 
 def scenario():
-    from sweptvolume import icon
+    from sweptvolume import core, icon
+    from sweptvolume.convert import InputProblem
     from sweptvolume.features import clearance, envelope, motion, solid
 
     open_workbench()
@@ -108,8 +110,13 @@ def scenario():
     assert [obj.Status for obj, _ in made] == [envelope.STALE] * 3, [o.Status for o, _ in made]
     for obj, _ in made:
         seen[obj.Name].append(drawn(obj.Label))
-    path.Times, kept = [0, 1], path.Placements
-    path.Placements = []
+    path.Times = [0, 1]
+    doc.recompute()
+    most, body.MaxFaces = body.MaxFaces, 1
+    doc.recompute()
+    with contextlib.suppress(core.CoreError, InputProblem):
+        solid.compute(body)
+    hull.Motion = None
     doc.recompute()
     yield 0.3
     shot("67_tree_failed")
@@ -120,7 +127,7 @@ def scenario():
         seen[obj.Name].append(drawn(obj.Label))
         current, stale, failed = seen[obj.Name]
         assert failed != current and failed != stale and stale != current, obj.Name
-    path.Placements = kept
+    hull.Motion, body.MaxFaces = path, most
     doc.recompute()
     yield 0.3
     assert all(drawn(obj.Label) == seen[obj.Name][0] for obj, _ in made)
