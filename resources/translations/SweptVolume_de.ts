@@ -2398,16 +2398,16 @@ bis etwa {2}, {3}</translation>
    <translation>Lagen</translation>
   </message>
   <message>
+   <source>OK once more takes the motion as it is.</source>
+   <translation>Noch einmal OK nimmt die Bewegung, wie sie ist.</translation>
+  </message>
+  <message>
    <source>From</source>
    <translation>Von</translation>
   </message>
   <message>
    <source>To</source>
    <translation>Bis</translation>
-  </message>
-  <message>
-   <source>OK once more takes the motion as it is.</source>
-   <translation>Noch einmal OK nimmt die Bewegung, wie sie ist.</translation>
   </message>
   <message>
    <source>The poses of "{0}" come from {1} and follow it. To change a key, the link has to be cut: the motion then keeps the poses as they are. Cut it?</source>

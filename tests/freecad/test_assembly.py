@@ -5,7 +5,7 @@ import os
 import FreeCAD as App
 
 from case import Case, shift
-from mechanism import SPEED, Absent, arm_after, hinge
+from simulations import SPEED, Absent, arm_after, hinge
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, joint_motions, mechanism, motion

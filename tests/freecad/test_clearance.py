@@ -4,6 +4,7 @@ import csv
 import os
 
 import FreeCAD as App
+import Mesh
 
 from case import shift
 from neighbour_case import Neighbours
@@ -130,6 +131,20 @@ class Clearance(Neighbours):
             App.Units.setSchema(0)
         self.assertAlmostEqual(inches[0][2] * 25.4, float(rows[1][2]))
         self.assertEqual(inches[0][4], float(rows[1][4]))  # seconds stay what they are
+
+    def test_a_neighbour_that_is_open_is_named(self):
+        bowl = self.doc.addObject("Mesh::Feature", "Bowl")
+        bowl.Mesh = Mesh.createBox(10, 10, 10)
+        bowl.Mesh = Mesh.Mesh((bowl.Mesh.Topology[0], bowl.Mesh.Topology[1][:-2]))
+        bowl.Label, bowl.Placement = "Open bowl", shift(y=-60)
+        obj = self.made()
+        clearance.compute(obj)
+        self.assertIn("1 neighbour is open or badly oriented (Open bowl)", obj.Message)
+        bowl.Label = "Bowl of tin"
+        net = self.doc.addObject("Mesh::Feature", "Net")
+        net.Mesh, net.Placement = bowl.Mesh, shift(y=60)
+        clearance.compute(obj)
+        self.assertIn("2 neighbours are open or badly oriented (Bowl of tin, Net)", obj.Message)
 
     def test_no_neighbour_is_named(self):
         self.wall.Visibility = self.far.Visibility = False

@@ -600,7 +600,7 @@ class Saved(Scene):
         App.closeDocument(self.doc.Name)
         self.doc = App.openDocument(path)
         for obj in self.doc.Objects:
-            obj.touch()
+            obj.enforceRecompute()  # as "Mark to recompute" in the tree does
         self.doc.recompute(None, True)
         self.swept, self.check, self.body = map(self.doc.getObject, names)
         self.assert_states(*[envelope.UP_TO_DATE] * 3)

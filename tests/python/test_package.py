@@ -12,6 +12,8 @@ import xml.etree.ElementTree
 
 import pytest
 
+from conftest import BUILD
+
 MANAGERS = ("/usr/share/freecad/Mod/AddonManager", "/usr/lib/freecad/Mod/AddonManager")
 SPACE = {"p": "https://wiki.freecad.org/Package_Metadata"}
 
@@ -135,3 +137,12 @@ def test_with_addresses_the_manager_of_addons_misses_nothing(root):
         1,
     )
     assert complaints(text) == set()
+
+
+def test_the_plug_ins_that_draw_icons_are_named(root):
+    """Without them FreeCAD with Qt 6 has buttons without pictures: cpack writes them into the package as
+    recommended, and whoever installs by hand reads of them."""
+    text = (BUILD / "CPackConfig.cmake").read_text(encoding="utf-8")
+    recommended = re.search(r'set\(CPACK_DEBIAN_PACKAGE_RECOMMENDS "(.*)"\)', text)[1].split(", ")
+    assert "qt6-svg-plugins" in recommended and "freecad" in recommended, recommended
+    assert "`qt6-svg-plugins`" in (root / "README.md").read_text(encoding="utf-8")

@@ -280,8 +280,9 @@ def no_panel():
 
 
 def run(scenario):
-    """Runs a generator function on the event loop and leaves FreeCAD."""
+    """Runs a generator function on the event loop and leaves FreeCAD; says which file's it was."""
     steps = scenario()
+    name = os.path.basename(scenario.__code__.co_filename)
     state = {"wait": None, "since": time.time(), "value": None}
 
     def fail():
@@ -302,7 +303,7 @@ def run(scenario):
             wanted = next(steps, END)
             if wanted is END:
                 check_wrappers()
-                say("passed")
+                say("{} passed".format(name))
                 os._exit(0)
             pause = STEP
             if callable(wanted):

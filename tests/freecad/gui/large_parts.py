@@ -12,7 +12,9 @@ from driver import (  # noqa: E402
     App,
     Close,
     Gaps,
+    Gui,
     Ok,
+    QtGui,
     QtWidgets,
     click,
     find,
@@ -22,6 +24,8 @@ from driver import (  # noqa: E402
     panel_button,
     run,
     say,
+    select,
+    tree,
 )
 
 V = App.Vector
@@ -70,6 +74,17 @@ def by_panel(show, button, over):
     yield 1.0
     click(button())
     yield lambda: over(panel)
+
+
+def marked(*objects):
+    """Marks objects by the entry of the tree's context menu: how a user has a result looked at again."""
+    select(*objects)
+    yield 0.5
+    actions = tree().findChildren(getattr(QtWidgets, "QAction", None) or QtGui.QAction)
+    (action,) = [a for a in actions if a.text() == "Mark to recompute"]
+    action.trigger()
+    assert all("Touched" in obj.State for obj in objects), [obj.State for obj in objects]
+    Gui.Selection.clearSelection()
 
 
 def judged(doc, hull, wanted):
@@ -123,7 +138,7 @@ def scenario():
         yield 0.5
         hull, check = doc.Envelope, doc.Clearance
         # Looked at again, and still the same.
-        hull.touch(), check.touch()
+        yield from marked(hull, check)
         yield from measured("same", judged(doc, check, clearance.UP_TO_DATE), limit)
         yield lambda: hull.Status == envelope.UP_TO_DATE
         assert not [o.Name for o in doc.Objects if "Touched" in o.State]
@@ -134,7 +149,7 @@ def scenario():
         assert (hull.Status, check.Status) == (envelope.STALE, clearance.STALE)
         # Closed while parts are read; and what cannot be read is said, once.
         apart._known.clear()
-        check.touch()
+        yield from marked(check)
         doc.recompute()
         App.closeDocument(doc.Name)
         yield 0.5
@@ -147,7 +162,7 @@ def scenario():
             raise RuntimeError("no points")
 
         apart._read_shape = broken
-        doc.Envelope.touch()
+        yield from marked(doc.Envelope)
         doc.recompute()
         yield lambda: "no points" in doc.Envelope.Message
         assert doc.Envelope.Status == envelope.FAILED and len(calls) < 5, len(calls)

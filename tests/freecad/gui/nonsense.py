@@ -113,6 +113,34 @@ def table_storm(panel):
         assert all(abs(n) <= 1e9 for n in numbers), numbers
 
 
+def counted_as_rows(doc, box):
+    """A message names the poses by the numbers that stand before their rows in the key table."""
+    from sweptvolume import core
+    from sweptvolume.features import envelope, motion
+    from sweptvolume.panels import motion_panel
+
+    about = [App.Rotation(V(0, 0, 1), degrees) for degrees in (0, 10, 190)]
+    path = motion.motion_from_poses(doc, [0, 1, 2], [App.Placement(V(), r) for r in about])
+    doc.recompute()
+    hull = envelope.make_envelope(doc, [box], path, Resolution=24)
+    doc.recompute()
+    try:
+        envelope.compute(hull)
+    except core.CoreError as problem:
+        said = str(problem)
+    panel = motion_panel.show(doc, path, (box, ""))
+    yield 0.5
+    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
+    rows = [str(table.model().headerData(r, QtCore.Qt.Vertical)) for r in range(3)]
+    words = "between pose {} and pose {} the body turns by 180".format(*rows[1:])
+    assert words in said and words in hull.Message, (words, said, hull.Message)
+    panel.reject()
+    yield no_panel
+    doc.removeObject(hull.Name)
+    doc.removeObject(path.Name)
+    doc.recompute()
+
+
 def scenario():
     import Part
 
@@ -145,6 +173,8 @@ def scenario():
     hull = envelope.make_envelope(doc, [box], path, Resolution=24)
     doc.recompute()
     envelope.compute(hull)
+
+    yield from counted_as_rows(doc, box)
 
     def ok(panel):
         click(panel_button(Ok))

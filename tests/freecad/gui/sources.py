@@ -6,7 +6,7 @@ import time
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
-from mechanism import Absent, arm_after, hinge  # noqa: E402
+from simulations import Absent, arm_after, hinge, stuck  # noqa: E402
 from driver import (  # noqa: E402
     App,
     Gui,
@@ -33,6 +33,40 @@ def made(doc):
     from sweptvolume.features.motion import is_motion
 
     return [o for o in doc.Objects if is_motion(o)][-1]
+
+
+def told():
+    """What the open panel says, in any of its labels."""
+    labels = Gui.getMainWindow().findChildren(QtWidgets.QLabel)
+    return " ".join(label.text() for label in labels if label.isVisible())
+
+
+def stops_early(doc):
+    """Frames that are missing are said in the panel before a motion is made; a second OK takes what is there:
+    with a part chosen, and with all parts that move."""
+    simulation, part = stuck(doc)
+    for chosen in ((simulation, part), (simulation,)):
+        before, undo = len(doc.Objects), doc.UndoCount
+        select(*chosen)
+        Gui.runCommand("SweptVolume_MotionFromSource")
+        yield 0.4
+        for button in range(2):
+            assert len(doc.Objects) == before and doc.UndoCount == undo, "taken before it was said"
+            click(panel_button(Ok))
+            yield 0.4
+            if button == 0:
+                said = told()
+                for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK once more"):
+                    assert words in said, said
+                shot("26_stops_early_{}".format(len(chosen)))
+                yield 0.6
+        yield no_panel
+        found = made(doc)
+        assert (found.SourceType, found.Count, doc.UndoCount) == ("Simulation", 4, undo + 1)
+        assert "4 of 5 frames" in found.Message, found.Message
+        assert part.Placement.Base.Length < 1e-9, part.Placement
+        doc.removeObject(found.Name)
+        doc.recompute()
 
 
 def scenario():
@@ -164,6 +198,8 @@ def scenario():
         assert swung.Placements[-1].isSame(arm_after(1), 1e-6), swung.Placements[-1]
         assert arm.Placement.isSame(arm_after(0), 1e-9), arm.Placement
 
+    yield from stops_early(doc)
+
     # A link array, and the placements of selected objects.
     array = doc.addObject("App::Link", "Array")
     array.LinkedObject, array.ElementCount = box, 3
@@ -185,7 +221,10 @@ def scenario():
     before = len(doc.Objects)
     select(box)
     began = time.thread_time()
-    for command in ("MotionDriven", "MotionFromSource", "MotionFromSelection", "EditEnvelope"):
+    for command in ("MotionFromSource", "MotionFromSelection", "EditEnvelope", "MotionDriven"):
+        if command == "MotionDriven":  # a box alone has values: all parts that one of them moves
+            assert Gui.isCommandActive("SweptVolume_" + command)
+            select()
         assert not Gui.isCommandActive("SweptVolume_" + command), command
         tips = [action.toolTip() for action in widgets.actions_of("SweptVolume_" + command)]
         assert tips and all("elect" in tip or "make one" in tip for tip in tips), tips

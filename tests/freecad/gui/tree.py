@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tree: envelopes below their motion, solids and checks below their envelope; a double click and
 FreeCAD's Edit open the panel of each; a clash is seen in the icon."""
+import contextlib
 import os
 import sys
 
@@ -32,8 +33,15 @@ def items(document):
     return found
 
 
+def drawn(label):
+    """What the tree draws before a name."""
+    (item,) = tree().findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
+    return item.icon(0).pixmap(16, 16).toImage()
+
+
 def scenario():
-    from sweptvolume import icon
+    from sweptvolume import core, icon
+    from sweptvolume.convert import InputProblem
     from sweptvolume.features import clearance, envelope, motion, solid
 
     open_workbench()
@@ -92,6 +100,37 @@ def scenario():
                     break
             yield no_panel
             yield 0.2
+    # What failed is drawn otherwise than what is current, and than what is stale.
+    made = ((hull, "Envelope"), (body, "Solid"), (check, "Clearance"))
+    assert [obj.Status for obj, _ in made] == [envelope.UP_TO_DATE] * 3
+    seen = {obj.Name: [drawn(obj.Label)] for obj, _ in made}
+    path.Times = [0, 2]
+    doc.recompute()
+    yield 0.3
+    assert [obj.Status for obj, _ in made] == [envelope.STALE] * 3, [o.Status for o, _ in made]
+    for obj, _ in made:
+        seen[obj.Name].append(drawn(obj.Label))
+    path.Times = [0, 1]
+    doc.recompute()
+    most, body.MaxFaces = body.MaxFaces, 1
+    doc.recompute()
+    with contextlib.suppress(core.CoreError, InputProblem):
+        solid.compute(body)
+    hull.Motion = None
+    doc.recompute()
+    yield 0.3
+    shot("67_tree_failed")
+    yield 0.3
+    for obj, name in made:
+        assert obj.Status == envelope.FAILED, (obj.Name, obj.Status)
+        assert obj.ViewObject.Proxy.getIcon() == icon("SweptVolume_" + name + "_failed")
+        seen[obj.Name].append(drawn(obj.Label))
+        current, stale, failed = seen[obj.Name]
+        assert failed != current and failed != stale and stale != current, obj.Name
+    hull.Motion, body.MaxFaces = path, most
+    doc.recompute()
+    yield 0.3
+    assert all(drawn(obj.Label) == seen[obj.Name][0] for obj, _ in made)
     # Undo and a deleted motion keep the tree in order.
     other = motion.motion_from_poses(doc, [0, 1], places)
     other.Label = "Other"

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel: a motion from a path object."""
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import runner
@@ -181,12 +180,17 @@ class SourcePanel:
             return self._take_all({name: read() for name, read in self.values.items()})
         with runner.transaction(self.document, self.title):
             obj = self._written({name: read() for name, read in self.values.items()})
-            if obj.Message != self.told:
-                self.told = obj.Message
-                once_more = translate("Panels", "OK once more takes the motion as it is.")
-                raise InputProblem("{} {}".format(self.told, once_more))
+            self._say_first(obj.Message)
         Gui.Control.closeDialog()
         return True
+
+    def _say_first(self, text):
+        """Raises InputProblem where the poses give something to be said that was not said yet: nothing of
+        them is taken then."""
+        if text != self.told:
+            self.told = text
+            once_more = translate("Panels", "OK once more takes the motion as it is.")
+            raise InputProblem("{} {}".format(text, once_more))
 
     def _all_parts(self):
         """Whether no part is chosen: all that the source moves are taken."""
@@ -203,8 +207,8 @@ class SourcePanel:
             for obj in found:
                 obj.Interpolation = self.interpolation.currentData()
             self.document.recompute()
-        for text in dict.fromkeys(notes + [obj.Message for obj in found if obj.Message]):
-            App.Console.PrintWarning(text + "\n")
+            said = notes + [obj.Message for obj in found if obj.Message]
+            self._say_first(" ".join(dict.fromkeys(said)))
         Gui.Control.closeDialog()
         return True
 

@@ -71,6 +71,45 @@ def hinge(doc):
     return simulation, arm, drive
 
 
+FOUND = 4  # frames of a simulation that gets stuck
+
+
+def _begin(assembly, simulation):
+    assembly.Before, assembly.Step = assembly.Part.Placement, simulation.cTimeStepOutput
+
+
+def _frames(assembly):
+    return FOUND + 1  # the first is the part as it stands
+
+
+def _show(assembly, frame):
+    way = App.Placement(V(10 * assembly.Step * max(frame - 1, 0), 0, 0), App.Rotation())
+    assembly.Part.Placement = way.multiply(assembly.Before)
+
+
+def stuck(doc):
+    """(simulation, part): an object with the calls of FreeCAD 1.1's Assembly, for any FreeCAD. Of one second
+    by 0.25 s its solver finds the first three quarters; that frames are missing at the end is all that says
+    so, as with FreeCAD's own solver, which gets stuck in different mechanisms in each version."""
+    part = doc.addObject("Part::Box", "Stuck")
+    simulation = doc.addObject("App::FeaturePython", "StuckSimulation")
+    for name, value in (("aTimeStart", 0.0), ("bTimeEnd", 1.0), ("cTimeStepOutput", 0.25)):
+        simulation.addProperty("App::PropertyFloat", name)
+        setattr(simulation, name, value)
+    whole = doc.addObject("App::FeaturePython", "StuckAssembly")
+    for kind, name in (
+        ("Link", "Part"),
+        ("Link", "Simulation"),
+        ("Placement", "Before"),
+        ("Float", "Step"),
+    ):
+        whole.addProperty("App::Property" + kind, name)
+    whole.Part, whole.Simulation = part, simulation
+    whole.generateSimulation, whole.numberOfFrames, whole.updateForFrame = _begin, _frames, _show
+    doc.recompute()
+    return simulation, part
+
+
 def arm_after(seconds, speed=SPEED):
     """Where the arm is after so long: turned about the hinge."""
     turned = App.Rotation(V(0, 0, 1), math.degrees(speed * seconds))
