@@ -29,8 +29,9 @@ constexpr std::size_t kFewest = 8, kMost = 192;
 constexpr double kCheapCopies = 4e5;
 constexpr std::size_t kMostCheap = 1536;
 /// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
-/// step takes is their difference, without the copies at both ends that a whole motion has once.
-constexpr std::size_t kWindows = 8;
+/// step takes is their difference, without what sampling takes for the grid and a work item. Bodies
+/// of many triangles get fewer.
+constexpr std::size_t kMostWindows = 8, kFewestWindows = 2;
 /// Of what the longer trial takes in the mean, a step takes this at least.
 constexpr double kLeastShare = 0.2;
 
@@ -40,16 +41,7 @@ constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds 
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
-/// CPU seconds, and counts.
-struct Cost {
-  double seconds = 0, crossings = 0, elements = 0;
-
-  void add(const Cost& other, double times) {
-    seconds += times * other.seconds;
-    crossings += times * other.crossings;
-    elements += times * other.elements;
-  }
-};
+using Cost = SamplingCost;
 
 class Trials {
  public:
@@ -108,11 +100,12 @@ class Trials {
   /// placements at once is decided so here.
   Cost byWindows(std::size_t count, std::size_t wanted) const {
     const std::size_t item = placementsOfItem(input(whole_.motion));
+    const std::size_t windows = std::clamp(wanted / 3, kFewestWindows, kMostWindows);
     const std::size_t steps =
-        std::clamp<std::size_t>(wanted / (3 * kWindows), 1, std::max<std::size_t>(item / 2, 1));
+        std::clamp<std::size_t>(wanted / (3 * windows), 1, std::max<std::size_t>(item / 2, 1));
     PlaceGroups::Trial some;
-    for (std::size_t w = 0; w < kWindows; ++w) {
-      const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * kWindows);
+    for (std::size_t w = 0; w < windows; ++w) {
+      const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * windows);
       some.only.push_back({first, first + 2 * steps});
     }
     const double start = threadSeconds();
@@ -122,12 +115,12 @@ class Trials {
     const Cost none = at({0, 0}, groups);
     for (const PlacementRange& both : some.only) {
       const Cost one = at({both.begin, both.begin + steps}, groups), two = at(both, groups);
-      sum.add(two, times(count, kWindows * steps));
-      sum.add(one, -times(count, kWindows * steps));
-      least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
+      sum.add(two, times(count, windows * steps));
+      sum.add(one, -times(count, windows * steps));
+      least.add(two, kLeastShare * times(count, 2 * windows * steps));
       if (2 * steps > item) continue;  // two items
       begun.seconds += (2 * one.seconds - two.seconds - none.seconds) * times(count, item) /
-                       static_cast<double>(kWindows);
+                       static_cast<double>(windows);
     }
     sum.seconds += std::max(begun.seconds, 0.0);
     sum = largerOf(sum, least);
@@ -167,15 +160,9 @@ class Trials {
 
   Cost of(const Motion& motion) const { return of(input(motion)); }
 
-  Cost of(SamplerInput part) const {
-    const double start = threadSeconds();
-    std::uint64_t crossings = 0;
-    part.crossings = &crossings;
-    const MarkedEdges marks = sampleCpu(part, run_);
+  Cost of(const SamplerInput& part) const {
     Cost cost;
-    cost.seconds = threadSeconds() - start;
-    cost.elements = static_cast<double>(marks.elements.size());
-    cost.crossings = static_cast<double>(crossings);
+    sampleCounted(part, cost, run_);
     return cost;
   }
 
@@ -220,7 +207,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   }
   const auto [seconds, bytes] = alone.execute([&] {
     const Trials trials(input, run);
-    const Cost sampling = trials.whole();
+    const Cost sampling = surface.all ? *surface.all : trials.whole();
     return std::pair(sampling.seconds + trials.insideSeconds(),
                      trials.bytesOf(sampling, surface.crossings, threads));
   });
