@@ -16,7 +16,8 @@ namespace {
 /// Faces of all placements together, and how many placements.
 constexpr double kRoughFaces = 2e6;
 constexpr std::size_t kFewest = 8, kMost = 192;
-/// A motion of no more than so many is taken whole: its sampling is then known as well.
+/// A motion of no more than so many is taken whole, unless it is dense: its sampling is then known
+/// as well.
 constexpr double kWholeFaces = 12e6;
 constexpr std::size_t kMostWhole = 384;
 /// About so many are contoured.
@@ -120,7 +121,7 @@ RoughSurface roughSurface(const SamplerInput& whole, ComponentMethod components,
   };
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
-  const bool few = all <= kMostWhole && static_cast<double>(all) * faces <= kWholeFaces;
+  const bool few = probes && all <= kMostWhole && static_cast<double>(all) * faces <= kWholeFaces;
   const std::size_t wanted =
       std::clamp(static_cast<std::size_t>(kRoughFaces / faces), kFewest, kMost);
   Motion part = thinned(whole.motion, few ? all : std::min(wanted, all));
