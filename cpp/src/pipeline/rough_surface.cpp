@@ -16,6 +16,10 @@ namespace {
 /// Faces of all placements together, and how many placements.
 constexpr double kRoughFaces = 2e6;
 constexpr std::size_t kFewest = 8, kMost = 192;
+/// A motion of no more than so many is taken whole, unless it is dense: its sampling is then known
+/// as well.
+constexpr double kWholeFaces = 12e6;
+constexpr std::size_t kMostWhole = 384;
 /// About so many are contoured.
 constexpr double kRoughCrossings = 1e5;
 /// So many probes are timed before fewer are, or so many CPU seconds.
@@ -96,19 +100,34 @@ double probeSecondsOf(const SamplerInput& whole, const Motion& part, const Marke
 
 }  // namespace
 
+MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& run) {
+  const double start = threadSeconds();
+  std::uint64_t crossings = 0;
+  input.crossings = &crossings;
+  MarkedEdges marked = sampleCpu(input, run);
+  cost.add({threadSeconds() - start, static_cast<double>(crossings),
+            static_cast<double>(marked.elements.size())},
+           1);
+  return marked;
+}
+
 RoughSurface roughSurface(const SamplerInput& whole, ComponentMethod components, bool probes,
                           RunContext& run) {
+  SamplingCost cost;
   const auto sampled = [&](const Motion& motion) {
-    return sampleCpu({whole.body, whole.topology, motion, whole.grid, whole.cull, whole.orientable,
-                      whole.clusters, nullptr, nullptr, whole.fillsHollows},
-                     run);
+    return sampleCounted({whole.body, whole.topology, motion, whole.grid, whole.cull,
+                          whole.orientable, whole.clusters, nullptr, nullptr, whole.fillsHollows},
+                         cost, run);
   };
   const double faces = static_cast<double>(whole.body.triangles.size());
+  const std::size_t all = whole.motion.placements.size();
+  const bool few = probes && all <= kMostWhole && static_cast<double>(all) * faces <= kWholeFaces;
   const std::size_t wanted =
       std::clamp(static_cast<std::size_t>(kRoughFaces / faces), kFewest, kMost);
-  Motion part = thinned(whole.motion, std::min(wanted, whole.motion.placements.size()));
+  Motion part = thinned(whole.motion, few ? all : std::min(wanted, all));
   MarkedEdges marked = sampled(part);
   RoughSurface found;
+  if (part.placements.size() == all) found.all = cost;
   found.crossings = static_cast<double>(countCrossings(marked, whole.grid, run).crossings);
   if (!probes) return found;
   if (found.crossings > kRoughCrossings) {

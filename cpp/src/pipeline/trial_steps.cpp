@@ -13,6 +13,7 @@
 #include "sampling/cpu/deep_inside.h"
 #include "sampling/cpu/work_items.h"
 #include "sampling/culling/face_clusters.h"
+#include "sampling/culling/step_blocks.h"
 #include "sampling/dense/dense_sampler.h"
 #include "sampling/dense/dense_trial.h"
 #include "sampling/sampler.h"
@@ -28,8 +29,9 @@ constexpr std::size_t kFewest = 8, kMost = 192;
 constexpr double kCheapCopies = 4e5;
 constexpr std::size_t kMostCheap = 1536;
 /// Places of a continuous motion where two trials begin, one of them of twice as many steps: what a
-/// step takes is their difference, without the copies at both ends that a whole motion has once.
-constexpr std::size_t kWindows = 8;
+/// step takes is their difference, without what sampling takes for the grid and a work item. Bodies
+/// of many triangles get fewer.
+constexpr std::size_t kMostWindows = 8, kFewestWindows = 2;
 /// Of what the longer trial takes in the mean, a step takes this at least.
 constexpr double kLeastShare = 0.2;
 
@@ -39,28 +41,7 @@ constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds 
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
-Motion partOf(const Motion& motion, std::size_t first, std::size_t count) {
-  const auto from = [first](const auto& list, std::size_t n) {
-    const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
-    return std::vector(begin, begin + static_cast<std::ptrdiff_t>(n));
-  };
-  Motion part;
-  part.continuous = motion.continuous;
-  part.placements = from(motion.placements, motion.continuous ? count + 1 : count);
-  if (motion.continuous) part.midpoints = from(motion.midpoints, count);
-  return part;
-}
-
-/// CPU seconds, and counts.
-struct Cost {
-  double seconds = 0, crossings = 0, elements = 0;
-
-  void add(const Cost& other, double times) {
-    seconds += times * other.seconds;
-    crossings += times * other.crossings;
-    elements += times * other.elements;
-  }
-};
+using Cost = SamplingCost;
 
 class Trials {
  public:
@@ -105,7 +86,9 @@ class Trials {
     for (std::size_t n = 0; n < wanted; ++n)
       some.placements.push_back(whole_.motion.placements[(2 * n + 1) * count / (2 * wanted)]);
     const Cost all = of(some);
-    const Cost one = at(count / 2, 1);
+    Motion single;
+    single.placements.push_back(whole_.motion.placements[count / 2]);
+    const Cost one = of(single);
     Cost sum, least;
     sum.add(all, times(count, wanted - 1));
     sum.add(one, -times(count, wanted - 1));
@@ -113,17 +96,36 @@ class Trials {
     return largerOf(sum, least);
   }
 
+  /// Windows are sampled as parts of the run's work items: what is decided for blocks and groups of
+  /// placements at once is decided so here.
   Cost byWindows(std::size_t count, std::size_t wanted) const {
-    Cost sum, least;
-    const std::size_t steps = std::max<std::size_t>(1, wanted / (3 * kWindows));
-    for (std::size_t w = 0; w < kWindows; ++w) {
-      const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * kWindows);
-      const Cost one = at(first, steps), two = at(first, 2 * steps);
-      sum.add(two, times(count, kWindows * steps));
-      sum.add(one, -times(count, kWindows * steps));
-      least.add(two, kLeastShare * times(count, 2 * kWindows * steps));
+    const std::size_t item = placementsOfItem(input(whole_.motion));
+    const std::size_t windows = std::clamp(wanted / 3, kFewestWindows, kMostWindows);
+    const std::size_t steps =
+        std::clamp<std::size_t>(wanted / (3 * windows), 1, std::max<std::size_t>(item / 2, 1));
+    PlaceGroups::Trial some;
+    for (std::size_t w = 0; w < windows; ++w) {
+      const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * windows);
+      some.only.push_back({first, first + 2 * steps});
     }
-    return largerOf(sum, least);
+    const double start = threadSeconds();
+    const PlaceGroups groups(input(whole_.motion), *whole_.clusters, run_, &some);
+    Cost sum, least, begun;
+    const double grouping = threadSeconds() - start + some.secondsOfOthers;
+    const Cost none = at({0, 0}, groups);
+    for (const PlacementRange& both : some.only) {
+      const Cost one = at({both.begin, both.begin + steps}, groups), two = at(both, groups);
+      sum.add(two, times(count, windows * steps));
+      sum.add(one, -times(count, windows * steps));
+      least.add(two, kLeastShare * times(count, 2 * windows * steps));
+      if (2 * steps > item) continue;  // two items
+      begun.seconds += (2 * one.seconds - two.seconds - none.seconds) * times(count, item) /
+                       static_cast<double>(windows);
+    }
+    sum.seconds += std::max(begun.seconds, 0.0);
+    sum = largerOf(sum, least);
+    sum.seconds += grouping;
+    return sum;
   }
 
   static Cost largerOf(const Cost& a, const Cost& b) {
@@ -136,26 +138,31 @@ class Trials {
   }
 
   SamplerInput input(const Motion& motion) const {
-    return {whole_.body,       whole_.topology, motion,  whole_.grid, whole_.cull,
-            whole_.orientable, whole_.clusters, nullptr, nullptr,     whole_.fillsHollows};
+    return {whole_.body,
+            whole_.topology,
+            motion,
+            whole_.grid,
+            whole_.cull,
+            whole_.orientable,
+            whole_.clusters,
+            nullptr,
+            nullptr,
+            whole_.fillsHollows,
+            inside_ ? &*inside_ : nullptr};
   }
 
-  Cost at(std::size_t first, std::size_t count) const {
-    return of(partOf(whole_.motion, first, count));
+  Cost at(const PlacementRange& only, const PlaceGroups& groups) const {
+    SamplerInput part = input(whole_.motion);
+    part.only = only;
+    part.groups = &groups;
+    return of(part);
   }
 
-  /// Of a part of the motion.
-  Cost of(const Motion& motion) const {
-    const double start = threadSeconds();
-    std::uint64_t crossings = 0;
-    SamplerInput part = input(motion);
-    part.crossings = &crossings;
-    if (inside_) part.inside = &*inside_;
-    const MarkedEdges marks = sampleCpu(part, run_);
+  Cost of(const Motion& motion) const { return of(input(motion)); }
+
+  Cost of(const SamplerInput& part) const {
     Cost cost;
-    cost.seconds = threadSeconds() - start;
-    cost.elements = static_cast<double>(marks.elements.size());
-    cost.crossings = static_cast<double>(crossings);
+    sampleCounted(part, cost, run_);
     return cost;
   }
 
@@ -200,7 +207,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   }
   const auto [seconds, bytes] = alone.execute([&] {
     const Trials trials(input, run);
-    const Cost sampling = trials.whole();
+    const Cost sampling = surface.all ? *surface.all : trials.whole();
     return std::pair(sampling.seconds + trials.insideSeconds(),
                      trials.bytesOf(sampling, surface.crossings, threads));
   });

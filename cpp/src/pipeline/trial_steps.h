@@ -3,8 +3,7 @@
 //        memory of sampling as these steps take them. What the surface takes is seen on a rough
 //        one.
 // Cost:  sampling of 8 to 192 placements, as far as they have 6 million triangles together, or of
-// up
-//        to 1,536 with 400,000; on one thread.
+//        up to 1,536 with 400,000, twice as many where these are all; on one thread.
 // Promise: within a factor of 2 for memory and 3 for seconds over most of the inputs of
 //        tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -5,6 +5,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "geometry/body_topology.h"
 #include "grid/grid_plan.h"
 #include "grid/marked_edges.h"
@@ -16,7 +18,13 @@ namespace swept {
 
 struct FaceClusters;
 class InsideMap;
+class PlaceGroups;
 class SampleCache;
+
+/// The placements [begin, end).
+struct PlacementRange {
+  std::size_t begin = 0, end = ~std::size_t{0};
+};
 
 struct SamplerInput {
   const TriMesh& body;
@@ -33,6 +41,10 @@ struct SamplerInput {
   /// Enclosed spaces count as inside, whatever they are: what lies deep inside may be left out.
   bool fillsHollows = false;
   const InsideMap* inside = nullptr;  ///< what is known to lie inside, for the CPU sampler
+  /// Trials of the CPU sampler take some placements of a continuous motion, each with the step that
+  /// starts there, as a run does.
+  PlacementRange only{};
+  const PlaceGroups* groups = nullptr;  ///< of the whole motion, where they are known already
 };
 
 /// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of

@@ -12,6 +12,8 @@
 #include "input/trajectory_check.h"
 #include "motion/refine_motion.h"
 #include "sampling/cpu/deep_inside.h"
+#include "sampling/culling/face_clusters.h"
+#include "sampling/culling/step_blocks.h"
 #include "sampling/sampler.h"
 #include "signs/contributing_edges.h"
 #include "signs/signs.h"
@@ -121,37 +123,42 @@ std::vector<std::array<double, 9>> counting(const SamplerInput& input) {
   return out;
 }
 
+/// Gives a case the motion of a recording that comes back to the same places, and its grid.
+void record(Case& scene, std::mt19937& random, int n) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Eigen::AlignedBox3d box;
+  for (const auto& v : scene.body.mesh.vertices) box.extend(v);
+  const double size = box.diagonal().norm();
+  // To and fro in all directions, with and without turning, from tiny to as large as the body.
+  const double travel = size * std::pow(10, -2 + n % 3), turn = n % 2 == 0 ? 0 : 0.3 * unit(random);
+  const Eigen::Vector3d waves = 40 * Eigen::Vector3d(unit(random), unit(random), unit(random));
+  const Eigen::Vector3d axis = Eigen::Vector3d(unit(random), unit(random), 1).normalized();
+  scene.motion = Motion();
+  scene.motion.continuous = n % 4 != 3;
+  constexpr int kPlacements = 1500;
+  for (int k = 0; k < kPlacements; ++k) {
+    const double s = static_cast<double>(k) / kPlacements;
+    const Eigen::Array3d way = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
+    scene.motion.placements.push_back(
+        {Eigen::AngleAxisd(turn * way[0], axis).toRotationMatrix(), travel * way.matrix(), s});
+  }
+  RunContext run;
+  Options options;
+  options.resolution = 20;
+  const Eigen::AlignedBox3d swept = sweptBox(scene.body.mesh, scene.motion, run);
+  options.cellSize = plannedCell(swept, options);
+  scene.grid = planGrid(swept, box, options);
+}
+
 TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
   std::mt19937 random(77);
-  std::uniform_real_distribution<double> unit(-1, 1);
   int hiding = 0;
   for (int n = 0; n < 24; ++n) {
     SCOPED_TRACE("case " + std::to_string(n));
     Case scene(random, 20);
     if (!scene.body.orientable) continue;
-    Eigen::AlignedBox3d box;
-    for (const auto& v : scene.body.mesh.vertices) box.extend(v);
-    const double size = box.diagonal().norm();
-    // To and fro in all directions, with and without turning, from tiny to as large as the body.
-    const double travel = size * std::pow(10, -2 + n % 3),
-                 turn = n % 2 == 0 ? 0 : 0.3 * unit(random);
-    const Eigen::Vector3d waves = 40 * Eigen::Vector3d(unit(random), unit(random), unit(random));
-    const Eigen::Vector3d axis = Eigen::Vector3d(unit(random), unit(random), 1).normalized();
-    scene.motion = Motion();
-    scene.motion.continuous = n % 4 != 3;
-    constexpr int kPlacements = 1500;
-    for (int k = 0; k < kPlacements; ++k) {
-      const double s = static_cast<double>(k) / kPlacements;
-      const Eigen::Array3d way = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
-      scene.motion.placements.push_back(
-          {Eigen::AngleAxisd(turn * way[0], axis).toRotationMatrix(), travel * way.matrix(), s});
-    }
+    record(scene, random, n);
     RunContext run;
-    Options options;
-    options.resolution = 20;
-    const Eigen::AlignedBox3d swept = sweptBox(scene.body.mesh, scene.motion, run);
-    options.cellSize = plannedCell(swept, options);
-    scene.grid = planGrid(swept, box, options);
     SamplerInput input{scene.body.mesh, scene.topology, scene.motion, scene.grid, true, true};
     const auto all = counting(input);
     input.fillsHollows = true;
@@ -168,6 +175,43 @@ TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
     hiding += sampled < before / 2;
   }
   EXPECT_GT(hiding, 5);  // otherwise nothing was compared
+}
+
+// Trials sample parts of a motion and must meet there what the run meets.
+TEST(Culling, PartsOfAMotionAreSampledAsInTheWhole) {
+  std::mt19937 random(77);
+  int grouped = 0;
+  for (int n = 0; n < 24; ++n) {
+    SCOPED_TRACE("case " + std::to_string(n));
+    Case scene(random, 20);
+    if (!scene.body.orientable) continue;
+    record(scene, random, n);
+    RunContext run;
+    SamplerInput input{scene.body.mesh, scene.topology, scene.motion, scene.grid, true, true};
+    input.fillsHollows = true;
+    const auto inside = findDeepInside(input, run);
+    if (!inside || !scene.motion.continuous) continue;
+    input.inside = &*inside;
+    const FaceClusters clusters = buildClusters(scene.body.mesh, scene.topology);
+    input.clusters = &clusters;
+    std::uint64_t whole = 0, part = 0, sum = 0;
+    input.crossings = &whole;
+    sampleCpu(input, run);
+    input.crossings = &part;
+    const PlaceGroups all(input, clusters, run);
+    for (const PlacementRange& range : {PlacementRange{0, 400}, {400, 421}, {421, 1500}}) {
+      PlaceGroups::Trial trial{{range}};
+      const PlaceGroups groups(input, clusters, run, &trial);
+      EXPECT_EQ(groups.empty(), all.empty());
+      input.only = range;
+      input.groups = &groups;
+      sampleCpu(input, run);
+      sum += part;
+    }
+    EXPECT_EQ(sum, whole);
+    grouped += !all.empty() && whole > 0;
+  }
+  EXPECT_GT(grouped, 2);  // otherwise no group was decided
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
 #include "base/memory.h"
 #include "base/number_text.h"
@@ -246,7 +247,9 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
       if (known[i] != 0) input.cache->countHit();
     }
   }
-  const PlaceGroups groups(input, clusters, run);
+  std::optional<PlaceGroups> ownGroups;
+  if (input.groups == nullptr) ownGroups.emplace(input, clusters, run);
+  const PlaceGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
   CrossingBudget budget(run, input.grid.cell);
   // One buffer per thread, which grows once.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;

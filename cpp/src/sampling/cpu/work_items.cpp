@@ -31,9 +31,10 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   const std::size_t group = placementsOfItem(input);
   const std::size_t facesOfItem = input.motion.continuous ? faces : kFaces;
   std::vector<WorkItem> items;
-  for (std::size_t k = 0; k < placements; k += group) {
+  const std::size_t end = std::min(placements, input.only.end);
+  for (std::size_t k = input.only.begin; k < end; k += group) {
     for (std::size_t f = 0; f < faces; f += facesOfItem) {
-      items.push_back({k, std::min(k + group, placements), f, std::min(f + facesOfItem, faces)});
+      items.push_back({k, std::min(k + group, end), f, std::min(f + facesOfItem, faces)});
     }
   }
   return items;

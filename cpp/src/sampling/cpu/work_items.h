@@ -21,7 +21,7 @@ struct WorkItem {
   std::size_t begin, end, faceBegin, faceEnd;
 };
 
-/// Of one work item; the last one may have fewer.
+/// Of one work item of the whole motion; the last one may have fewer.
 std::size_t placementsOfItem(const SamplerInput& input);
 std::vector<WorkItem> workItems(const SamplerInput& input);
 

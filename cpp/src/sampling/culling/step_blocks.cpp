@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
+#include "base/timer.h"
 #include "sampling/culling/inside_map.h"
 
 namespace swept {
@@ -25,6 +28,17 @@ bool meetsLines(const Eigen::Array3d& low, const Eigen::Array3d& high) {
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis) axes += std::floor(low[axis]) < std::floor(high[axis]);
   return axes >= 2;
+}
+
+/// The groups of some placements, rising.
+std::vector<std::uint32_t> groupsOf(const std::vector<PlacementRange>& ranges,
+                                    const std::vector<std::uint32_t>& groupOf) {
+  std::vector<std::uint32_t> groups;
+  for (const PlacementRange& range : ranges) {
+    for (std::size_t k = range.begin; k < range.end; ++k) groups.push_back(groupOf[k]);
+  }
+  sortUnique(groups);
+  return groups;
 }
 
 }  // namespace
@@ -83,7 +97,8 @@ bool PlaceBounds::shows(const PlaceBlock& block, std::uint32_t face) const {
   return !input_.inside->hides(corner, reach);
 }
 
-PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run) {
+PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run,
+                         Trial* trial) {
   if (input.inside == nullptr) return;
   const PlaceBounds bounds(input, clusters);
   std::vector<PlaceBounds::Box> boxes(input.motion.placements.size());
@@ -99,22 +114,32 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
     for (std::size_t k = 0; k < groupOf_.size(); ++k) around[groupOf[k]] = groupOf_[k];
     if (shown_.empty()) shown_.push_back(allClusters(clusters));
     std::vector<ShownClusters> shown(groups.size());
-    parallelFor(groups.size(), [&](std::size_t g) {
+    std::vector<std::uint32_t> decided(groups.size());
+    std::iota(decided.begin(), decided.end(), 0u);
+    if (trial != nullptr) decided = groupsOf(trial->only, groupOf);
+    const double start = trial != nullptr ? threadSeconds() : 0;
+    parallelFor(decided.size(), [&](std::size_t n) {
       run.checkpoint(Phase::Sampling);
+      const std::uint32_t g = decided[n];
       const PlaceBlock block = PlaceBounds::blockOf(groups[g]);
       for (const ShownCluster& s : shown_[around[g]]) {
         const FaceCluster& cluster = clusters.clusters[s.cluster];
         if (!bounds.shows(block, cluster)) continue;
         std::uint32_t faces = s.faces;
-        for (std::uint32_t n = 0; n < cluster.faceCount && cells <= kFaceGroup; ++n) {
-          if (s.shows(n) && !bounds.shows(block, clusters.faces[cluster.firstFace + n])) {
-            faces &= ~(1u << n);
+        for (std::uint32_t f = 0; f < cluster.faceCount && cells <= kFaceGroup; ++f) {
+          if (s.shows(f) && !bounds.shows(block, clusters.faces[cluster.firstFace + f])) {
+            faces &= ~(1u << f);
           }
         }
         if (cells <= kFaceGroup && cluster.faceCount < 32) faces &= (1u << cluster.faceCount) - 1;
         if (faces != 0) shown[g].push_back({s.cluster, faces});
       }
     });
+    if (trial != nullptr && !decided.empty()) {
+      const double others = static_cast<double>(groups.size() - decided.size());
+      trial->secondsOfOthers +=
+          (threadSeconds() - start) * others / static_cast<double>(decided.size());
+    }
     shown_ = std::move(shown);
     groupOf_ = std::move(groupOf);
   }

@@ -64,7 +64,14 @@ class PlaceBounds {
 /// clusters that it shows. Empty unless placements come back to the same places.
 class PlaceGroups {
  public:
-  PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run);
+  /// Decides only the groups of these placements, and says what the others would take.
+  struct Trial {
+    std::vector<PlacementRange> only;
+    double secondsOfOthers = 0;  ///< CPU seconds, on one thread
+  };
+
+  PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run,
+              Trial* trial = nullptr);
 
   bool empty() const { return shown_.empty(); }
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
