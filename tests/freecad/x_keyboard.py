@@ -2,6 +2,7 @@
 """A keyboard whose keys the X server itself sends, for scenarios in FreeCAD's window."""
 import ctypes
 import os
+import sys
 import time
 
 import FreeCADGui as Gui
@@ -127,7 +128,8 @@ def keyboard_or_leave():
     try:
         return Keyboard()
     except OSError as problem:
-        say("keyboard skipped: {}\npassed".format(problem))
+        say("keyboard skipped: {}".format(problem))
+        say("{} passed".format(os.path.basename(sys._getframe(1).f_code.co_filename)))
         os._exit(0)
 
 

@@ -128,7 +128,7 @@ def discard():
     asked = QtWidgets.QApplication.activeModalWidget()
     if asked is None:
         return QtCore.QTimer.singleShot(50, discard)
-    say("passed")
+    say("stop_and_close.py passed")
     watch = "sleep {}; kill -9 {} 2>/dev/null".format(END, os.getpid())
     subprocess.Popen(["sh", "-c", watch], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     asked.button(QtWidgets.QMessageBox.Discard).click()

@@ -120,6 +120,9 @@ class SolidPanel(StartPanel):
         self._changed()
 
     def _changed(self, *ignored):
+        """What was found is of other settings."""
+        self.look.stop()
+        widgets.show_message(self.expected, translate("Panels", "The solid is being tried out ..."))
         self.timer.start(ESTIMATE_DELAY)
 
     def estimate(self):
