@@ -2298,6 +2298,10 @@ Versucht:
    <translation>Flächen höchstens</translation>
   </message>
   <message>
+   <source>The solid is being tried out ...</source>
+   <translation>Der Körper wird zur Probe gebaut ...</translation>
+  </message>
+  <message>
    <source>{0} triangles: {1} faces,
 about {2}, {3}</source>
    <translation>{0} Dreiecke: {1} Flächen,
@@ -2316,10 +2320,6 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>File at most</source>
    <translation>Datei höchstens</translation>
-  </message>
-  <message>
-   <source>The solid is being tried out ...</source>
-   <translation>Der Körper wird zur Probe gebaut ...</translation>
   </message>
   <message>
    <source>The limits ask for a tolerance of {0}</source>
