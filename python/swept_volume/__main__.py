@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import signal
 import sys
 from typing import Any, List
 
 from . import Error, RunContext, __version__
-from ._study import Row, exit_status, run_study
+from ._study import Row, run_study
 from ._study_file import read_study
+from ._study_run import Report, json_text
 from ._values import bad_option
 
 USAGE, FAILED = 2, 1
@@ -56,12 +56,18 @@ def _show(done: int, all_runs: int, row: Row) -> None:
 
 def _check_report(options: argparse.Namespace) -> None:
     """A report that replaced an input would be noticed at the end only."""
+    if not options.report or not os.path.exists(options.report):
+        return
     study = read_study(options.file, options.output)
-    inputs = [options.file, *(file for run in study.runs for file in run.files())]
-    if options.report and os.path.exists(options.report):
-        for file in inputs:
-            if os.path.samefile(file, options.report):
-                raise bad_option(f"--report '{options.report}' is an input; name another file")
+    for file in [options.file, *(file for run in study.runs for file in run.files())]:
+        if os.path.samefile(file, options.report):
+            raise bad_option(f"--report '{options.report}' is an input; name another file")
+
+
+def _exit_status(report: Report) -> int:
+    if report["status"] == "Cancelled":
+        return 130
+    return 1 if report["failed"] else 3 if report["not_clear"] else 0
 
 
 def _study(options: argparse.Namespace) -> int:
@@ -85,7 +91,7 @@ def _study(options: argparse.Namespace) -> int:
         progress=None if options.quiet else _show,
         run=context,
     )
-    text = json.dumps(report, indent=1) + "\n"
+    text = json_text(report)
     if options.report == "-":
         sys.stdout.write(text)
     elif options.report:
@@ -101,7 +107,7 @@ def _study(options: argparse.Namespace) -> int:
             print("look first at: " + _line(worst))
     if report["status"] != "Ok":
         print(f"swept: {report['message']}", file=sys.stderr)
-    return 128 + received[0] if received else exit_status(report)
+    return 128 + received[0] if received else _exit_status(report)
 
 
 def main(words: List[str]) -> int:

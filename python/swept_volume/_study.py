@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import math
 import os
@@ -21,7 +22,9 @@ from ._study_run import (
     REPORT_FILE,
     Report,
     file_hash,
+    json_text,
     output_names,
+    partial_folder,
     run_key,
     state_of,
 )
@@ -117,11 +120,9 @@ class _Folder:
         """Puts the folder that a run filled in the place of an older one."""
         folder = self.path / run.name
         if filled is None:
-            made = self.path / (PARTIAL + run.name)
-            made.mkdir()
-            (made / REPORT_FILE).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-            filled = str(made)
-        os.chmod(filled, 0o777 & ~_umask())  # it was made as a private one
+            filled = partial_folder(str(self.path))
+            text = json_text(report)
+            pathlib.Path(filled, REPORT_FILE).write_text(text, encoding="utf-8")
         if folder.exists():
             old = self.path / (PARTIAL + run.name + ".old")
             folder.rename(old)
@@ -136,25 +137,12 @@ class _Folder:
         os.replace(made, self.path / name)
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-class _Lines(List[str]):
-    """A file for csv.writer."""
-
-    def write(self, text: str) -> None:
-        self.append(text)
-
-
 def _table(rows: Sequence[Row]) -> str:
-    lines = _Lines()
+    lines = io.StringIO(newline="")
     writer = csv.writer(lines, lineterminator="\n")
     writer.writerow(COLUMNS)
     writer.writerows([row.get(key, "") for key in COLUMNS.values()] for row in rows)
-    return "".join(lines)
+    return lines.getvalue()
 
 
 def _summary(study: Study, rows: Sequence[Row]) -> Report:
@@ -248,15 +236,8 @@ def run_study(
         folder.remove_partial()
         found = _summary(study, rows)
         folder.write(TABLE, _table(rows))
-        folder.write(STUDY_REPORT, json.dumps(found, indent=1) + "\n")
+        folder.write(STUDY_REPORT, json_text(found))
     found["kept"] = kept
     found["seconds"] = {"total": round(time.monotonic() - began, 3)}
     logger.info("%s: %d runs, %d of them kept", study.name, len(rows), kept)
     return found
-
-
-def exit_status(report: Report) -> int:
-    """Of the program: 0 all done, 1 some failed, 3 some are not clear, 130 cancelled."""
-    if report["status"] == "Cancelled":
-        return 130
-    return 1 if report["failed"] else 3 if report["not_clear"] else 0

@@ -6,8 +6,8 @@ import hashlib
 import json
 import os
 import pathlib
-import tempfile
 import time
+import uuid
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 from . import _core
@@ -24,6 +24,18 @@ PAGE_FILE = "clearance.html"
 PARTIAL = ".partial-"  # begins the name of a folder that is being filled
 DONE, NOT_CLEAR, FAILED = "done", "not clear", "failed"
 _SUFFIXES = {"envelope": "ply", "solid": "step"}  # where the file does not choose
+
+
+def json_text(report: Mapping[str, Any]) -> str:
+    """As reports stand in files."""
+    return json.dumps(report, indent=1) + "\n"
+
+
+def partial_folder(output: str) -> str:
+    """A new folder below output, to be filled."""
+    folder = os.path.join(output, PARTIAL + uuid.uuid4().hex)
+    os.mkdir(folder)
+    return folder
 
 
 def file_hash(path: str) -> str:
@@ -177,7 +189,7 @@ def execute(
     and the folder. What fails is told by the report and never raised. locate: where a file of the run
     lies on this machine."""
     began = time.monotonic()
-    folder = tempfile.mkdtemp(prefix=PARTIAL, dir=output)
+    folder = partial_folder(output)
     report = failed(run, key, "Ok", "", "")
     try:
         stages = _Stages(run, locate or (lambda file: file), RunContext(threads=threads))
@@ -192,6 +204,5 @@ def execute(
         report.update(_failure(error))
     report["seconds"] = {"total": round(time.monotonic() - began, 3)}
     with open(os.path.join(folder, REPORT_FILE), "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=1)
-        file.write("\n")
+        file.write(json_text(report))
     return report, folder

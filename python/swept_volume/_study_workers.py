@@ -20,7 +20,7 @@ import time
 from typing import Any, Callable, Dict, Iterator, NamedTuple, Optional, Sequence, Tuple
 
 from ._study_file import Run
-from ._study_run import PARTIAL, REPORT_FILE, Report, execute, failed, output_names
+from ._study_run import REPORT_FILE, Report, execute, failed, output_names, partial_folder
 from ._values import bad_option
 
 _POLL = 0.1  # s between two looks whether the study was cancelled
@@ -199,7 +199,7 @@ def _same(data: bytes) -> bytes:
 
 def _received(task: Task, sent: Sent) -> Tuple[Report, str]:
     report, files = sent
-    folder = pathlib.Path(tempfile.mkdtemp(prefix=PARTIAL, dir=task.output))
+    folder = pathlib.Path(partial_folder(task.output))
     for name, data in files.items():
         (folder / name).write_bytes(data)
     return report, str(folder)
