@@ -32,47 +32,18 @@ void printEstimate(const SolidEstimate& estimate) {
               estimate.deviation);
 }
 
-int runEstimate(const SolidJob& job) {
+/// work(mesh, run) on the mesh of the job, watched; what is thrown is how it ended. outputs: beside
+/// the report.
+template <class Work>
+Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, const Work& work) {
   const CommonOptions& common = job.common;
   const std::vector<RoledFile> inputs{{"the mesh", job.meshPath}};
-  checkIdentity(inputs, {{"--report", common.report}}, common.noClobber);
-  checkAccess({}, {{"--report", common.report}});
+  const RoledFile reportFile{"--report", common.report};
+  std::vector<RoledFile> all = outputs;
+  all.push_back(reportFile);
+  checkIdentity(inputs, all, common.noClobber);
+  checkAccess({}, {reportFile});
   Report report;
-  std::optional<SolidEstimate> estimate;
-  RunContext run;
-  run.threads = static_cast<int>(common.threads);
-  try {
-    std::optional<TriMesh> mesh;
-    if (isStream(job.meshPath)) mesh = meshOf(job);
-    runWatched(run, common.quiet, [&] {
-      checkAccess(inputs, {});
-      if (!mesh) mesh = meshOf(job);
-      const std::string& kind = job.outputFormat;
-      const bool named = !job.outputPath.empty() && job.outputPath != "-";
-      const SolidFormat format = solidFormatOf(named ? job.outputPath : "solid." + kind);
-      estimate = trySolid(*mesh, job.options, format, run);
-    });
-  } catch (const Error& error) {
-    takeError(report, error.status(), error.code(), error.what());
-  }
-  Json json = reportHead("solid", report.status, report.code, report.message);
-  json["input"] = job.meshPath;
-  if (estimate) json["estimate"] = Json::parse(toJson(*estimate));
-  json["warnings"] = findingsJson(report.warnings);
-  writeReport(json, common.report);
-  if (estimate && common.report != "-") printEstimate(*estimate);
-  if (report.status != Status::Ok) printError(report.status, report.code, report.message);
-  return exitStatus(report.status);
-}
-
-int runSolid(const SolidJob& job) {
-  const CommonOptions& common = job.common;
-  const std::vector<RoledFile> inputs{{"the mesh", job.meshPath}};
-  const std::vector<RoledFile> outputs{{"--output", job.outputPath}};
-  checkIdentity(inputs, {outputs[0], {"--report", common.report}}, common.noClobber);
-  checkAccess({}, {{"--report", common.report}});
-  Report report;
-  StepReport solid;
   RunContext run;
   run.threads = static_cast<int>(common.threads);
   try {
@@ -81,24 +52,57 @@ int runSolid(const SolidJob& job) {
     runWatched(run, common.quiet, [&] {
       checkAccess(inputs, outputs);
       if (!mesh) mesh = meshOf(job);
-      const Output output(job.outputPath, job.outputFormat);
-      solid = writeSolid(*mesh, output.path(), job.options, run);
-      output.deliver();
+      report.warnings = work(*mesh, run);
     });
-    report.warnings = solid.warnings;
     takeStrict(report, common.strict);
   } catch (const Error& error) {
     takeError(report, error.status(), error.code(), error.what());
   }
-  const bool made = solid.fileBytes > 0;
+  return report;
+}
+
+/// found: the keys that stand beside input and warnings.
+void writeSolidReport(const SolidJob& job, const Report& report, const Json& found) {
   Json json = reportHead("solid", report.status, report.code, report.message);
   json["input"] = job.meshPath;
-  if (made) {
-    json["output"] = job.outputPath;
-    json["solid"] = Json::parse(toJson(solid));
-  }
+  json.update(found);
   json["warnings"] = findingsJson(report.warnings);
-  writeReport(json, common.report);
+  writeReport(json, job.common.report);
+}
+
+int runEstimate(const SolidJob& job) {
+  std::optional<SolidEstimate> estimate;
+  const Report report = runOnMesh(job, {}, [&](const TriMesh& mesh, RunContext& run) {
+    const bool named = !job.outputPath.empty() && job.outputPath != "-";
+    const SolidFormat format = solidFormatOf(named ? job.outputPath : "solid." + job.outputFormat);
+    estimate = trySolid(mesh, job.options, format, run);
+    return std::vector<Finding>();
+  });
+  Json found = Json::object();
+  if (estimate) found["estimate"] = Json::parse(toJson(*estimate));
+  writeSolidReport(job, report, found);
+  if (estimate && job.common.report != "-") printEstimate(*estimate);
+  if (report.status != Status::Ok) printError(report.status, report.code, report.message);
+  return exitStatus(report.status);
+}
+
+int runSolid(const SolidJob& job) {
+  const CommonOptions& common = job.common;
+  StepReport solid;
+  const Report report =
+      runOnMesh(job, {{"--output", job.outputPath}}, [&](const TriMesh& mesh, RunContext& run) {
+        const Output output(job.outputPath, job.outputFormat);
+        solid = writeSolid(mesh, output.path(), job.options, run);
+        output.deliver();
+        return solid.warnings;
+      });
+  const bool made = solid.fileBytes > 0;
+  Json found = Json::object();
+  if (made) {
+    found["output"] = job.outputPath;
+    found["solid"] = Json::parse(toJson(solid));
+  }
+  writeSolidReport(job, report, found);
   if (made && !common.quiet && common.report != "-" && job.outputPath != "-")
     printSolid(solid, job.outputPath);
   printFindings(report.warnings, common.quiet);
