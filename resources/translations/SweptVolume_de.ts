@@ -665,22 +665,6 @@ Versucht:
    <translation>Rahmenträger</translation>
   </message>
   <message>
-   <source>the file type "{0}" is unknown; use one of {1}.</source>
-   <translation>Der Dateityp „{0}“ ist unbekannt; möglich sind {1}.</translation>
-  </message>
-  <message>
-   <source>the folder "{0}" does not exist.</source>
-   <translation>Der Ordner „{0}“ existiert nicht.</translation>
-  </message>
-  <message>
-   <source>"{0}" is a folder.</source>
-   <translation>„{0}“ ist ein Ordner.</translation>
-  </message>
-  <message>
-   <source>"{0}" is write-protected.</source>
-   <translation>„{0}“ ist schreibgeschützt.</translation>
-  </message>
-  <message>
    <source>Not computed</source>
    <translation>Nicht berechnet</translation>
   </message>
@@ -1209,6 +1193,22 @@ Versucht:
   <message>
    <source>Cancelled: the document or an object is gone.</source>
    <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
+  </message>
+  <message>
+   <source>the file type "{0}" is unknown; use one of {1}.</source>
+   <translation>Der Dateityp „{0}“ ist unbekannt; möglich sind {1}.</translation>
+  </message>
+  <message>
+   <source>the folder "{0}" does not exist.</source>
+   <translation>Der Ordner „{0}“ existiert nicht.</translation>
+  </message>
+  <message>
+   <source>"{0}" is a folder.</source>
+   <translation>„{0}“ ist ein Ordner.</translation>
+  </message>
+  <message>
+   <source>"{0}" is write-protected.</source>
+   <translation>„{0}“ ist schreibgeschützt.</translation>
   </message>
   <message>
    <source>en</source>

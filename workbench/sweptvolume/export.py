@@ -6,31 +6,17 @@ Every writer writes beside the target, checks, then renames: an old file survive
 import errno
 import os
 
-from . import core
+from . import core, targets
 from .convert import InputProblem
 from .features import solid
-from .texts import translate
 
 SOLID_SUFFIXES = (".step", ".stp", ".brep", ".brp")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".3mf")
 
 
 def check_target(path):
-    """Says before any work whether the file can be written; raises InputProblem."""
-    folder = os.path.dirname(os.path.abspath(path))
-    suffix = os.path.splitext(path)[1].lower()
-    if suffix not in SOLID_SUFFIXES + MESH_SUFFIXES:
-        raise InputProblem(
-            translate("Messages", 'the file type "{0}" is unknown; use one of {1}.').format(
-                suffix, " ".join(SOLID_SUFFIXES + MESH_SUFFIXES)
-            )
-        )
-    if not os.path.isdir(folder):
-        raise InputProblem(translate("Messages", 'the folder "{0}" does not exist.').format(folder))
-    if os.path.isdir(path):
-        raise InputProblem(translate("Messages", '"{0}" is a folder.').format(path))
-    if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
-        raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
+    """As targets.check_target(), for the types of envelopes."""
+    targets.check_target(path, SOLID_SUFFIXES + MESH_SUFFIXES)
 
 
 def is_solid_file(path):

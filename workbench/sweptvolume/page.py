@@ -10,7 +10,7 @@ import time
 
 import numpy as np
 
-from . import core, settings
+from . import core, settings, targets
 from .convert import InputProblem, label_of
 from .core_texts import said
 from .features import check, clearance
@@ -26,17 +26,8 @@ def is_pdf(path):
 
 
 def check_target(path):
-    """Says before any work whether the file can be written. Raises InputProblem."""
-    folder, suffix = os.path.dirname(os.path.abspath(path)), os.path.splitext(path)[1].lower()
-    if suffix not in SUFFIXES:
-        text = translate("Messages", 'the file type "{0}" is unknown; use one of {1}.')
-        raise InputProblem(text.format(suffix, " ".join(SUFFIXES)))
-    if not os.path.isdir(folder):
-        raise InputProblem(translate("Messages", 'the folder "{0}" does not exist.').format(folder))
-    if os.path.isdir(path):
-        raise InputProblem(translate("Messages", '"{0}" is a folder.').format(path))
-    if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
-        raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
+    """As targets.check_target(), for the types of reports."""
+    targets.check_target(path, SUFFIXES)
 
 
 def date():

@@ -71,23 +71,23 @@ def read(obj):
                 "give them anew.",
             ).format(obj.Label, len(pairs), len(obj.RuleKinds), len(obj.RuleLengths))
         )
+    return checked(obj, zip(pairs, (convert.label_of(*pair) for pair in pairs)))
+
+
+def checked(obj, parts):
+    """{key: Rule} of the kinds and lengths of an object of ours; parts: (key, label) of each. Raises
+    InputProblem."""
     rules = {}
-    for pair, kind, length in zip(pairs, obj.RuleKinds, obj.RuleLengths):
+    for (part, label), kind, length in zip(parts, obj.RuleKinds, obj.RuleLengths):
         rule = Rule(kind, length)
-        label = convert.label_of(*pair)
         check(rule, label)
         if kind == CONTACT and not rule.length:
             rule.length = None
-        if pair in rules and rules[pair] != rule:
-            raise contradiction(label)
-        rules[pair] = rule
+        if part in rules and rules[part] != rule:
+            text = translate("Messages", 'two rules contradict each other for "{0}": keep one.')
+            raise InputProblem(text.format(label))
+        rules[part] = rule
     return rules
-
-
-def contradiction(label):
-    """What is to be said where two rules are given for the same."""
-    text = translate("Messages", 'two rules contradict each other for "{0}": keep one.')
-    return InputProblem(text.format(label))
 
 
 def write(obj, rules):

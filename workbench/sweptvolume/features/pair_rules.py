@@ -30,16 +30,8 @@ def read(obj):
                 "lengths): give them anew.",
             ).format(obj.Label, len(parts), len(obj.RuleKinds), len(obj.RuleLengths))
         )
-    rules = {}
-    for k, (kind, length) in enumerate(zip(obj.RuleKinds, obj.RuleLengths)):
-        pair, rule = key(parts[2 * k], parts[2 * k + 1]), Rule(kind, length)
-        neighbour_rules.check(rule, label_of(pair))
-        if kind == neighbour_rules.CONTACT and not rule.length:
-            rule.length = None
-        if pair in rules and rules[pair] != rule:
-            raise neighbour_rules.contradiction(label_of(pair))
-        rules[pair] = rule
-    return rules
+    pairs = [key(*two) for two in zip(parts[::2], parts[1::2])]
+    return neighbour_rules.checked(obj, zip(pairs, map(label_of, pairs)))
 
 
 def write(obj, rules):

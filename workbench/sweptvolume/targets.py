@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files that are going to be written: whether they can be."""
+import os
+
+from .body import InputProblem
+from .texts import translate
+
+
+def check_target(path, suffixes):
+    """Says before any work whether a file of one of these types can be written. Raises InputProblem."""
+    folder, suffix = os.path.dirname(os.path.abspath(path)), os.path.splitext(path)[1].lower()
+    if suffix not in suffixes:
+        text = translate("Messages", 'the file type "{0}" is unknown; use one of {1}.')
+        raise InputProblem(text.format(suffix, " ".join(suffixes)))
+    if not os.path.isdir(folder):
+        raise InputProblem(translate("Messages", 'the folder "{0}" does not exist.').format(folder))
+    if os.path.isdir(path):
+        raise InputProblem(translate("Messages", '"{0}" is a folder.').format(path))
+    if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
+        raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
