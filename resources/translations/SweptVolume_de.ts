@@ -1438,6 +1438,14 @@ Versucht:
    <translation>Regel: {0}</translation>
   </message>
   <message>
+   <source>Nothing touches at the first pose.</source>
+   <translation>In der ersten Lage berührt sich nichts.</translation>
+  </message>
+  <message>
+   <source>Contact allowed, where it is meant: {0}</source>
+   <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
+  </message>
+  <message>
    <source>No curve yet: check first.</source>
    <translation>Noch keine Kurve: zuerst prüfen.</translation>
   </message>
@@ -1502,16 +1510,8 @@ Versucht:
    <translation>Was die bewegten Teile in der ersten Lage der Bewegung berühren, darf jederzeit berührt werden</translation>
   </message>
   <message>
-   <source>Nothing touches at the first pose.</source>
-   <translation>In der ersten Lage berührt sich nichts.</translation>
-  </message>
-  <message>
    <source>Allow what &amp;touches at first</source>
    <translation>&amp;Berührung am Anfang erlauben</translation>
-  </message>
-  <message>
-   <source>Contact allowed, where it is meant: {0}</source>
-   <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
   </message>
   <message>
    <source>Neighbour</source>

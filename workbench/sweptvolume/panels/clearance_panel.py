@@ -3,7 +3,6 @@
 the document before a run has ended well."""
 import FreeCADGui as Gui
 
-from .. import quantities
 from ..convert import InputProblem, label_of
 from ..features import clearance, motion, neighbour_rules
 from ..features.base import objects_of_kind
@@ -11,8 +10,8 @@ from ..features.envelope import Envelope
 from ..features.envelope_plan import Plan as EnvelopePlan
 from ..texts import translate
 from . import focus, guard, selection, widgets
+from .check_run import CheckRun
 from .clearance_result import ResultPanel
-from .page_task import PageTask
 from .rules_table import RulesTable
 from .tasks import ClearanceTask, FirstContactsTask
 from .widgets import QtWidgets
@@ -20,8 +19,11 @@ from .widgets import QtWidgets
 DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05}
 
 
-class ClearancePanel(ResultPanel):
+class ClearancePanel(CheckRun, ResultPanel):
     """Makes a new check (obj None) or shows and repeats one."""
+
+    TASK = ClearanceTask
+    CONTACTS = FirstContactsTask
 
     def __init__(self, document, envelope=None, pairs=(), motion_obj=None, neighbours=(), obj=None):
         self.document = document
@@ -159,62 +161,13 @@ class ClearancePanel(ResultPanel):
 
     # --- run
 
-    def start(self):
-        if not self.begin(
-            lambda: ClearanceTask(self.document, self.plan(), self.obj),
-            self.ended,
-            lambda: self.plan().words(),
-            self.start,
-        ):
-            return False
-        self.check.setEnabled(False)
-        return True
+    def label_of(self, pair):
+        return label_of(*pair)
 
-    def allow_touching(self):
-        """Looks for what touches at the first pose, and allows it in the table."""
-        if self.begin(lambda: FirstContactsTask(self.plan()), self.ended):
-            self.check.setEnabled(False)
-            self.touching.setEnabled(False)
-
-    def _allow(self, found):
-        rules = self.asked.rules()
-        self.asked.show_pairs(self.asked.pairs, {**rules, **found})
-        if not found:
-            text = translate("Panels", "Nothing touches at the first pose.")
-        else:
-            text = translate("Panels", "Contact allowed, where it is meant: {0}").format(
-                ", ".join(
-                    "{} ({})".format(label_of(*pair), quantities.quantity(rule.length, 3))
-                    if rule.length
-                    else label_of(*pair)
-                    for pair, rule in found.items()
-                )
-            )
-        widgets.show_message(self.message, text)
-
-    def ended(self, run):
-        self.run = None
-        if not widgets.alive(self.document):
-            return
-        self.check.setEnabled(True)
-        self.touching.setEnabled(True)
-        if run.state == "ok" and isinstance(run.task, FirstContactsTask):
-            self.box.leave(self.asked)
-            self._allow(run.task.found)
-            return
-        if run.state == "ok" and isinstance(run.task, PageTask):
-            self.box.leave(self.table)
-            return
-        if run.state == "ok":
-            self.obj = run.task.obj
-            self.rules = run.task.plan.rules
-            Gui.Selection.clearSelection()  # its green would hide the colours
-            self.required_band.setProperty("rawValue", self.obj.Required.Value)
-            self.show_result()
-            self.box.leave(self.table)
-            return
-        self.box.leave(self.form)
-        widgets.show_failure(self.message, run)
+    def taken(self, plan):
+        self.rules = plan.rules
+        Gui.Selection.clearSelection()  # its green would hide the colours
+        self.required_band.setProperty("rawValue", self.obj.Required.Value)
 
 
 def show(document, **given):

@@ -4,11 +4,11 @@ But for the motions of a driver or a simulation, nothing is written to the docum
 well."""
 import FreeCADGui as Gui
 
-from .. import quantities
 from ..convert import InputProblem, label_of
 from ..features import mechanism, pair_rules
 from ..texts import translate
 from . import focus, guard, selection, widgets
+from .check_run import CheckRun
 from .mechanism_result import ResultPanel
 from .moving_box import MovingBox
 from .rules_table import RulesTable
@@ -20,8 +20,11 @@ DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05, "Range": 0.0
 MOST_PAIRS = 300
 
 
-class MechanismPanel(ResultPanel):
+class MechanismPanel(CheckRun, ResultPanel):
     """Makes a new check (obj None) or shows and repeats one."""
+
+    TASK = MechanismTask
+    CONTACTS = PairContactsTask
 
     def __init__(self, document, pairs=(), motions=(), obj=None):
         self.document, self.obj, self.run, self.report = document, obj, None, None
@@ -145,62 +148,13 @@ class MechanismPanel(ResultPanel):
 
     # --- run
 
-    def start(self):
-        if not self.begin(
-            lambda: MechanismTask(self.document, self.plan(), self.obj),
-            self.ended,
-            lambda: self.plan().words(),
-            self.start,
-        ):
-            return False
-        self._enable(False)
-        return True
+    def label_of(self, pair):
+        return pair_rules.label_of(pair)
 
-    def allow_touching(self):
-        """Looks for what touches when the common time begins, and allows it in the table."""
-        if self.begin(lambda: PairContactsTask(self.plan()), self.ended):
-            self._enable(False)
-
-    def _enable(self, on):
-        for button in (self.check, self.touching):
-            button.setEnabled(on)
-
-    def _allow(self, found):
-        rules = self.asked.rules()
-        listed = self.asked.pairs + [pair for pair in found if pair not in self.asked.pairs]
-        self.asked.show_pairs(listed, {**rules, **found})
-        if not found:
-            text = translate("Panels", "Nothing touches at the first pose.")
-        else:
-            told = [
-                "{} ({})".format(pair_rules.label_of(pair), quantities.quantity(rule.length, 3))
-                if rule.length
-                else pair_rules.label_of(pair)
-                for pair, rule in found.items()
-            ]
-            text = translate("Panels", "Contact allowed, where it is meant: {0}")
-            text = text.format(", ".join(told))
-        widgets.show_message(self.message, text)
-
-    def ended(self, run):
-        self.run = None
-        if not widgets.alive(self.document):
-            return
-        self._enable(True)
-        if run.state == "ok" and isinstance(run.task, PairContactsTask):
-            self.box.leave(self.asked)
-            self._allow(run.task.found)
-            return
-        if run.state == "ok":
-            self.obj = run.task.obj
-            self.rules = run.task.plan.pair_rules
-            Gui.Selection.clearSelection()
-            self.show_inputs()
-            self.show_result()
-            self.box.leave(self.table)
-            return
-        self.box.leave(self.form)
-        widgets.show_failure(self.message, run)
+    def taken(self, plan):
+        self.rules = plan.pair_rules
+        Gui.Selection.clearSelection()
+        self.show_inputs()
 
 
 def show(document, **given):

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The runs of a panel that checks distances: the check, and the look for what touches at first."""
+from .. import quantities
+from ..texts import translate
+from . import widgets
+
+
+class CheckRun:
+    """The panel has `check` and `touching` (its buttons), `asked` (its table of rules), plan(), and of what
+    it shows `table`, `form`, `box` and `message`. Subclasses name their tasks."""
+
+    TASK = None
+    CONTACTS = None
+
+    def label_of(self, pair):
+        """How people call what a rule is for."""
+        raise NotImplementedError
+
+    def taken(self, plan):
+        """A check of this plan has ended well."""
+        raise NotImplementedError
+
+    def start(self):
+        if not self.begin(
+            lambda: self.TASK(self.document, self.plan(), self.obj),
+            self.ended,
+            lambda: self.plan().words(),
+            self.start,
+        ):
+            return False
+        self._enable(False)
+        return True
+
+    def allow_touching(self):
+        """Looks for what touches at first, and allows it in the table."""
+        if self.begin(lambda: self.CONTACTS(self.plan()), self.ended):
+            self._enable(False)
+
+    def _enable(self, on):
+        for button in (self.check, self.touching):
+            button.setEnabled(on)
+
+    def _allow(self, found):
+        rules = self.asked.rules()
+        listed = self.asked.pairs + [pair for pair in found if pair not in self.asked.pairs]
+        self.asked.show_pairs(listed, {**rules, **found})
+        if not found:
+            text = translate("Panels", "Nothing touches at the first pose.")
+        else:
+            told = [
+                "{} ({})".format(self.label_of(pair), quantities.quantity(rule.length, 3))
+                if rule.length
+                else self.label_of(pair)
+                for pair, rule in found.items()
+            ]
+            text = translate("Panels", "Contact allowed, where it is meant: {0}")
+            text = text.format(", ".join(told))
+        widgets.show_message(self.message, text)
+
+    def ended(self, run):
+        self.run = None
+        if not widgets.alive(self.document):
+            return
+        self._enable(True)
+        if run.state != "ok":
+            self.box.leave(self.form)
+            widgets.show_failure(self.message, run)
+        elif isinstance(run.task, self.CONTACTS):
+            self.box.leave(self.asked)
+            self._allow(run.task.found)
+        else:
+            if isinstance(run.task, self.TASK):
+                self.obj = run.task.obj
+                self.taken(run.task.plan)
+                self.show_result()
+            self.box.leave(self.table)
