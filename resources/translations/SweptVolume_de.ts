@@ -2062,12 +2062,12 @@ Versucht:
    <translation>Nimmt das im Baum gewählte Teil</translation>
   </message>
   <message>
-   <source>Own motion</source>
-   <translation>Eigene Bewegung</translation>
-  </message>
-  <message>
    <source>as below</source>
    <translation>wie unten</translation>
+  </message>
+  <message>
+   <source>Own motion</source>
+   <translation>Eigene Bewegung</translation>
   </message>
   <message>
    <source>Its motion</source>

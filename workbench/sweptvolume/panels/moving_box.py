@@ -6,35 +6,21 @@ import FreeCADGui as Gui
 from .. import convert, runner
 from ..convert import InputProblem
 from ..features import joint_motions, motion
-from ..features.base import objects_of_kind
 from ..texts import translate
 from . import frames_run, guard, selection, widgets
-from .widgets import QtCore, QtWidgets
+from .motion_table import MotionTable
+from .widgets import QtWidgets
 
 
-class MovingBox(QtCore.QObject):
-    """`changed`: parts or motions are others now. message: the panel's label for problems."""
-
-    changed = QtCore.Signal()
+class MovingBox(MotionTable):
+    """message: the panel's label for problems."""
 
     def __init__(self, document, pairs, motions, layout, message):
-        super().__init__()
-        self.document, self.message = document, message
-        self.pairs = list(pairs)
-        self.motions = list(motions) + [None] * (len(self.pairs) - len(motions))
+        super().__init__(document, pairs, motions)
+        self.message = message
         rows = widgets.group(translate("Panels", "Moving parts"), layout)
-        self.table = QtWidgets.QTableWidget(0, 2)
-        self.table.setObjectName("SweptVolumeMovingParts")
-        self.table.setHorizontalHeaderLabels(
-            [translate("Panels", "Part"), translate("Panels", "Motion")]
-        )
-        self.table.setFixedHeight(150)
-        self.table.verticalHeader().hide()
-        self.table.setTabKeyNavigation(False)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
-        rows.addRow(self.table)
+        head = translate("Panels", "Motion")
+        rows.addRow(self.build_table("SweptVolumeMovingParts", head, 150))
         line = QtWidgets.QHBoxLayout()
         self.add = self._button(
             line,
@@ -125,49 +111,14 @@ class MovingBox(QtCore.QObject):
     def add_selected(self):
         chosen = selection.motions()
         for pair in selection.parts():
-            known = [m for m in self._known() if pair in motion.parts_of(m)]
+            known = [m for m in self.known() if pair in motion.parts_of(m)]
             self._take(pair, known[0] if known else None)
         self.take_motions(chosen)
         Gui.Selection.clearSelection()
 
-    def remove_chosen(self):
-        rows = {index.row() for index in self.table.selectedIndexes()}
-        kept = [k for k in range(len(self.pairs)) if k not in rows]
-        self.pairs = [self.pairs[k] for k in kept]
-        self.motions = [self.motions[k] for k in kept]
-        self.show_parts()
-        self.table.setFocus()  # the box that may have had the keyboard is gone
-
-    def _known(self):
-        return objects_of_kind(self.document, motion.Motion.KIND)
-
     def show_parts(self):
-        known = self._known()
-        names, texts = [m.Name for m in known], [m.Label for m in known]
-        before = self.table
-        self.table.setRowCount(len(self.pairs))
-        for row, pair in enumerate(self.pairs):
-            item = QtWidgets.QTableWidgetItem(convert.label_of(*pair))
-            item.setToolTip(item.text())
-            self.table.setItem(row, 0, item)
-            now = self.motions[row]
-            now = now.Name if motion.is_motion(now) else ""
-            box = widgets.choice([""] + names, now, [translate("Panels", "(choose)")] + texts)
-            box.setFrame(False)
-            box.setObjectName("SweptVolumeMotionOf{}".format(row + 1))
-            box.currentIndexChanged.connect(lambda i, row=row, box=box: self._chose(row, box))
-            self.table.setCellWidget(row, 1, box)
-            QtWidgets.QWidget.setTabOrder(before, box)  # else they come last of the whole window
-            before = box
-        QtWidgets.QWidget.setTabOrder(before, self.add)
-        if len(self.pairs) <= 200:  # each row is measured
-            self.table.resizeRowsToContents()
-        self.changed.emit()
-
-    def _chose(self, row, box):
-        name = box.currentData()
-        self.motions[row] = self.document.getObject(name) if name else None
-        self.changed.emit()
+        texts = [convert.label_of(*pair) for pair in self.pairs]
+        self.fill(texts, "SweptVolumeMotionOf", translate("Panels", "(choose)"))
 
 
 def _text_of(settings):

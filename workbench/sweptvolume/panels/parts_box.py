@@ -1,47 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Moving parts of an envelope, each with its motion, and the part from which they are seen."""
 import FreeCADGui as Gui
-from PySide import QtCore
 
 from .. import convert
-from ..features import motion
-from ..features.base import objects_of_kind
 from ..texts import translate
 from . import selection, widgets
+from .motion_table import MotionTable
 from .widgets import QtWidgets
 
 
-class PartsBox(QtCore.QObject):
-    """`changed`: parts, motions or reference are others now."""
-
-    changed = QtCore.Signal()
+class PartsBox(MotionTable):
+    """`changed`: parts, motions or reference are others now. Of `motions`, None: the common one."""
 
     def __init__(self, document, plan, layout, chosen=False):
         """chosen: the plan is that of an object; what is missing there is not filled in silently."""
-        super().__init__()
+        own = [None if m is plan.motion else m for m in plan.motions]
+        super().__init__(document, plan.pairs, own)
         self.chosen = chosen
-        self.document, self.pairs = document, list(plan.pairs)
-        self.own = [None if m is plan.motion else m for m in plan.motions]
-        self.own += [None] * (len(self.pairs) - len(self.own))
         self.reference = plan.reference
-        self.known = objects_of_kind(document, motion.Motion.KIND)
         self._build_parts(plan, layout)
         self._build_reference(plan, layout)
-        self._show_parts()
+        self.show_parts()
 
     def _build_parts(self, plan, layout):
         rows = widgets.group(translate("Panels", "Moving parts"), layout)
-        self.table = QtWidgets.QTableWidget(0, 2)
-        self.table.setObjectName("SweptVolumeParts")
-        self.table.setHorizontalHeaderLabels(
-            [translate("Panels", "Part"), translate("Panels", "Own motion")]
-        )
-        self.table.setFixedHeight(96)
-        self.table.verticalHeader().hide()
-        self.table.setTabKeyNavigation(False)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        rows.addRow(self.build_table("SweptVolumeParts", translate("Panels", "Own motion"), 96))
         self.add = QtWidgets.QPushButton(translate("Panels", "&Add selected"))
         self.remove = QtWidgets.QPushButton(translate("Panels", "&Remove"))
         self.add.setObjectName("SweptVolumeAddParts")
@@ -52,23 +35,20 @@ class PartsBox(QtCore.QObject):
         buttons = QtWidgets.QHBoxLayout()
         buttons.addWidget(self.add)
         buttons.addWidget(self.remove)
-        rows.addRow(self.table)
         rows.addRow(buttons)
-        self.motions = self._motion_box(plan.motion, None)
-        self.motions.setObjectName("SweptVolumeMotion")
-        rows.addRow(translate("Panels", "Motion"), self.motions)
+        self.common = self._motion_box(plan.motion)
+        self.common.setObjectName("SweptVolumeMotion")
+        rows.addRow(translate("Panels", "Motion"), self.common)
         self.add.clicked.connect(lambda *ignored: self.add_selected())
         self.remove.clicked.connect(lambda *ignored: self.remove_chosen())
-        self.motions.currentIndexChanged.connect(lambda *ignored: self.changed.emit())
+        self.common.currentIndexChanged.connect(lambda *ignored: self.changed.emit())
 
-    def _motion_box(self, now, empty):
-        """Combo box of the document's motions; `empty`: text of an entry for none."""
-        names = [o.Name for o in self.known]
-        texts = [o.Label for o in self.known]
-        if empty is not None:
-            names, texts = [""] + names, [empty] + texts
+    def _motion_box(self, now):
+        """Combo box of the document's motions."""
+        known = self.known()
+        names, texts = [o.Name for o in known], [o.Label for o in known]
         box = widgets.choice(names, now.Name if now is not None else "", texts)
-        if now is None and empty is None and self.chosen:
+        if now is None and self.chosen:
             box.setCurrentIndex(-1)
         return box
 
@@ -88,7 +68,7 @@ class PartsBox(QtCore.QObject):
         self.take = QtWidgets.QPushButton()
         self.take.setObjectName("SweptVolumeTakeReference")
         widgets.hint(self.take, translate("Panels", "Takes the part that is selected in the tree"))
-        self.reference_motions = self._motion_box(plan.reference_motion, None)
+        self.reference_motions = self._motion_box(plan.reference_motion)
         self.reference_motions.setObjectName("SweptVolumeReferenceMotion")
         self.rows = [
             (QtWidgets.QLabel(translate("Panels", "Part")), self.take),
@@ -117,59 +97,34 @@ class PartsBox(QtCore.QObject):
             self.reference = found[0]
             self._show_reference()
 
-    def _show_parts(self):
-        before = self.table
-        self.table.setRowCount(len(self.pairs))
-        for row, (root, sub) in enumerate(self.pairs):
+    def show_parts(self):
+        texts = []
+        for root, sub in self.pairs:
             text = convert.label_of(root, sub)
             if sub.count(".") >= 1:
                 text += "  ({})".format(root.Label)
-            item = QtWidgets.QTableWidgetItem(text)
-            item.setToolTip(text)
-            self.table.setItem(row, 0, item)
-            box = self._motion_box(self.own[row], translate("Panels", "as below"))
-            box.setFrame(False)
-            box.setObjectName("SweptVolumeOwnMotion{}".format(row + 1))
-            box.currentIndexChanged.connect(lambda i, row=row, box=box: self._chose(row, box))
-            self.table.setCellWidget(row, 1, box)
-            QtWidgets.QWidget.setTabOrder(before, box)  # else they come last of the whole window
-            before = box
-        QtWidgets.QWidget.setTabOrder(before, self.add)
-        self.table.resizeRowsToContents()
-        self.changed.emit()
-
-    def _chose(self, row, box):
-        name = box.currentData()
-        self.own[row] = self.document.getObject(name) if name else None
-        self.changed.emit()
+            texts.append(text)
+        self.fill(texts, "SweptVolumeOwnMotion", translate("Panels", "as below"))
 
     def add_selected(self):
         for pair in selection.parts():
             if pair not in self.pairs:
                 self.pairs.append(pair)
-                self.own.append(None)
+                self.motions.append(None)
         Gui.Selection.clearSelection()
-        self._show_parts()
-
-    def remove_chosen(self):
-        rows = {index.row() for index in self.table.selectedIndexes()}
-        kept = [k for k in range(len(self.pairs)) if k not in rows]
-        self.pairs = [self.pairs[k] for k in kept]
-        self.own = [self.own[k] for k in kept]
-        self._show_parts()
-        self.table.setFocus()  # the box that may have had the keyboard is gone
+        self.show_parts()
 
     # --- what is chosen
 
     def motion(self):
-        name = self.motions.currentData()
+        name = self.common.currentData()
         return self.document.getObject(name) if name else None
 
     def own_motions(self):
         """One motion for each part, or none at all."""
-        if not any(self.own):
+        if not any(self.motions):
             return []
-        return [own or self.motion() for own in self.own]
+        return [own or self.motion() for own in self.motions]
 
     def seen_from(self):
         """(reference, its motion); both None where the box is off."""

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A table of moving parts, each with a box to choose its motion."""
+from PySide import QtCore
+
+from ..features import motion
+from ..features.base import objects_of_kind
+from ..texts import translate
+from . import widgets
+from .widgets import QtWidgets
+
+#: More rows than this are not measured one by one.
+MOST_MEASURED = 200
+
+
+class MotionTable(QtCore.QObject):
+    """Base of the boxes around such a table. `changed`: parts or motions are others now. pairs: (root, sub)
+    of the parts; motions: the motion of each, or None. `add` is the button behind the table."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, document, pairs, motions):
+        super().__init__()
+        self.document, self.pairs = document, list(pairs)
+        self.motions = list(motions) + [None] * (len(self.pairs) - len(motions))
+
+    def build_table(self, name, head, height):
+        """head: above the motions."""
+        self.table = QtWidgets.QTableWidget(0, 2)
+        self.table.setObjectName(name)
+        self.table.setHorizontalHeaderLabels([translate("Panels", "Part"), head])
+        self.table.setFixedHeight(height)
+        self.table.verticalHeader().hide()
+        self.table.setTabKeyNavigation(False)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        return self.table
+
+    def known(self):
+        """The motions of the document."""
+        return objects_of_kind(self.document, motion.Motion.KIND)
+
+    def fill(self, texts, name, empty):
+        """texts: of the parts; name: of the boxes, with a number; empty: what stands for no motion."""
+        known = self.known()
+        names, labels = [""] + [m.Name for m in known], [empty] + [m.Label for m in known]
+        before = self.table
+        self.table.setRowCount(len(self.pairs))
+        for row, text in enumerate(texts):
+            item = QtWidgets.QTableWidgetItem(text)
+            item.setToolTip(text)
+            self.table.setItem(row, 0, item)
+            now = self.motions[row]
+            box = widgets.choice(names, now.Name if motion.is_motion(now) else "", labels)
+            box.setFrame(False)
+            box.setObjectName("{}{}".format(name, row + 1))
+            box.currentIndexChanged.connect(lambda i, row=row, box=box: self._chose(row, box))
+            self.table.setCellWidget(row, 1, box)
+            QtWidgets.QWidget.setTabOrder(before, box)  # else they come last of the whole window
+            before = box
+        QtWidgets.QWidget.setTabOrder(before, self.add)
+        if len(self.pairs) <= MOST_MEASURED:
+            self.table.resizeRowsToContents()
+        self.changed.emit()
+
+    def show_parts(self):
+        """Fills the table."""
+        raise NotImplementedError
+
+    def remove_chosen(self):
+        rows = {index.row() for index in self.table.selectedIndexes()}
+        kept = [k for k in range(len(self.pairs)) if k not in rows]
+        self.pairs = [self.pairs[k] for k in kept]
+        self.motions = [self.motions[k] for k in kept]
+        self.show_parts()
+        self.table.setFocus()  # the box that may have had the keyboard is gone
+
+    def _chose(self, row, box):
+        name = box.currentData()
+        self.motions[row] = self.document.getObject(name) if name else None
+        self.changed.emit()
