@@ -35,6 +35,13 @@ struct Quadric {
     weight += o.weight;
     return *this;
   }
+  Quadric& operator-=(const Quadric& o) {
+    for (int i = 0; i < 6; ++i) a[i] -= o.a[i];
+    b -= o.b;
+    c -= o.c;
+    weight -= o.weight;
+    return *this;
+  }
   Eigen::Matrix3d matrix() const {
     Eigen::Matrix3d m;
     m << a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5];

@@ -123,6 +123,14 @@ class Slabs {
   std::vector<std::int32_t> partOf_;
 };
 
+std::vector<std::int32_t> trianglesLeft(const CollapseState& state) {
+  std::vector<std::int32_t> left;
+  for (std::size_t t = 0; t < state.dead.size(); ++t) {
+    if (!state.dead[t]) left.push_back(static_cast<std::int32_t>(t));
+  }
+  return left;
+}
+
 }  // namespace
 
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched) {
@@ -150,14 +158,18 @@ void watchLongEdges(CollapseState& state, const std::vector<char>& watched) {
   }
 }
 
-void collapseEdges(CollapseState& state, bool quick, RunContext& run) {
+void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLog* log) {
   prepare(state);
   std::vector<std::int32_t> done(state.mesh.vertices.size(), -1);
   if (state.mesh.triangles.size() > kWorthSlabs) {
     for (const bool shifted : {false, true}) {
       const Slabs slabs(state, shifted);
       const std::vector<WorkPart> parts = slabs.parts(shifted ? &done : nullptr);
-      parallelFor(parts.size(), [&](std::size_t p) { Collapser(state, parts[p], run).work(); });
+      std::vector<CollapseLog> logs(parts.size());
+      parallelFor(parts.size(), [&](std::size_t p) {
+        Collapser(state, parts[p], run, log != nullptr ? &logs[p] : nullptr).work();
+      });
+      for (std::size_t p = 0; log != nullptr && p < logs.size(); ++p) log->append(logs[p]);
       for (std::size_t v = 0; v < done.size(); ++v) done[v] = std::max(done[v], slabs.partOf()[v]);
     }
   }
@@ -166,10 +178,22 @@ void collapseEdges(CollapseState& state, bool quick, RunContext& run) {
   for (std::size_t v = 0; v < done.size(); ++v) {
     if (!state.gone[v] && done[v] < 0) all.vertices.push_back(static_cast<std::int32_t>(v));
   }
-  for (std::size_t t = 0; t < state.dead.size(); ++t) {
-    if (!state.dead[t]) all.triangles.push_back(static_cast<std::int32_t>(t));
+  all.triangles = trianglesLeft(state);
+  Collapser(state, all, run, log).work();
+}
+
+void collapseAgain(CollapseState& state, const std::vector<std::int32_t>& triangles,
+                   RunContext& run, CollapseLog& log) {
+  WorkPart all;
+  for (const std::int32_t t : triangles) {
+    if (state.dead[t]) continue;
+    const auto& tri = state.mesh.triangles[t];
+    all.vertices.insert(all.vertices.end(), tri.begin(), tri.end());
   }
-  Collapser(state, all, run).work();
+  std::sort(all.vertices.begin(), all.vertices.end());
+  all.vertices.erase(std::unique(all.vertices.begin(), all.vertices.end()), all.vertices.end());
+  all.triangles = trianglesLeft(state);
+  Collapser(state, all, run, &log).work();
 }
 
 TriMesh takeMesh(const CollapseState& state, std::vector<std::int32_t>* triangles) {

@@ -25,6 +25,8 @@
 
 namespace swept {
 
+class CollapseLog;
+
 /// What the triangles of one label lie on.
 class LabelSurface {
  public:
@@ -52,7 +54,7 @@ struct CollapseState {
   std::vector<char> careful;
   /// Points on other new triangles are so many tolerances apart. At twelve, the mean edge of what
   /// thinning leaves of fandisk over 16 keys, new triangles strayed by 1.4 tolerances.
-  double coarseness = 1.5;
+  double coarseness = 3;
   /// By vertex: a triangle of the original near it; -1, or an empty list: not known.
   std::vector<std::int32_t> nearby;
 
@@ -69,8 +71,12 @@ struct CollapseState {
 /// the inside of a long triangle would be free. `watched`: by triangle, those that have theirs.
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched);
 
-/// `quick`: only what can be done in slabs.
-void collapseEdges(CollapseState& state, bool quick, RunContext& run);
+/// `quick`: only what can be done in slabs. `log` receives every step; null: none is kept.
+void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLog* log = nullptr);
+
+/// Goes on at the corners of these triangles of a state in which edges were collapsed.
+void collapseAgain(CollapseState& state, const std::vector<std::int32_t>& triangles,
+                   RunContext& run, CollapseLog& log);
 
 /// What is left, without labels; `triangles` receives the number of each triangle in the state.
 TriMesh takeMesh(const CollapseState& state, std::vector<std::int32_t>* triangles = nullptr);

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearFraction = 0.05;  // of the squared tolerance: near enough to look no further
+constexpr double kNearFraction = 0.25;  // of the squared tolerance: near enough to look no further
 constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
 constexpr double kMinCosine = 0.2;     // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;     // height / longest side of a new triangle
@@ -190,6 +190,7 @@ bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& 
       return false;
     moveCorners(from, to, place);
   }
+  if (log_ != nullptr) log_->add(from, to, before, staying_, was_, dying_);
   apply(from, to);
   return true;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "simplify/collapse.h"
+#include "simplify/collapse_log.h"
 #include "simplify/moving_boxes.h"
 
 namespace swept {
@@ -25,8 +26,9 @@ struct WorkPart {
 
 class Collapser {
  public:
-  Collapser(CollapseState& state, const WorkPart& part, RunContext& run)
-      : state_(state), part_(part), run_(run), boxes_(state.mesh, part.triangles) {}
+  /// log: receives every step; null: none is kept.
+  Collapser(CollapseState& state, const WorkPart& part, RunContext& run, CollapseLog* log)
+      : state_(state), part_(part), run_(run), log_(log), boxes_(state.mesh, part.triangles) {}
   /// Takes the edges at the part's vertices and goes on until none is left that may collapse.
   void work();
 
@@ -74,6 +76,7 @@ class Collapser {
   CollapseState& state_;
   const WorkPart& part_;
   RunContext& run_;
+  CollapseLog* log_;
   MovingBoxes boxes_;
   std::priority_queue<Entry> queue_;
   // Kept between calls for their memory.

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "geometry/spread_points.h"
+#include "geometry/triangle_distance.h"
 
 namespace swept {
 namespace {
@@ -16,8 +17,7 @@ using Eigen::Vector3d;
 // What a block of the work has found.
 struct Found {
   double largest = 0;  // squared
-  std::vector<Vector3d> missed;
-  std::vector<std::int32_t> strays;
+  std::vector<FarPlace> missed, strays;
 };
 
 class Measurement {
@@ -54,6 +54,10 @@ class Measurement {
       all_.strays.insert(all_.strays.end(), own.strays.begin(), own.strays.end());
     }
   }
+  static Vector3d footOf(const TriMesh& mesh, std::int32_t t, const Vector3d& p) {
+    const auto& c = mesh.triangles[t];
+    return footOnTriangle(p, mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]).point;
+  }
   double enough(const Found& found) const { return std::min(found.largest, limit_); }
 
   void forward() {
@@ -62,22 +66,30 @@ class Measurement {
       if (nearest.isNear(p, enough(found), hint)) return;
       const double d = nearest.query(p, 1e300, enough(found), hint);
       found.largest = std::max(found.largest, d);
-      if (d > limit_) found.missed.push_back(p);
+      if (d > limit_) found.missed.push_back({p, footOf(result_, hint, p), hint});
     };
     std::vector<std::int32_t> home(original_.vertices.size());
     forAll(home.size(), 2048, [&](std::size_t v, Found& found, std::int32_t& hint) {
       see(original_.vertices[v], found, hint);
       home[v] = hint;
     });
-    // Where the corners lie near the same triangle, all between them does.
+    // Where the corners lie near one triangle, all between them does: it is convex.
     constexpr std::array<std::array<double, 2>, 7> kInner = {
         {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
     forAll(original_.triangles.size(), 2048, [&](std::size_t t, Found& found, std::int32_t& hint) {
       const auto& tri = original_.triangles[t];
       if (home[tri[0]] == home[tri[1]] && home[tri[0]] == home[tri[2]]) return;
-      hint = home[tri[0]];
       const Vector3d &a = original_.vertices[tri[0]], &b = original_.vertices[tri[1]],
                      &c = original_.vertices[tri[2]];
+      for (const std::int32_t v : tri) {
+        const auto isNear = [&](const Vector3d& p) {
+          const auto& h = result_.triangles[home[v]];
+          return squaredDistance(p, result_.vertices[h[0]], result_.vertices[h[1]],
+                                 result_.vertices[h[2]]) <= enough(found);
+        };
+        if (isNear(a) && isNear(b) && isNear(c)) return;
+      }
+      hint = home[tri[0]];
       for (const auto& [u, w] : kInner) see(a + u * (b - a) + w * (c - a), found, hint);
     });
   }
@@ -85,17 +97,21 @@ class Measurement {
   void backward() {
     forAll(result_.triangles.size(), 64, [&](std::size_t t, Found& found, std::int32_t& hint) {
       const auto& c = result_.triangles[t];
-      bool strays = false;
+      FarPlace stray;
+      double farthest = limit_;
       const auto see = [&](const Vector3d& p) {
         if (nearOriginal_.isNear(p, enough(found), hint)) return false;
         const double d = nearOriginal_.query(p, 1e300, enough(found), hint);
         found.largest = std::max(found.largest, d);
-        strays = strays || d > limit_;
+        if (d > farthest) {
+          farthest = d;
+          stray = {footOf(original_, hint, p), p, static_cast<std::int32_t>(t)};
+        }
         return false;
       };
       spreadPoints(result_.vertices[c[0]], result_.vertices[c[1]], result_.vertices[c[2]], spacing_,
                    see);
-      if (strays) found.strays.push_back(static_cast<std::int32_t>(t));
+      if (stray.triangle >= 0) found.strays.push_back(stray);
     });
   }
 

@@ -14,10 +14,16 @@
 
 namespace swept {
 
+/// Where the surfaces lie farther apart than the tolerance.
+struct FarPlace {
+  Eigen::Vector3d onOriginal, onResult;  ///< one is nearest to the other
+  std::int32_t triangle = -1;            ///< of the result
+};
+
 struct Deviation {
-  double largest = 0;                   ///< mm, of both directions
-  std::vector<Eigen::Vector3d> missed;  ///< points of the original farther than `tolerance`
-  std::vector<std::int32_t> strays;     ///< triangles of the result with such points, rising
+  double largest = 0;            ///< mm, of both directions
+  std::vector<FarPlace> missed;  ///< points of the original
+  std::vector<FarPlace> strays;  ///< the farthest points of triangles of the result, these rising
 };
 
 /// `spacing`: mm, of the net. `nearOriginal` walks.

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "geometry/self_intersections.h"
 #include "simplify/collapse.h"
+#include "simplify/collapse_log.h"
 #include "simplify/deviation.h"
 #include "simplify/feature_edges.h"
 #include "simplify/simplified_sources.h"
@@ -16,30 +18,48 @@ namespace {
 using Eigen::Vector3d;
 
 /// Of the tolerance, for thinning; the rest is left to the edge collapse.
-constexpr double kThinFraction = 0.15;
+constexpr double kThinFraction = 0.3;
 constexpr double kFirstLevel = 0.025;  ///< cells
 /// Of what is left of the tolerance: limit of the collapse, which looks at points; between them the
 /// surface may lie farther.
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< of the tolerance, where the measured deviation failed
-constexpr int kRounds = 4;
+constexpr int kRounds = 4;              ///< of improving
+constexpr int kFirstDepth = 2;  ///< steps that are taken back at a place; twice as many each round
 constexpr double kLeastFraction = 0.1;  ///< of the tolerance, before nothing is simplified at all
 
-// Where triangles stray from the original, those that are made in the next round are looked at more
-// closely.
-void markCareful(const TriMesh& small, const std::vector<std::int32_t>& strays, double reach,
-                 const std::vector<Vector3d>& vertices, std::vector<char>& careful) {
-  const Vector3d around = Vector3d::Constant(reach);
-  const BoxTree boxes(strays.size(), [&](std::size_t i) {
-    BoxTree::Bounds box;
-    for (const std::int32_t v : small.triangles[strays[i]]) {
-      box.extend(small.vertices[v] - around);
-      box.extend(small.vertices[v] + around);
+// Points of the original that were missed are kept near from now on: the nearest of the triangles
+// that have changed has them.
+void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed,
+                  const std::vector<FarPlace>& missed) {
+  for (const FarPlace& place : missed) {
+    double best = 1e300;
+    std::int32_t home = -1;
+    for (const std::int32_t t : changed) {
+      if (state.dead[t]) continue;
+      const auto& c = state.mesh.triangles[t];
+      const std::vector<Vector3d>& at = state.mesh.vertices;
+      const double d = squaredDistance(place.onOriginal, at[c[0]], at[c[1]], at[c[2]]);
+      if (d >= best) continue;
+      best = d;
+      home = t;
     }
-    return box;
-  });
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    boxes.forBox(vertices[v], vertices[v], [&](std::uint32_t) { careful[v] = 1; });
+    if (home >= 0) state.attached[home].push_back(place.onOriginal);
+  }
+}
+
+// Steps at wrong places are taken back and others looked for, with a closer look. False: there are
+// none to take back.
+bool improve(CollapseState& state, CollapseLog& log, const std::vector<std::int32_t>& wrong,
+             const std::vector<FarPlace>& missed, int depth, RunContext& run) {
+  const std::vector<std::int32_t> changed = log.takeBack(state, wrong, depth);
+  if (changed.empty()) return false;
+  attachMissed(state, changed, missed);
+  for (const std::int32_t t : changed) {
+    for (const std::int32_t v : state.mesh.triangles[t]) state.careful[v] = 1;
+  }
+  collapseAgain(state, changed, run, log);
+  return true;
 }
 
 }  // namespace
@@ -118,44 +138,55 @@ void Simplifier::addContactTime(const Level& level, Simplified& out) const {
 
 std::optional<Simplified> Simplifier::cutFrom(const Level& level, double tolerance,
                                               RunContext& run) const {
-  Simplified out;
-  double within = kPointFraction * (tolerance - level.limit / 2);
-  std::vector<std::pair<std::int32_t, Vector3d>> missed;  // by triangle of the level
-  std::vector<char> careful(level.mesh.vertices.size(), 0);
-  for (int round = 0; round < kRounds; ++round) {
-    if (round > 1) within *= kLessEachRound;
-    CollapseState state;
-    state.tolerance = within;
-    state.original = level.nearest.get();
-    state.mesh = level.mesh;
-    state.label.assign(level.mesh.triangles.size(), -1);
-    watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
-    for (const auto& [triangle, p] : missed) state.attached[triangle].push_back(p);
-    state.careful = careful;
-    state.nearby.resize(level.mesh.vertices.size());
-    for (std::size_t h = 0; h < 3 * level.mesh.triangles.size(); ++h)
-      state.nearby[level.mesh.triangles[h / 3][h % 3]] = static_cast<std::int32_t>(h / 3);
-    collapseEdges(state, false, run);
-    TriMesh small = takeMesh(state);
+  CollapseState state = startFrom(level);
+  state.tolerance = kPointFraction * (tolerance - level.limit / 2);
+  watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
+  CollapseLog log;
+  collapseEdges(state, false, run, &log);
+  std::int64_t metBefore = 0;
+  for (int round = 0;; ++round) {
+    std::vector<std::int32_t> number;
+    TriMesh small = takeMesh(state, &number);
     run.checkpoint(Phase::Simplify, 3, 4);
     const Deviation deviation = measureDeviation(mesh_, nearest(), small, cell_, tolerance);
-    if (deviation.largest <= tolerance) {
-      out.deviation = deviation.largest;
-      out.mesh = std::move(small);
-      addContactTime(level, out);
-      out.featureEdges = findFeatureEdges(out.mesh);
-      if (sources_.rows)
-        out.sources = sourcesOfSimplified(mesh_, nearest(), sources_, out.mesh, cell_);
-      return out;
+    std::vector<std::int32_t> wrong;
+    for (const auto* places : {&deviation.missed, &deviation.strays}) {
+      for (const FarPlace& place : *places) wrong.push_back(number[place.triangle]);
     }
-    for (const Vector3d& p : deviation.missed) {
-      std::int32_t near = -1;
-      level.nearest->query(p, 1e300, 0, near);
-      missed.emplace_back(near, p);
+    if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
+    // What was taken back may meet what has moved since.
+    const SelfIntersections met = findSelfIntersections(small, {}, run);
+    if (round == 0) metBefore = met.count;
+    if (met.count > metBefore) {
+      for (const auto& [a, b] : met.pairs) wrong.insert(wrong.end(), {number[a], number[b]});
     }
-    markCareful(small, deviation.strays, tolerance, level.mesh.vertices, careful);
+    if (wrong.empty()) return finished(std::move(small), deviation.largest, level);
+    if (round == kRounds ||
+        !improve(state, log, wrong, deviation.missed, kFirstDepth << round, run))
+      return std::nullopt;
+    state.tolerance *= kLessEachRound;
   }
-  return std::nullopt;
+}
+
+CollapseState Simplifier::startFrom(const Level& level) {
+  CollapseState state;
+  state.original = level.nearest.get();
+  state.mesh = level.mesh;
+  state.label.assign(level.mesh.triangles.size(), -1);
+  state.nearby.resize(level.mesh.vertices.size());
+  for (std::size_t h = 0; h < 3 * level.mesh.triangles.size(); ++h)
+    state.nearby[level.mesh.triangles[h / 3][h % 3]] = static_cast<std::int32_t>(h / 3);
+  return state;
+}
+
+Simplified Simplifier::finished(TriMesh mesh, double deviation, const Level& level) const {
+  Simplified out;
+  out.deviation = deviation;
+  out.mesh = std::move(mesh);
+  addContactTime(level, out);
+  out.featureEdges = findFeatureEdges(out.mesh);
+  if (sources_.rows) out.sources = sourcesOfSimplified(mesh_, nearest(), sources_, out.mesh, cell_);
+  return out;
 }
 
 std::vector<std::array<std::int32_t, 2>> Simplifier::featureEdges() const {

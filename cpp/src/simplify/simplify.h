@@ -27,6 +27,8 @@
 
 namespace swept {
 
+struct CollapseState;
+
 struct Simplified {
   TriMesh mesh;
   std::vector<double> contactTime;
@@ -62,6 +64,8 @@ class Simplifier {
   const Level* levelWithin(double limit, RunContext& run) const;
   const NearestTriangle& nearest() const;
   void addContactTime(const Level& level, Simplified& out) const;
+  static CollapseState startFrom(const Level& level);
+  Simplified finished(TriMesh mesh, double deviation, const Level& level) const;
   /// Nothing where the measured deviation stays above the tolerance.
   std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run) const;
 

@@ -13,6 +13,8 @@
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/quadric.h"
+#include "simplify/collapse.h"
+#include "simplify/collapse_log.h"
 #include "simplify/deviation.h"
 #include "simplify/moving_boxes.h"
 #include "simplify/thin.h"
@@ -217,6 +219,87 @@ TEST(Thin, TrianglesAmongKeptVerticesStay) {
   EXPECT_LT(thin.mesh.triangles.size(), torus.triangles.size() * 3 / 4);
 }
 
+/// A state to collapse edges of, with points that stay near.
+CollapseState startOf(const TriMesh& mesh, const NearestTriangle& nearest, double tolerance) {
+  CollapseState state;
+  state.mesh = mesh;
+  state.tolerance = tolerance;
+  state.original = &nearest;
+  state.label.assign(mesh.triangles.size(), -1);
+  watchLongEdges(state, std::vector<char>(mesh.triangles.size(), 0));
+  return state;
+}
+
+std::size_t pointsOf(const CollapseState& state) {
+  std::size_t points = 0;
+  for (const auto& list : state.attached) points += list.size();
+  return points;
+}
+
+TEST(CollapseLog, TakesEverythingBack) {
+  const TriMesh torus = makeTorus(6, 2, 120, 60);
+  const NearestTriangle nearest(torus.vertices, torus.triangles, NearestTriangle::Walks::Yes);
+  CollapseState state = startOf(torus, nearest, 0.1);
+  const std::size_t points = pointsOf(state);
+  CollapseLog log;
+  RunContext run;
+  collapseEdges(state, false, run, &log);
+  ASSERT_LT(takeMesh(state).triangles.size(), torus.triangles.size() / 5);
+  std::vector<std::int32_t> all(torus.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<std::int32_t> changed = log.takeBack(state, all, 1 << 20);
+  EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
+  EXPECT_EQ(state.mesh.vertices, torus.vertices);
+  EXPECT_EQ(state.mesh.triangles, torus.triangles);
+  EXPECT_EQ(std::count(state.dead.begin(), state.dead.end(), 1), 0);
+  EXPECT_EQ(std::count(state.gone.begin(), state.gone.end(), 1), 0);
+  EXPECT_GE(pointsOf(state), points);
+  for (std::size_t v = 0; v < torus.vertices.size(); ++v) {
+    std::vector<std::int32_t> about = state.around[v];
+    std::sort(about.begin(), about.end());
+    EXPECT_EQ(std::adjacent_find(about.begin(), about.end()), about.end()) << v;
+    for (const std::int32_t t : about)
+      EXPECT_EQ(std::count(torus.triangles[t].begin(), torus.triangles[t].end(), v), 1) << v;
+    EXPECT_EQ(about.size(), 6u) << v;
+  }
+  EXPECT_TRUE(log.takeBack(state, all, 1).empty());
+}
+
+/// Steps taken back here and there leave a closed surface, on which the collapse goes on.
+TEST(CollapseLog, TakesBackAtSomePlaces) {
+  const TriMesh torus = makeTorus(6, 2, 240, 120);
+  const NearestTriangle nearest(torus.vertices, torus.triangles, NearestTriangle::Walks::Yes);
+  CollapseState state = startOf(torus, nearest, 0.1);
+  CollapseLog log;
+  RunContext run;
+  collapseEdges(state, false, run, &log);
+  Random random(41);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::int32_t> number;
+    const TriMesh before = takeMesh(state, &number);
+    const auto chosen = static_cast<std::size_t>(
+        random.number(0, static_cast<double>(before.triangles.size()) - 1));
+    const std::vector<std::int32_t> changed = log.takeBack(state, {number[chosen]}, 1 << round % 4);
+    ASSERT_FALSE(changed.empty());
+    const TriMesh between = takeMesh(state);
+    EXPECT_GT(between.triangles.size(), before.triangles.size());
+    EXPECT_TRUE(checkMesh(between, run).passes());
+    collapseAgain(state, changed, run, log);
+    const TriMesh after = takeMesh(state);
+    EXPECT_LT(after.triangles.size(), between.triangles.size());
+    EXPECT_TRUE(checkMesh(after, run).passes());
+    for (std::size_t t = 0; t < state.attached.size(); ++t) {
+      for (const Eigen::Vector3d& p : state.attached[t]) {
+        ASSERT_FALSE(state.dead[t]);
+        const auto& c = state.mesh.triangles[t];
+        EXPECT_LE(squaredDistance(p, state.mesh.vertices[c[0]], state.mesh.vertices[c[1]],
+                                  state.mesh.vertices[c[2]]),
+                  0.1 * 0.1);
+      }
+    }
+  }
+}
+
 /// A spike of the original that the result misses, and one of the result that strays.
 TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
   const TriMesh ball = makeBall({0, 0, 0}, 5, 4);
@@ -234,7 +317,12 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
   const Deviation missed = measure(spiked, ball);
   EXPECT_NEAR(missed.largest, 1, 0.01);
   ASSERT_FALSE(missed.missed.empty());
-  for (const Eigen::Vector3d& p : missed.missed) EXPECT_LT((p - spiked.vertices[7]).norm(), 0.8);
+  for (const FarPlace& place : missed.missed) {
+    EXPECT_LT((place.onOriginal - spiked.vertices[7]).norm(), 0.8);
+    EXPECT_GT((place.onOriginal - place.onResult).norm(), 0.3);
+    EXPECT_NEAR((place.onOriginal - place.onResult).norm(), distanceTo(ball, place.onOriginal),
+                1e-9);
+  }
   EXPECT_TRUE(missed.strays.empty());
 
   const Deviation strays = measure(ball, spiked);
@@ -245,7 +333,13 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
     const auto& c = ball.triangles[t];
     if (std::find(c.begin(), c.end(), 7) != c.end()) about.push_back(static_cast<std::int32_t>(t));
   }
-  EXPECT_EQ(strays.strays, about);
+  std::vector<std::int32_t> named;
+  for (const FarPlace& place : strays.strays) {
+    named.push_back(place.triangle);
+    EXPECT_NEAR((place.onOriginal - place.onResult).norm(), distanceTo(ball, place.onResult), 1e-9);
+    EXPECT_GT((place.onOriginal - place.onResult).norm(), 0.3);
+  }
+  EXPECT_EQ(named, about);
 }
 
 TEST(MovingBoxes, FindWhatAllBoxesTogetherFind) {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/collapse_log.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace swept {
+namespace {
+
+using Eigen::Vector3d;
+
+bool has(const CollapseLog::Corners& tri, std::int32_t v) {
+  return tri[0] == v || tri[1] == v || tri[2] == v;
+}
+
+}  // namespace
+
+void CollapseLog::add(std::int32_t from, std::int32_t to, const Vector3d& place,
+                      const std::vector<std::int32_t>& staying, const std::vector<Corners>& corners,
+                      const std::vector<std::int32_t>& going) {
+  steps_.push_back({from, to, place, triangles_.size(), static_cast<std::int32_t>(staying.size()),
+                    static_cast<std::int32_t>(going.size())});
+  triangles_.insert(triangles_.end(), staying.begin(), staying.end());
+  triangles_.insert(triangles_.end(), going.begin(), going.end());
+  corners_.insert(corners_.end(), corners.begin(), corners.end());
+  corners_.resize(triangles_.size());
+}
+
+void CollapseLog::append(const CollapseLog& later) {
+  const std::size_t shift = triangles_.size();
+  for (Step step : later.steps_) {
+    step.first += shift;
+    steps_.push_back(step);
+  }
+  triangles_.insert(triangles_.end(), later.triangles_.begin(), later.triangles_.end());
+  corners_.insert(corners_.end(), later.corners_.begin(), later.corners_.end());
+}
+
+template <class Visit>
+void CollapseLog::forTriangles(const Step& step, const Visit& visit) const {
+  for (std::size_t i = step.first; i < step.first + step.staying + step.going; ++i)
+    visit(triangles_[i]);
+}
+
+std::vector<char> CollapseLog::chosenSteps(const std::vector<std::int32_t>& triangles, int depth,
+                                           std::vector<char>& dirty) const {
+  std::vector<char> chosen(steps_.size(), 0);
+  std::unordered_map<std::int32_t, int> left;
+  for (const std::int32_t t : triangles) left[t] = depth;
+  for (std::size_t s = steps_.size(); s-- > 0;) {
+    forTriangles(steps_[s], [&](std::int32_t t) {
+      const auto found = left.find(t);
+      if (found == left.end()) return;
+      chosen[s] = 1;
+      if (--found->second == 0) left.erase(found);
+    });
+    if (left.empty()) break;
+  }
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    forTriangles(steps_[s], [&](std::int32_t t) { chosen[s] |= dirty[t]; });
+    if (!chosen[s]) continue;
+    forTriangles(steps_[s], [&](std::int32_t t) { dirty[t] = 1; });
+  }
+  return chosen;
+}
+
+std::vector<std::int32_t> CollapseLog::takeBack(CollapseState& state,
+                                                const std::vector<std::int32_t>& triangles,
+                                                int depth) {
+  std::vector<char> dirty(state.dead.size(), 0);
+  const std::vector<char> chosen = chosenSteps(triangles, depth, dirty);
+  for (std::size_t s = steps_.size(); s-- > 0;) {
+    if (chosen[s]) takeBack(state, steps_[s]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    if (!chosen[s]) steps_[kept++] = steps_[s];
+  }
+  steps_.resize(kept);
+  std::vector<std::int32_t> changed;
+  for (std::size_t t = 0; t < dirty.size(); ++t) {
+    if (dirty[t]) changed.push_back(static_cast<std::int32_t>(t));
+  }
+  return changed;
+}
+
+void CollapseLog::takeBack(CollapseState& state, const Step& step) const {
+  std::vector<std::int32_t> open;  // triangles that points may lie near
+  std::vector<Vector3d> points;
+  std::vector<std::int32_t>&mine = state.around[step.to], &others = state.around[step.from];
+  state.gone[step.from] = 0;
+  state.mesh.vertices[step.to] = step.place;
+  state.quadric[step.to] -= state.quadric[step.from];
+  forTriangles(step, [&](std::int32_t t) {
+    if (state.label[t] < 0) open.push_back(t);
+    points.insert(points.end(), state.attached[t].begin(), state.attached[t].end());
+    state.attached[t].clear();
+  });
+  for (std::size_t i = step.first; i < step.first + step.staying; ++i) {
+    const std::int32_t t = triangles_[i];
+    state.mesh.triangles[t] = corners_[i];
+    if (!has(corners_[i], step.from)) continue;
+    std::erase(mine, t);
+    others.push_back(t);
+  }
+  for (std::int32_t i = 0; i < step.going; ++i) {
+    const std::int32_t t = triangles_[step.first + step.staying + i];
+    state.dead[t] = 0;
+    for (const std::int32_t v : state.mesh.triangles[t]) state.around[v].push_back(t);
+  }
+  for (const Vector3d& p : points) {
+    const auto distance = [&](std::int32_t t) {
+      const Corners& c = state.mesh.triangles[t];
+      const std::vector<Vector3d>& at = state.mesh.vertices;
+      return squaredDistance(p, at[c[0]], at[c[1]], at[c[2]]);
+    };
+    state
+        .attached[*std::min_element(open.begin(), open.end(),
+                                    [&](auto a, auto b) { return distance(a) < distance(b); })]
+        .push_back(p);
+  }
+}
+
+}  // namespace swept
