@@ -54,7 +54,7 @@ struct CollapseState {
   std::vector<char> careful;
   /// Points on other new triangles are so many tolerances apart. Bunny over 16 keys at 512 cells,
   /// 0.5 mm: with 3, 11 places lay too far off at first, by 1.2 tolerances; with 5, 48 by 1.3;
-  /// with 8, 53 by 2.1. With 1.5 there were 6, and the collapse took a tenth longer.
+  /// with 8, 53 by 2.1; with 1.5, 10 by 1.1.
   double coarseness = 3;
   /// By vertex: a triangle of the original near it; -1, or an empty list: not known.
   std::vector<std::int32_t> nearby;
