@@ -26,6 +26,7 @@ constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< of the tolerance, where the measured deviation failed
 constexpr int kRounds = 4;              ///< of improving
 constexpr int kFirstDepth = 2;  ///< steps that are taken back at a place; twice as many each round
+constexpr int kThinTrials = 4;  ///< with more vertices kept each time
 constexpr double kLeastFraction = 0.1;  ///< of the tolerance, before nothing is simplified at all
 
 // Points of the original that were missed are kept near from now on: the nearest of the triangles
@@ -71,9 +72,10 @@ Simplifier::Simplifier(TriMesh mesh, std::vector<double> contactTime, double cel
       sources_(std::move(sources)) {}
 
 std::unique_ptr<Simplifier::Level> Simplifier::thinned(const Level* from, double limit,
-                                                       RunContext& run) const {
-  Thinned thin =
-      thinOut(from != nullptr ? from->mesh : mesh_, limit, ThinFor::Collapse, Phase::Simplify, run);
+                                                       RunContext& run,
+                                                       std::vector<char> kept) const {
+  Thinned thin = thinOut(from != nullptr ? from->mesh : mesh_, limit, ThinFor::Collapse,
+                         Phase::Simplify, run, std::move(kept));
   auto level = std::make_unique<Level>();
   level->mesh = std::move(thin.mesh);
   level->source = std::move(thin.source);
@@ -109,15 +111,23 @@ const NearestTriangle& Simplifier::nearest() const {
 
 Simplified Simplifier::cut(double tolerance, RunContext& run) const {
   run.checkpoint(Phase::Simplify);
-  // Where no round holds the tolerance, what half of it allows does.
+  // Where no trial holds the tolerance, what half of it allows does.
   for (double within = tolerance; within > kLeastFraction * tolerance; within /= 2) {
-    const Level* level = levelWithin(kThinFraction * within, run);
-    std::unique_ptr<Level> own;
-    if (level == nullptr) {
-      own = thinned(nullptr, kThinFraction * within, run);
-      level = own.get();
+    const double limit = kThinFraction * within;
+    const Level* level = levelWithin(limit, run);
+    std::vector<char> kept;
+    for (int trial = 0; trial < kThinTrials; ++trial) {
+      const std::vector<char> before = kept;
+      std::unique_ptr<Level> own;
+      if (trial > 0 || level == nullptr) {
+        own = thinned(nullptr, limit, run, kept);
+        level = own.get();
+      }
+      if (std::optional<Simplified> cut = cutFrom(*level, within, run, kept))
+        return std::move(*cut);
+      // What thinning has lost no collapse finds again.
+      if (kept == before) break;
     }
-    if (std::optional<Simplified> cut = cutFrom(*level, within, run)) return std::move(*cut);
   }
   return {mesh_, contactTime_, featureEdges(), sources_, 0};
 }
@@ -136,8 +146,8 @@ void Simplifier::addContactTime(const Level& level, Simplified& out) const {
   }
 }
 
-std::optional<Simplified> Simplifier::cutFrom(const Level& level, double tolerance,
-                                              RunContext& run) const {
+std::optional<Simplified> Simplifier::cutFrom(const Level& level, double tolerance, RunContext& run,
+                                              std::vector<char>& kept) const {
   CollapseState state = startFrom(level);
   state.tolerance = kPointFraction * (tolerance - level.limit / 2);
   watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
@@ -162,9 +172,27 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
     }
     if (wrong.empty()) return finished(std::move(small), deviation.largest, level);
     if (round == kRounds ||
-        !improve(state, log, wrong, deviation.missed, kFirstDepth << round, run))
+        !improve(state, log, wrong, deviation.missed, kFirstDepth << round, run)) {
+      keepAbout(deviation.missed, kept);
       return std::nullopt;
+    }
     state.tolerance *= kLessEachRound;
+  }
+}
+
+// The triangles at these places and their neighbours.
+void Simplifier::keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
+  if (missed.empty()) return;
+  kept.resize(mesh_.vertices.size(), 0);
+  std::vector<char> at(kept.size(), 0);
+  for (const FarPlace& place : missed) {
+    std::int32_t near = -1;
+    nearest().query(place.onOriginal, 1e300, 0, near);
+    for (const std::int32_t v : mesh_.triangles[near]) at[v] = 1;
+  }
+  for (const auto& tri : mesh_.triangles) {
+    if (!at[tri[0]] && !at[tri[1]] && !at[tri[2]]) continue;
+    for (const std::int32_t v : tri) kept[v] = 1;
   }
 }
 

@@ -28,6 +28,7 @@
 namespace swept {
 
 struct CollapseState;
+struct FarPlace;
 
 struct Simplified {
   TriMesh mesh;
@@ -59,15 +60,20 @@ class Simplifier {
     double limit = 0;                  ///< mm: how far it may lie from the surface
     std::unique_ptr<NearestTriangle> nearest;
   };
-  std::unique_ptr<Level> thinned(const Level* from, double limit, RunContext& run) const;
+  /// kept: by vertex of the surface, those that stay; empty: none.
+  std::unique_ptr<Level> thinned(const Level* from, double limit, RunContext& run,
+                                 std::vector<char> kept = {}) const;
   /// The coarsest level within this; null: none.
   const Level* levelWithin(double limit, RunContext& run) const;
   const NearestTriangle& nearest() const;
   void addContactTime(const Level& level, Simplified& out) const;
   static CollapseState startFrom(const Level& level);
   Simplified finished(TriMesh mesh, double deviation, const Level& level) const;
-  /// Nothing where the measured deviation stays above the tolerance.
-  std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run) const;
+  /// Nothing where the measured deviation stays above the tolerance; then `kept` has the vertices
+  /// of the surface about the places that are missed in the end.
+  std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run,
+                                    std::vector<char>& kept) const;
+  void keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;
 
   TriMesh mesh_;
   std::vector<double> contactTime_;

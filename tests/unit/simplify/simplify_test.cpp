@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <set>
@@ -21,6 +22,7 @@
 #include "support/random_numbers.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
+#include "swept/io.h"
 
 namespace swept::test {
 namespace {
@@ -175,6 +177,20 @@ TEST(Simplify, SheetsNearEachOtherDoNotMeet) {
   EXPECT_EQ(checkMesh(cut.mesh, run).selfIntersections, 0);
   EXPECT_LE(cut.deviation, 0.2);
   EXPECT_LT(cut.mesh.triangles.size(), count);
+}
+
+/// Thinning loses a few places of a thin shell by four tolerances: they are kept at the next trial.
+/// Else all of it would be done with half of the tolerance.
+TEST(Simplify, WhatThinningLosesIsKept) {
+  const std::string part = SWEPT_SHARED_DATA "/meshes/robot_leg_shell_base_72k_thin.ply";
+  const std::string motion = SWEPT_SHARED_DATA "/motions/keyposes_16_arc_for_fandisk.csv";
+  if (!std::filesystem::exists(part)) GTEST_SKIP() << "shared test data not found: " << part;
+  const double tolerance = 196.6;  // a twentieth of a cell
+  const Trajectory trajectory = readTrajectoryCsv(motion, 1000, Interpolation::Linear);
+  const Result result = sweep(readMesh(part, 1000), trajectory.poses, 64, tolerance);
+  EXPECT_TRUE(result.report.check.passes());
+  EXPECT_LE(result.report.simplificationDeviation, tolerance);
+  EXPECT_GT(result.report.simplificationDeviation, tolerance / 2);
 }
 
 /// A ball with small thorns whose sides fold over each other when vertices go.
