@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <optional>
 
 #include "arrays.h"
 #include "errors.h"
@@ -115,6 +116,13 @@ std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::o
   return rules;
 }
 
+void pyCheckRules(const std::vector<std::string>& rules,
+                  const std::optional<std::vector<std::string>>& names) {
+  std::vector<NamedRule> read;
+  for (const std::string& rule : rules) read.push_back(parseNamedRule(rule));
+  if (names) rulesFor(*names, read);
+}
+
 MechanismPart mechanismPartFrom(const py::handle& item) {
   const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
   if (part.size() != 6)
@@ -184,6 +192,11 @@ void bindClearance(py::module_& module) {
              py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
              py::arg("penetration") = true, py::arg("run") = py::none(),
              py::arg("rules") = py::tuple());
+  module.def(
+      "check_rules", &pyCheckRules,
+      "check_rules(rules, names=None)\n\nRaises InvalidInput (BadRule) for texts 'NAME=RULE' "
+      "that clearance() of neighbours with these names would refuse; names None: not known.",
+      py::arg("rules"), py::arg("names") = py::none());
   module.def("first_contacts", &pyFirstContacts, kFirstContactsDoc, py::arg("vertices"),
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,

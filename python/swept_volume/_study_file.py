@@ -19,12 +19,16 @@ import sys
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from . import _core
+from ._clearance import rule_texts
 from ._values import Path
 
 Table = Mapping[str, Any]
 
 STAGES = ("envelope", "solid", "clearance")
 _UNITS = ("mm", "cm", "m", "in")
+#: Files in the folder for results, beside the folders of the runs.
+RESERVED = ("study.csv", "study.json", "study.html")
+_EXACT = (".step", ".stp", ".brep", ".brp")  # files whose solids have names of their own
 _KNOWN_PROBLEMS = 12  # that one message lists
 
 
@@ -47,11 +51,17 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Study:
-    """A study file that was read: its name, the folder for results, its runs in their order."""
+    """A study file that was read: its path, its name, the folder for results, its runs in their order;
+    whether a page is made of it, and the language and the text of the template ("": the program's) of all its
+    pages."""
 
+    file: pathlib.Path
     name: str
     output: pathlib.Path
     runs: Tuple[Run, ...]
+    page: bool = False
+    language: str = "en"
+    template: str = ""
 
 
 def _is_number(value: Any) -> bool:
@@ -92,6 +102,13 @@ _STAGES: Check = (
     lambda v: isinstance(v, list) and v != [] and all(s in STAGES for s in v),
     "a list of " + ", ".join(STAGES),
 )
+_STUDY_KEYS: Dict[str, Check] = {
+    "name": _TEXT,
+    "output": _TEXT,
+    "page": _YES_NO,
+    "language": _one_of("en", "de"),
+    "template": _TEXT,
+}
 _RUN_KEYS: Dict[str, Check] = {
     "name": _TEXT,
     "part": _FILES,
@@ -136,6 +153,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
         "required": _NUMBER,
         "tolerance": _ABOVE,
         "deflection": _ABOVE,
+        "body_chord": _NUMBER,
         "neighbour_chord": _NUMBER,
         "interval_tolerance": _ABOVE,
         "curve": _COUNT,
@@ -261,7 +279,55 @@ def _check_names(runs: Sequence[Run], problems: _Problems) -> None:
                 f"two runs are called {run.name!r}; give them names, with {{part}} and {{motion}} "
                 "where these are lists"
             )
+        elif run.name.casefold() in RESERVED:
+            problems.append(
+                f"run {run.name!r}: a file of the results has that name; choose another"
+            )
         seen[run.name.casefold()] = run.name
+
+
+def _check_rules(runs: Sequence[Run], problems: _Problems) -> None:
+    """As clearance() would refuse them. The names in a STEP or BREP file are known when it is read: with
+    such neighbours only kinds and lengths are checked."""
+    seen = set()
+    for run in runs:
+        rules = rule_texts(run.rules)
+        given = (tuple(rules), run.neighbours)
+        if "clearance" not in run.compute or not rules or given in seen:
+            continue
+        seen.add(given)
+        paths = [pathlib.PurePath(file) for file in run.neighbours]
+        exact = any(path.suffix.lower() in _EXACT for path in paths)
+        try:
+            _core.check_rules(rules, None if exact else [path.stem for path in paths])
+        except _core.InvalidInput as error:
+            problems.append(f"run {run.name!r}, rules: {error}")
+
+
+def _template(name: str, folder: pathlib.Path, problems: _Problems) -> str:
+    """Text of a template for pages; "" for none."""
+    if not name:
+        return ""
+    try:
+        text = (folder / name).read_text(encoding="utf-8")
+        if text.strip():
+            _core.check_page_template(text)
+            return text
+        problems.append(f"[study]: the template '{folder / name}' is empty")
+    except (OSError, UnicodeDecodeError) as error:
+        problems.append(f"[study]: the template '{folder / name}' cannot be read: {error}")
+    except _core.InvalidInput as error:
+        problems.append(f"[study], template: {error}")
+    return ""
+
+
+def _with_pages(run: Run, language: str, template: str) -> Run:
+    """The run, whose page has the language and the template of the study."""
+    options = run.options.get("clearance", {})
+    if not options.get("page"):
+        return run
+    shown = {**options, "language": language, "template": template}
+    return dataclasses.replace(run, options={**run.options, "clearance": shown})
 
 
 def _check_files(runs: Sequence[Run], output: pathlib.Path, problems: _Problems) -> None:
@@ -287,14 +353,15 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
     if not isinstance(about, dict) or not isinstance(tables, list) or not tables:
         raise _bad_study(file, [*problems, "it has no table [[run]]"])
     for key, value in about.items():
-        if key not in ("name", "output"):
-            problems.unknown("[study]", key, ["name", "output"])
+        if key not in _STUDY_KEYS:
+            problems.unknown("[study]", key, list(_STUDY_KEYS))
         else:
-            problems.check("[study]", key, value, _TEXT)
+            problems.check("[study]", key, value, _STUDY_KEYS[key])
     if problems:
         raise _bad_study(file, problems)
     defaults = _checked(parsed.get("defaults", {}), "[defaults]", problems)
     folder = file.absolute().parent
+    template = _template(about.get("template", ""), folder, problems)
     runs: List[Run] = []
     for number, table in enumerate(tables, 1):
         where = f"run {number}" + (f" ({table['name']!r})" if "name" in table else "")
@@ -308,6 +375,16 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
     if not problems:
         _check_names(runs, problems)
         _check_files(runs, chosen, problems)
+        _check_rules(runs, problems)
     if problems:
         raise _bad_study(file, problems)
-    return Study(about.get("name", file.stem), chosen.absolute(), tuple(runs))
+    language = about.get("language", "en")
+    return Study(
+        file.absolute(),
+        about.get("name", file.stem),
+        chosen.absolute(),
+        tuple(_with_pages(run, language, template) for run in runs),
+        about.get("page", False),
+        language,
+        template,
+    )
