@@ -85,8 +85,8 @@ def _row(run: Run, report: Optional[Report]) -> Row:
 
 
 def _worst_first(rows: Sequence[Row]) -> List[int]:
-    """Numbers of the rows: failures, then what is not clear (the deepest clash, then the nearest), then what is
-    left, then what is done, the nearest first."""
+    """Numbers of the rows: failures, then what is not clear (the deepest clash, then the nearest), then what
+    is left, then what is done, the nearest first."""
 
     def order(number: int) -> Tuple[int, float, float]:
         row = rows[number]
@@ -250,7 +250,7 @@ def study_page(
     """One HTML file, as text, that tells of all runs of a study file what its folder for results holds; runs
     whose results are not there, or are of other input, are "not run". Nothing is computed. output: another
     folder than the file says; folder: how the page gets there from its own place, such as "results/"; then it
-    links to the pages of single runs. Raises InvalidInput (BadStudy, BadTemplate), FileNotFoundError, Cancelled.
+    links to the pages of single runs. Raises InvalidInput (BadStudy), FileNotFoundError, Cancelled.
     """
     looked = _Looked(path, output)
     looked.look()

@@ -71,6 +71,17 @@ std::string headOf(const Json& row, const Words& words) {
   std::string out = element("p", stateMark(row, words));
   if (row.contains("message"))
     out += element("p", escaped(row["message"].get<std::string>()), "message");
+  constexpr int kDigits = 9;
+  std::string made;
+  if (row.contains("volume"))
+    made = words("volume") + ": " + words.number(lengthOf(row, "volume"), kDigits) + " mm³";
+  for (const char* key : {"triangles", "faces"})
+    if (row.contains(key))
+      made.append(made.empty() ? "" : ", ")
+          .append(words(key == std::string("faces") ? "faces" : "envelope_triangles"))
+          .append(": ")
+          .append(words.number(lengthOf(row, key), kDigits));
+  if (!made.empty()) out += element("p", escaped(made));
   const std::string page = pageOf(row);
   if (!page.empty()) out += element("p", linkTo(page, words("own_page")));
   return out + "\n";
@@ -124,32 +135,24 @@ std::string studyBanner(const ToldStudy& study, const Words& words) {
 
 std::string studyTable(const ToldStudy& study, const Words& words) {
   Cells cells{{"run", "state", "nearest_part", "verdict", "distance", "guaranteed", "time", "depth",
-               "volume", "faces", "page", "message"}};
+               "page"}};
   for (std::string& head : cells[0]) head = escaped(words(head));
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const Json& row = study.runs[i].row;
-    const auto text = [&](const char* key) { return escaped(row.value(key, "")); };
-    const auto length = [&](const char* key, const char* unit) {
-      if (!row.contains(key)) return std::string();
-      return escaped(words.number(lengthOf(row, key)) + unit);
+    const auto length = [&](const char* key) {
+      return row.contains(key) ? escaped(words.millimetres(lengthOf(row, key))) : "";
     };
     const std::string page = pageOf(row);
-    const bool isDone = row.at("state") == "done";
+    const std::string verdict = row.value("verdict", "");
     cells.push_back(
-        {linkToRun(study, i), stateMark(row, words), text("neighbour"),
-         row.contains("verdict") ? verdictMark(row["verdict"].get<std::string>(), isDone, words)
-                                 : "",
-         length("distance", " mm"), length("guaranteed", " mm"),
+        {linkToRun(study, i), stateMark(row, words), escaped(row.value("neighbour", "")),
+         verdict.empty() ? "" : verdictMark(verdict, row.at("state") == "done", words),
+         length("distance"), length("guaranteed"),
          row.contains("time_seconds") ? escaped(words.seconds(row["time_seconds"].get<double>()))
                                       : "",
-         length("depth", " mm"), length("volume", " mm³"), length("faces", ""),
-         page.empty() ? "" : linkTo(page, words("page_link")), text("message")});
+         length("depth"), page.empty() ? "" : linkTo(page, words("page_link"))});
   }
-  return section("runs", words("runs"),
-                 tableOf(cells,
-                         "tttt"
-                         "nnnnnn"
-                         "tt"));
+  return section("runs", words("runs"), tableOf(cells, "ttttnnnnt"));
 }
 
 std::string studyRuns(const ToldStudy& study, const Words& words) {
