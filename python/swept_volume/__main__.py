@@ -7,7 +7,7 @@ import json
 import os
 import signal
 import sys
-from typing import Any, List
+from typing import Any, List, Sequence
 
 from . import Error, RunContext, __version__
 from ._study import Row, run_study
@@ -61,6 +61,11 @@ def _tell(done: int, all_runs: int, row: Row) -> None:
     print(json.dumps({"done": done, "runs": all_runs, "row": row}), flush=True)
 
 
+def _tell_kept(rows: Sequence[Row]) -> None:
+    for row in rows:
+        print(json.dumps({"row": row}), flush=True)
+
+
 def _check_report(options: argparse.Namespace) -> None:
     """A report that replaced an input would be noticed at the end only."""
     if not options.report or not os.path.exists(options.report):
@@ -99,6 +104,7 @@ def _study(options: argparse.Namespace) -> int:
         again=options.again,
         page=options.page,
         progress=_tell if options.rows else None if options.quiet else _show,
+        kept=_tell_kept if options.rows else None,
         run=context,
     )
     text = json_text(report)

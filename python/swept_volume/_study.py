@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import io
 import math
 import time
@@ -84,7 +85,7 @@ def _row(run: Run, report: Optional[Report]) -> Row:
     return row
 
 
-def _worst_first(rows: Sequence[Row]) -> List[int]:
+def worst_first(rows: Sequence[Row]) -> List[int]:
     """Numbers of the rows: failures, then what is not clear (the deepest clash, then the nearest), then what
     is left, then what is done, the nearest first."""
 
@@ -121,7 +122,7 @@ def _summary(study: Study, rows: Sequence[Row]) -> Report:
     report["output"] = str(study.output)
     keys = {DONE: "done", NOT_CLEAR: "not_clear", FAILED: "failed", NOT_RUN: "not_run"}
     report.update((key, counts[state]) for state, key in keys.items())
-    report["worst"] = rows[_worst_first(rows)[0]]["run"]
+    report["worst"] = rows[worst_first(rows)[0]]["run"]
     report["runs"] = list(rows)
     return report
 
@@ -178,7 +179,7 @@ class _Looked:
         return _summary(self.study, self.rows)
 
     def page(self, folder: str = "", run: Optional[RunContext] = None) -> str:
-        order = _worst_first(self.rows)
+        order = worst_first(self.rows)
         found = self.summary()
         return study_text(self.study, found, self.reports, self.hashes, order, folder, run)
 
@@ -193,6 +194,7 @@ def run_study(
     again: bool = False,
     page: bool = False,
     progress: Optional[Progress] = None,
+    kept: Optional[Callable[[Sequence[Row]], None]] = None,
     run: Optional[RunContext] = None,
 ) -> Report:
     """Computes all runs of a study file (docs/studies.md) into a folder, and a table of them.
@@ -204,6 +206,7 @@ def run_study(
     again           compute runs again whose results are there, with the same input and options
     page            also write study.html, a page for people, as where the file says so
     progress        called with the number of runs that have ended, of all runs, and the row of the last
+    kept            called with the rows of the runs that are there already, before others are computed
     run             cancels
 
     Returns the report of the study: its `runs` are the rows of the table, `worst` names the run to look
@@ -223,14 +226,18 @@ def run_study(
         if not again:
             looked.look()
         todo = looked.tasks()
-        kept, ended = len(study.runs) - len(todo), 0
+        ended = len(study.runs) - len(todo)
+        there = ended
+        if kept is not None:
+            left = {task.number for task in todo}
+            kept([row for number, row in enumerate(looked.rows) if number not in left])
         try:
             for number, report, filled in _reports(todo, jobs, scheduler, send_files, context):
                 folder.take(study.runs[number], report, filled)
                 looked.take(number, report)
                 ended += 1
                 if progress is not None:
-                    progress(kept + ended, len(study.runs), looked.rows[number])
+                    progress(ended, len(study.runs), looked.rows[number])
         finally:
             folder.remove_partial()
             found = looked.summary()
@@ -238,20 +245,27 @@ def run_study(
             folder.write(STUDY_REPORT, json_text(found))
             if page or study.page:
                 folder.write(STUDY_PAGE, looked.page())
-    found["kept"] = kept
+    found["kept"] = there
     found["seconds"] = {"total": round(time.monotonic() - began, 3)}
-    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), kept)
+    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), there)
     return found
 
 
 def study_page(
-    path: Path, *, output: Optional[Path] = None, folder: str = "", run: Optional[RunContext] = None
+    path: Path,
+    *,
+    output: Optional[Path] = None,
+    folder: str = "",
+    template: Optional[str] = None,
+    run: Optional[RunContext] = None,
 ) -> str:
     """One HTML file, as text, that tells of all runs of a study file what its folder for results holds; runs
     whose results are not there, or are of other input, are "not run". Nothing is computed. output: another
     folder than the file says; folder: how the page gets there from its own place, such as "results/"; then it
-    links to the pages of single runs. Raises InvalidInput (BadStudy), FileNotFoundError, Cancelled.
-    """
+    links to the pages of single runs. template: text, in place of that of the file. Raises InvalidInput
+    (BadStudy, BadTemplate), FileNotFoundError, Cancelled."""
     looked = _Looked(path, output)
+    if template is not None:
+        looked.study = dataclasses.replace(looked.study, template=template)
     looked.look()
     return looked.page(folder, run)

@@ -93,6 +93,11 @@ _RULES: Check = (
     "a table of names, each with a distance in mm, 'contact', 'contact:MM' or 'ignore'",
 )
 
+_CHORDS: Check = (
+    lambda v: all(_is_number(c) and c >= 0 for c in (v.values() if isinstance(v, dict) else [v])),
+    "a number of 0 or more, or a table of them by the names of files",
+)
+
 
 def _one_of(*words: str) -> Check:
     return (lambda v: v in words), "one of " + ", ".join(words)
@@ -154,7 +159,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
         "tolerance": _ABOVE,
         "deflection": _ABOVE,
         "body_chord": _NUMBER,
-        "neighbour_chord": _NUMBER,
+        "neighbour_chord": _CHORDS,
         "interval_tolerance": _ABOVE,
         "curve": _COUNT,
         "penetration": _YES_NO,

@@ -119,14 +119,20 @@ class _Stages:
         own = ("deflection", "neighbour_chord", "page", "language", "template")
         options = self._options("clearance", *own)
         given = self.run.options["clearance"]
-        deflection = given.get("deflection", 0.05)
+        deflection, chords = given.get("deflection", 0.05), given.get("neighbour_chord", 0.0)
+
+        def chord_of(file: str) -> float:
+            return (
+                chords.get(pathlib.PurePath(file).stem, 0.0) if isinstance(chords, dict) else chords
+            )
+
         neighbours = [
             part
             for file in self.run.neighbours
             for part in read_parts(
                 self.locate(file),
                 unit=self.files.get("neighbour_unit", "mm"),
-                chord_error=given.get("neighbour_chord", 0.0),
+                chord_error=chord_of(file),
                 deflection=deflection,
             )
         ]

@@ -192,6 +192,11 @@ def test_rows_are_told_as_runs_end(run, light):  # noqa: F811
     }
     rows = json.loads((light / "all.json").read_text())["runs"]
     assert {json.dumps(line["row"]) for line in told} == {json.dumps(row) for row in rows}
+    told = [json.loads(line) for line in run("--rows").stdout.splitlines()]
+    kept = [line["row"]["run"] for line in told if "done" not in line]
+    assert (
+        kept == ["by30", "by40", "with b rail"] and told[3]["done"] == 4
+    ), "what is there comes first"
     assert run("--rows", "--report", "-").returncode == 2
 
 
