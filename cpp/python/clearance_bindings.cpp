@@ -116,11 +116,14 @@ std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::o
   return rules;
 }
 
-void pyCheckRules(const std::vector<std::string>& rules,
-                  const std::optional<std::vector<std::string>>& names) {
+std::vector<std::string> pyRulesFor(const std::vector<std::string>& rules,
+                                    const std::optional<std::vector<std::string>>& names) {
   std::vector<NamedRule> read;
   for (const std::string& rule : rules) read.push_back(parseNamedRule(rule));
-  if (names) rulesFor(*names, read);
+  std::vector<std::string> found;
+  if (names)
+    for (const NeighbourRule& rule : rulesFor(*names, read)) found.push_back(ruleText(rule));
+  return found;
 }
 
 MechanismPart mechanismPartFrom(const py::handle& item) {
@@ -193,9 +196,11 @@ void bindClearance(py::module_& module) {
              py::arg("penetration") = true, py::arg("run") = py::none(),
              py::arg("rules") = py::tuple());
   module.def(
-      "check_rules", &pyCheckRules,
-      "check_rules(rules, names=None)\n\nRaises InvalidInput (BadRule) for texts 'NAME=RULE' "
-      "that clearance() of neighbours with these names would refuse; names None: not known.",
+      "rules_for", &pyRulesFor,
+      "rules_for(rules, names=None) -> list of str\n\nThe rule of each neighbour of these names, "
+      "from texts 'NAME=RULE'; '' where the common distance holds. names None: not known, the "
+      "rules "
+      "are only read. Raises InvalidInput (BadRule).",
       py::arg("rules"), py::arg("names") = py::none());
   module.def("first_contacts", &pyFirstContacts, kFirstContactsDoc, py::arg("vertices"),
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),

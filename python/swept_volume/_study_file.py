@@ -304,7 +304,7 @@ def _check_rules(runs: Sequence[Run], problems: _Problems) -> None:
         paths = [pathlib.PurePath(file) for file in run.neighbours]
         exact = any(path.suffix.lower() in _EXACT for path in paths)
         try:
-            _core.check_rules(rules, None if exact else [path.stem for path in paths])
+            _core.rules_for(rules, None if exact else [path.stem for path in paths])
         except _core.InvalidInput as error:
             problems.append(f"run {run.name!r}, rules: {error}")
 

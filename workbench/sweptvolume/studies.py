@@ -68,6 +68,30 @@ def read(path, output=None):
         raise InputProblem(text.format(path, problem.strerror or problem)) from None
 
 
+def load(run):
+    """What a run of a study file reads: the part (what has vertices (n,3) mm and triangles (m,3)), its motion
+    (times s, translations mm, rotations as quaternions x, y, z, w), and of each neighbour (name, shape, rule
+    as text, "" for the common distance). Raises core.CoreError, InputProblem."""
+    values, files = _package("_values"), run.options[""]
+    deflection = run.options.get("clearance", {}).get("deflection", 0.05)
+    try:
+        with core.errors():
+            unit = files.get("part_unit", "mm")
+            body = values.read_body(run.part, unit=unit, tolerance=deflection)
+            unit = files.get("neighbour_unit", "mm")
+            parts = [
+                part
+                for file in run.neighbours
+                for part in values.read_parts(file, unit=unit, deflection=deflection)
+            ]
+            texts = _package("_clearance").rule_texts(run.rules)
+            rules = core.module().rules_for(texts, [name for name, _ in parts])
+    except OSError as problem:
+        raise InputProblem(str(problem)) from None
+    motion = core.read_motion(run.motion, files.get("motion_unit", "mm"))
+    return body, motion, [(*part, rule) for part, rule in zip(parts, rules)]
+
+
 def worst_first(rows):
     """Numbers of the rows of a study, the one to look at first before all others."""
     return _package("_study").worst_first(rows)

@@ -24,6 +24,7 @@ _MODULES = [
     "made_by",
     "check_clearance",
     "check_mechanism",
+    "study",
     "make_solid",
     "export_envelope",
     "export_report",
@@ -100,5 +101,9 @@ def fill_context_menu(workbench, recipient):
         ]
     if selection.clearance():
         names.append("SweptVolume_ExportReport")
+    if selection.study():
+        names += ["SweptVolume_Study", "SweptVolume_ExportReport"]
+    elif selection.runs():
+        names.append("SweptVolume_Study")
     if names:
         workbench.appendContextMenu("", ["Separator"] + sorted(set(names), key=_names.index))

@@ -14,6 +14,7 @@ from . import missing, status, study_table
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
     NOT_COMPUTED,
+    STALE,
     UP_TO_DATE,
     Feature,
     attach_view,

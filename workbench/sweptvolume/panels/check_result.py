@@ -10,22 +10,12 @@ from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
 from .run_panel import StayingPanel
 from .shades import ShadedCells
+from .sorted_cell import SortedCell
 from .widgets import QtWidgets
 
 #: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
 NAME_LETTERS = 18
 RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
-
-
-class _Cell(QtWidgets.QTableWidgetItem):
-    """A cell that sorts by a number and shows a text."""
-
-    def __init__(self, text, key):
-        super().__init__(text)
-        self.key = key
-
-    def __lt__(self, other):
-        return self.key < other.key
 
 
 class ResultPanel(StayingPanel):
@@ -147,11 +137,11 @@ class ResultPanel(StayingPanel):
             rank = RANK["clear" if met else row["verdict"]]
             rule = clearance_table.rule_text(row, self.report)
             cells = (
-                _Cell(row["name"], row["name"].lower()),
-                _Cell(verdict, rank),
-                _Cell(self._length(row["distance"]), row["distance"]),
-                _Cell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
-                _Cell(self._length(deep) if deep else "", -deep),
+                SortedCell(row["name"], row["name"].lower()),
+                SortedCell(verdict, rank),
+                SortedCell(self._length(row["distance"]), row["distance"]),
+                SortedCell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
+                SortedCell(self._length(deep) if deep else "", -deep),
             )
 
             colour = QtGui.QColor.fromRgbF(*BANDS[rank])

@@ -29,18 +29,6 @@ _GRAPH = re.compile(r'<svg class="graph".*?</svg>', re.S)
 _SCREEN = re.compile(r'<span class="screen">.*?</span>', re.S)
 
 
-def worst_rows(report):
-    """Numbers of the rows that a PDF has pictures of: those that do not meet their rule, the worst first;
-    else the nearest."""
-    rows = report["neighbours"]
-    bad = [i for i, row in enumerate(rows) if not clearance_table.meets_rule(row)]
-    bad.sort(
-        key=lambda i: (clearance_table.WORST_FIRST.index(rows[i]["verdict"]), rows[i]["distance"])
-    )
-    nearest = report.get("smallest", 0)
-    return bad[:MOST_PICTURES] or ([nearest] if nearest < len(rows) else [])
-
-
 def take_pictures(obj, report):
     """[(caption, media type, bytes)] of the worst places, as the document's view shows them."""
     gui = Gui.getDocument(obj.Document.Name)
@@ -53,7 +41,7 @@ def take_pictures(obj, report):
     path = os.path.join(folder, "view.png")
     try:
         obj.ViewObject.Visibility = True
-        for index in worst_rows(report):
+        for index in clearance_table.worst_rows(report)[:MOST_PICTURES]:
             proxy.show_row(obj, index)
             view.saveImage(path, *PICTURE, "White")
             with open(path, "rb") as file:
