@@ -99,11 +99,9 @@ def fill_context_menu(workbench, recipient):
             "SweptVolume_Solid",
             "SweptVolume_Export",
         ]
-    if selection.clearance():
+    if selection.reported():
         names.append("SweptVolume_ExportReport")
-    if selection.study():
-        names += ["SweptVolume_Study", "SweptVolume_ExportReport"]
-    elif selection.runs():
+    if selection.study() or selection.runs():
         names.append("SweptVolume_Study")
     if names:
         workbench.appendContextMenu("", ["Separator"] + sorted(set(names), key=_names.index))

@@ -8,6 +8,7 @@ from ..texts import translate
 from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
+from .page_task import PageTask
 from .run_panel import StayingPanel
 from .shades import ShadedCells
 from .sorted_cell import SortedCell
@@ -36,9 +37,6 @@ class ResultPanel(StayingPanel):
 
     def build_more(self, rows):
         """What stands between graph and export."""
-
-    def build_export(self, rows):
-        """What stands below the export of the table."""
 
     def shown(self):
         """A result was shown."""
@@ -100,11 +98,14 @@ class ResultPanel(StayingPanel):
         buttons.addWidget(self.csv)
         buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
-        self.build_export(rows)
+        self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
+        self.page.setObjectName("SweptVolumeReport")
+        rows.addWidget(self.page)
         self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())
         self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
+        self.page.clicked.connect(lambda *ignored: self.export_page())
 
     def show_result(self):
         report = self.stored_report() if self.obj is not None else None
@@ -189,3 +190,11 @@ class ResultPanel(StayingPanel):
         self.TABLE.make_spreadsheet(self.obj, self.whole)
         self.document.commitTransaction()
         self.document.recompute()
+
+    @guard.told
+    def export_page(self):
+        if self.run is not None:
+            return
+        path = file_dialogs.ask_report(self.obj.Label)
+        if path:
+            self.begin(lambda: PageTask(self.obj, path), self.ended)

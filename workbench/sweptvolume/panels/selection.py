@@ -93,6 +93,11 @@ def mechanism():
     return _first(is_mechanism)
 
 
+def reported():
+    """The selected check or study, of which there are reports, or None."""
+    return _first(lambda obj: is_clearance(obj) or is_mechanism(obj) or is_study(obj))
+
+
 def study():
     """The selected study, or None."""
     return _first(is_study)

@@ -4,13 +4,13 @@ import os
 
 import FreeCAD as App
 
-from .. import page, quantities, settings, studies
+from .. import page, settings, studies
+from ..convert import InputProblem
 from ..features import study
 from ..features.study_import import Taken, problem_text
 from ..runner import Task, transaction
-from ..safe_file import written_beside
 from ..texts import mark, translate
-from .page_task import pdf_of
+from .page_task import WritingTask, pdf_of
 from .tasks import PlanTask
 
 
@@ -44,10 +44,8 @@ class StudyTask(PlanTask):
                 self.obj.purgeTouched()
 
 
-class StudyPageTask(Task):
-    """Writes the page of all runs of a study; the document stays as it is."""
-
-    writes = False
+class StudyPageTask(WritingTask):
+    """Writes the page of all runs of a study."""
 
     def __init__(self, obj, path):
         self.title = translate("Messages", "Export report")
@@ -58,20 +56,15 @@ class StudyPageTask(Task):
             text = translate(
                 "Messages", "the results of the study are not there any more: run it again."
             )
-            raise page.InputProblem(text)
+            raise InputProblem(text)
 
     def work(self, control):
         pdf = page.is_pdf(self.path)
-        template = "print" if pdf else settings.page_template()
+        page.template(pdf)  # says what is wrong with it
+        template = settings.page_template(pdf) or ("print" if pdf else "")
         given = self.study, self.results, self.path, template, control.is_cancelled
         text = studies.page(*given)
         return pdf_of(text) if pdf else text.encode("utf-8")
-
-    def finish(self, value):
-        with written_beside(self.path) as beside, open(beside, "wb") as out:
-            out.write(value)
-        text = translate("Messages", "Written: {0} ({1})\n")
-        App.Console.PrintMessage(text.format(self.path, quantities.megabytes(len(value))))
 
 
 class TakeRunTask(Task):
@@ -83,7 +76,7 @@ class TakeRunTask(Task):
         self.document, self.watched = obj.Document, [obj]
         runs = {run.name: run for run in study.Plan.of(obj).study().runs}
         if name not in runs:
-            raise page.InputProblem(problem_text(name))
+            raise InputProblem(problem_text(name))
         self.run, self.found = runs[name], None
 
     def work(self, control):
