@@ -244,6 +244,14 @@ def _listed(value: Any) -> List[str]:
     return list(value) if isinstance(value, list) else [value]
 
 
+def _stem(path: str) -> str:
+    return os.path.splitext(os.path.basename(path))[0]
+
+
+def _joined(folder: pathlib.Path, name: str) -> str:
+    return os.path.join(folder, name)
+
+
 def _combinations(
     table: Table, folder: pathlib.Path, where: str, problems: _Problems
 ) -> Iterator[Run]:
@@ -258,15 +266,14 @@ def _combinations(
         problems.append(f"{where}, envelope: cell and resolution exclude one another")
     if "solid" in stages and not _core.HAS_SOLIDS:
         problems.append(f"{where}: this build is without OpenCASCADE and makes no solids")
-    neighbours = tuple(str(folder / name) for name in table.get("neighbours", ()))
+    neighbours = tuple(_joined(folder, name) for name in table.get("neighbours", ()))
     used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid is made of one
     options: Dict[str, Table] = {s: table[s] for s in STAGES if s in used}
     options[""] = {key: table[key] for key in _OPTIONS[""] if key in table}
     pattern = table.get("name", "{part} {motion}")
     for part, motion in itertools.product(_listed(table["part"]), _listed(table["motion"])):
-        name = pattern.replace("{part}", pathlib.PurePath(part).stem)
-        name = name.replace("{motion}", pathlib.PurePath(motion).stem)
-        files = str(folder / part), str(folder / motion), neighbours
+        name = pattern.replace("{part}", _stem(part)).replace("{motion}", _stem(motion))
+        files = _joined(folder, part), _joined(folder, motion), neighbours
         yield Run(name, *files, dict(table.get("rules", {})), stages, options)
 
 
@@ -336,13 +343,17 @@ def _with_pages(run: Run, language: str, template: str) -> Run:
 
 
 def _check_files(runs: Sequence[Run], output: pathlib.Path, problems: _Problems) -> None:
-    inside = output.resolve()
+    inside = os.path.join(os.path.realpath(output), "")
+    folders: Dict[str, str] = {}  # a study has thousands of files in a few folders
     for file in dict.fromkeys(file for run in runs for file in run.files()):
-        path = pathlib.Path(file)
-        if not path.is_file():
-            problems.append(f"there is no file '{path}'")
-        elif inside in path.resolve().parents:
-            problems.append(f"'{path}' lies in the folder for results, where it could be replaced")
+        folder, name = os.path.split(file)
+        if folder not in folders:
+            folders[folder] = os.path.realpath(folder)
+        real = os.path.realpath(file) if os.path.islink(file) else os.path.join(folders[folder], name)
+        if not os.path.isfile(file):
+            problems.append(f"there is no file '{file}'")
+        elif real.startswith(inside):
+            problems.append(f"'{file}' lies in the folder for results, where it could be replaced")
 
 
 def read_study(path: Path, output: Optional[Path] = None) -> Study:

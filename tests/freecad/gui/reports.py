@@ -29,8 +29,9 @@ LOGO = (
     "VORK5CYII="
 )
 TEMPLATE = (
-    '<html><body><p><img src="data:image/png;base64,{}" width="16" height="16" /> ACME paper</p>'
-    "<h1>{{{{title}}}}</h1>{{{{verdict}}}}{{{{table}}}}{{{{graph}}}}{{{{runs}}}}{{{{pictures}}}}</body></html>"
+    '<html><body><p><img src="data:image/png;base64,{}" width="16" height="16" /> ACME paper'
+    "<h1>{{{{title}}}}</h1>{{{{verdict}}}}{{{{table}}}}{{{{graph}}}}{{{{runs}}}}{{{{pictures}}}}"
+    "</body></html>"
 ).format(LOGO)
 
 

@@ -90,7 +90,9 @@ def make(doc):
 
 
 def rows(table):
-    return {table.item(r, 0).text(): table.item(r, 1).text() for r in range(table.rowCount())}
+    model = table.model()
+    shown = [[model.data(model.index(r, c)) for c in (0, 1)] for r in range(model.rowCount())]
+    return dict(shown)
 
 
 def write_files():
@@ -132,8 +134,8 @@ def of_the_document(doc):
     folder.setText(os.path.join(FOLDER, "of the document"))
     undo, gaps = doc.UndoCount, Gaps()
     click(run_button())
-    table = find(QtWidgets.QTableWidget, "SweptVolumeStudyTable")
-    yield lambda: table.rowCount() == 4
+    table = find(QtWidgets.QTableView, "SweptVolumeStudyTable")
+    yield lambda: len(rows(table)) == 4
     assert list(rows(table)) == ["To the stop", "Too far", "Short", "Space"], rows(table)
     yield lambda: doc.getObject("Study") is not None
     yield 0.5
@@ -171,7 +173,7 @@ def of_a_file(doc):
     find(QtWidgets.QLineEdit, "SweptVolumeStudyFile").setText(path)
     find(QtWidgets.QSpinBox, "SweptVolumeStudyJobs").setValue(1)
     click(run_button())
-    table = find(QtWidgets.QTableWidget, "SweptVolumeStudyTable")
+    table = find(QtWidgets.QTableView, "SweptVolumeStudyTable")
     yield lambda: list(rows(table).values()).count("Not run") == 1
     shot("93_study_runs")
     began = time.perf_counter()
@@ -222,7 +224,7 @@ def scenario():
     select(doc.getObject("Study"))
     Gui.runCommand("SweptVolume_Study")
     yield 0.3
-    assert len(rows(find(QtWidgets.QTableWidget, "SweptVolumeStudyTable"))) == 4
+    assert len(rows(find(QtWidgets.QTableView, "SweptVolumeStudyTable"))) == 4
     click(panel_button(Close))
     yield no_panel
 

@@ -70,6 +70,10 @@ def update_status(obj):
     now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
     if waits:
         return
+    if not problem and now == status.NOT_READ and not plan.sources:
+        problem = status.hash_or_problem(plan.runs)[
+            1
+        ]  # what is wrong with a file that was never run
     report = report_of(obj) if obj.Report else None
     status.judge(obj, now, problem, plan.waits(), report["message"] if report else "")
 

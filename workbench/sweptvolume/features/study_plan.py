@@ -41,8 +41,8 @@ def names_of(sources):
 
 
 class Request:
-    """What one study computes, no document behind it: file and folder, and the runs that are written into the
-    file first (None: it is there)."""
+    """What one study computes, no document behind it: file and folder ("": that of the file), and the runs
+    that are written into the file first (None: it is there)."""
 
     def __init__(self, file, output, jobs, runs, look):
         self.file, self.output, self.jobs, self.runs, self.look = file, output, jobs, runs, look
@@ -52,6 +52,8 @@ class Request:
         """Any thread: writes the study file. Raises InputProblem, core.CoreError, OSError."""
         if self.runs is not None:
             study_export.write(self.file, self.runs, self.look, control)
+        elif not self.output:
+            self.output = str(studies.read(self.file).output)
 
 
 class Plan:
@@ -137,7 +139,7 @@ class Plan:
     def words(self):
         """As clearance_plan.Plan.words()."""
         if self._words is None:
-            self.runs()  # says what is wrong with a file
+            self.place()  # says what is missing
             self._words = [word for plan in self._read()[0] for word in plan.words()]
         return self._words
 
@@ -162,7 +164,7 @@ class Plan:
         """Raises InputProblem, core.CoreError, core.CoreMissing."""
         path, output = self.place()
         if not self.sources:
-            return Request(path, str(self.study().output), self.jobs, None, None)
+            return Request(path, output, self.jobs, None, None)
         plans, names = self._read()
         runs = [
             study_export.run_of(name, source, plan)

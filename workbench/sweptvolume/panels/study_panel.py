@@ -127,8 +127,8 @@ class StudyPanel(StayingPanel):
             rows.addWidget(widget)
         rows.addLayout(buttons)
         self.layout.addWidget(self.result)
-        self.table.itemSelectionChanged.connect(lambda *ignored: self._chosen())
-        self.table.itemDoubleClicked.connect(lambda *ignored: self.open_run())
+        self.table.chose.connect(lambda *ignored: self._chosen())
+        self.table.doubleClicked.connect(lambda *ignored: self.open_run())
         self.open_button.clicked.connect(lambda *ignored: self.open_run())
         self.page_button.clicked.connect(lambda *ignored: self.open_page())
         self.report_button.clicked.connect(lambda *ignored: self.export_page())
@@ -173,15 +173,21 @@ class StudyPanel(StayingPanel):
         ):
             return False
         self._enable(False)
-        self.table.begin(self.run.task.names)
+        self.begun = False
         self.result.show()
         self.summary.setText("")
         self.run.progress.connect(lambda *ignored: self._follow())
         return True
 
     def _follow(self):
-        if self.run is not None and isinstance(self.run.task, StudyTask):
-            self.table.take(dict(self.run.task.request.rows))
+        if self.run is None or not isinstance(self.run.task, StudyTask):
+            return
+        task = self.run.task
+        if not self.begun and task.names is not None:
+            self.table.begin(task.names)
+            self.begun = True
+        if self.begun:
+            self.table.take(dict(task.request.rows))
 
     def _enable(self, on):
         for button in (self.start_button, self.open_button, self.page_button, self.report_button):
@@ -211,7 +217,7 @@ class StudyPanel(StayingPanel):
         report = study.report_of(self.obj) if self.obj is not None else None
         self.result.setVisible(report is not None)
         left = report is not None and study_table.count(report["runs"], "not run")
-        go_on = translate("Panels", "Go on") if left else translate("Panels", "Run")
+        go_on = translate("Panels", "Go on") if left else translate("Panels", "Run study")
         self.start_button.setText(go_on)
         if report is None:
             return

@@ -20,9 +20,14 @@ class StudyTask(PlanTask):
     TITLE = mark("Messages", "Run study")
     FEATURE = study
 
+    names = None  # of its runs, once they are known
+
     def read(self):
-        self.names = self.plan.runs()
         return self.plan.request()
+
+    def carry_out(self, control):
+        self.names = self.plan.runs()
+        return super().carry_out(control)
 
     def make(self):
         return study.make_study(self.document)
