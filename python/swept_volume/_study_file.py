@@ -298,6 +298,15 @@ def _check_names(runs: Sequence[Run], problems: _Problems) -> None:
         seen[run.name.casefold()] = run.name
 
 
+def _check_roles(runs: Sequence[Run], problems: _Problems) -> None:
+    for run in runs:
+        if run.part in run.neighbours:
+            problems.append(
+                f"run {run.name!r}: '{run.part}' is the part that moves and a neighbour; take it out of "
+                "the neighbours"
+            )
+
+
 def _check_rules(runs: Sequence[Run], problems: _Problems) -> None:
     """As clearance() would refuse them. The names in a STEP or BREP file are known when it is read: with
     such neighbours only kinds and lengths are checked."""
@@ -349,7 +358,9 @@ def _check_files(runs: Sequence[Run], output: pathlib.Path, problems: _Problems)
         folder, name = os.path.split(file)
         if folder not in folders:
             folders[folder] = os.path.realpath(folder)
-        real = os.path.realpath(file) if os.path.islink(file) else os.path.join(folders[folder], name)
+        real = (
+            os.path.realpath(file) if os.path.islink(file) else os.path.join(folders[folder], name)
+        )
         if not os.path.isfile(file):
             problems.append(f"there is no file '{file}'")
         elif real.startswith(inside):
@@ -391,6 +402,7 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
     if not problems:
         _check_names(runs, problems)
         _check_files(runs, chosen, problems)
+        _check_roles(runs, problems)
         _check_rules(runs, problems)
     if problems:
         raise _bad_study(file, problems)

@@ -937,6 +937,10 @@ Versucht:
    <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
   </message>
   <message>
+   <source>the rules for "{0}" and for "{1}" contradict each other for "{2}", and none of them is the narrower one: give this pair a rule of its own.</source>
+   <translation>die Regeln für "{0}" und für "{1}" widersprechen sich für "{2}", und keine von ihnen ist die engere: Geben Sie diesem Paar eine eigene Regel.</translation>
+  </message>
+  <message>
    <source>the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} lengths): give them anew.</source>
    <translation>Die Regeln von „{0}“ passen nicht zu den Teilen ({1} Teile, zwei für jede Regel, {2} Arten, {3} Längen): neu angeben.</translation>
   </message>

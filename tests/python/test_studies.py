@@ -252,6 +252,10 @@ CHECK = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\nneighbours = ["post.ply
             CHECK + "rules = { 'p*' = 3, '*t' = 4 }",
             "rules: two rules contradict each other for neig",
         ),
+        (
+            CHECK.replace("post", "box"),
+            "box.ply' is the part that moves and a neighbour; take it out",
+        ),
         ('[study]\npage = "yes"\n' + RUN, "[study]: page is 'yes'; it must be true or false"),
         ('[study]\nlanguage = "fr"\n' + RUN, "language is 'fr'; it must be one of en, de"),
         ('[study]\ntemplate = "gone.html"\n' + RUN, "gone.html' cannot be read"),
