@@ -122,9 +122,8 @@ class _Stages:
         deflection, chords = given.get("deflection", 0.05), given.get("neighbour_chord", 0.0)
 
         def chord_of(file: str) -> float:
-            return (
-                chords.get(pathlib.PurePath(file).stem, 0.0) if isinstance(chords, dict) else chords
-            )
+            by_name = isinstance(chords, dict)
+            return float(chords.get(pathlib.PurePath(file).stem, 0.0) if by_name else chords)
 
         neighbours = [
             part

@@ -153,7 +153,8 @@ TEST(Page, StudiesHaveATableAndAPartForEachRun) {
   EXPECT_EQ(code(R"({"run": "a", "state": "late"})", "'late' of a run is unknown"), "BadReport");
   EXPECT_EQ(code(R"({"run": "a", "state": "done", "page": "data:x"})", "not one beside it"),
             "BadReport");
-  EXPECT_EQ(code(R"({"run": "a", "state": "done", "clearance": {"neighbours": 3}})", "a report"),
+  EXPECT_EQ(code(R"({"run": "a", "state": "done", "clearance": {"neighbours": 3}})",
+                 "no page can be made"),
             "BadReport");
 }
 
