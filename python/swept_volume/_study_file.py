@@ -14,21 +14,17 @@ import itertools
 import math
 import os
 import pathlib
-import re
 import sys
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from . import _core
-from ._clearance import rule_texts
+from ._study_checks import check_files, check_names, check_roles, check_rules, read_template
 from ._values import Path
 
 Table = Mapping[str, Any]
 
 STAGES = ("envelope", "solid", "clearance")
 _UNITS = ("mm", "cm", "m", "in")
-#: Files in the folder for results, beside the folders of the runs.
-RESERVED = ("study.csv", "study.json", "study.html")
-_EXACT = (".step", ".stp", ".brep", ".brp")  # files whose solids have names of their own
 _KNOWN_PROBLEMS = 12  # that one message lists
 
 
@@ -277,71 +273,6 @@ def _combinations(
         yield Run(name, *files, dict(table.get("rules", {})), stages, options)
 
 
-def _check_names(runs: Sequence[Run], problems: _Problems) -> None:
-    """Names of runs are names of folders, also on systems that do not tell A from a."""
-    seen: Dict[str, str] = {}
-    for run in runs:
-        if not re.fullmatch(r"[\w()+=,@ .-]{1,120}", run.name) or run.name.strip(" .") != run.name:
-            problems.append(
-                f"run {run.name!r}: a name has 1 to 120 letters, digits, blanks or ()+=,@.-_, and "
-                "neither begins nor ends with a blank or a dot"
-            )
-        elif run.name.casefold() in seen:
-            problems.append(
-                f"two runs are called {run.name!r}; give them names, with {{part}} and {{motion}} "
-                "where these are lists"
-            )
-        elif run.name.casefold() in RESERVED:
-            problems.append(
-                f"run {run.name!r}: a file of the results has that name; choose another"
-            )
-        seen[run.name.casefold()] = run.name
-
-
-def _check_roles(runs: Sequence[Run], problems: _Problems) -> None:
-    for run in runs:
-        if run.part in run.neighbours:
-            problems.append(
-                f"run {run.name!r}: '{run.part}' is the part that moves and a neighbour; take it out of "
-                "the neighbours"
-            )
-
-
-def _check_rules(runs: Sequence[Run], problems: _Problems) -> None:
-    """As clearance() would refuse them. The names in a STEP or BREP file are known when it is read: with
-    such neighbours only kinds and lengths are checked."""
-    seen = set()
-    for run in runs:
-        rules = rule_texts(run.rules)
-        given = (tuple(rules), run.neighbours)
-        if "clearance" not in run.compute or not rules or given in seen:
-            continue
-        seen.add(given)
-        paths = [pathlib.PurePath(file) for file in run.neighbours]
-        exact = any(path.suffix.lower() in _EXACT for path in paths)
-        try:
-            _core.rules_for(rules, None if exact else [path.stem for path in paths])
-        except _core.InvalidInput as error:
-            problems.append(f"run {run.name!r}, rules: {error}")
-
-
-def _template(name: str, folder: pathlib.Path, problems: _Problems) -> str:
-    """Text of a template for pages; "" for none."""
-    if not name:
-        return ""
-    try:
-        text = (folder / name).read_text(encoding="utf-8")
-        if text.strip():
-            _core.check_page_template(text)
-            return text
-        problems.append(f"[study]: the template '{folder / name}' is empty")
-    except (OSError, UnicodeDecodeError) as error:
-        problems.append(f"[study]: the template '{folder / name}' cannot be read: {error}")
-    except _core.InvalidInput as error:
-        problems.append(f"[study], template: {error}")
-    return ""
-
-
 def _with_pages(run: Run, language: str, template: str) -> Run:
     """The run, whose page has the language and the template of the study."""
     options = run.options.get("clearance", {})
@@ -349,22 +280,6 @@ def _with_pages(run: Run, language: str, template: str) -> Run:
         return run
     shown = {**options, "language": language, "template": template}
     return dataclasses.replace(run, options={**run.options, "clearance": shown})
-
-
-def _check_files(runs: Sequence[Run], output: pathlib.Path, problems: _Problems) -> None:
-    inside = os.path.join(os.path.realpath(output), "")
-    folders: Dict[str, str] = {}  # a study has thousands of files in a few folders
-    for file in dict.fromkeys(file for run in runs for file in run.files()):
-        folder, name = os.path.split(file)
-        if folder not in folders:
-            folders[folder] = os.path.realpath(folder)
-        real = (
-            os.path.realpath(file) if os.path.islink(file) else os.path.join(folders[folder], name)
-        )
-        if not os.path.isfile(file):
-            problems.append(f"there is no file '{file}'")
-        elif real.startswith(inside):
-            problems.append(f"'{file}' lies in the folder for results, where it could be replaced")
 
 
 def read_study(path: Path, output: Optional[Path] = None) -> Study:
@@ -388,7 +303,7 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
         raise _bad_study(file, problems)
     defaults = _checked(parsed.get("defaults", {}), "[defaults]", problems)
     folder = file.absolute().parent
-    template = _template(about.get("template", ""), folder, problems)
+    template = read_template(about.get("template", ""), folder, problems)
     runs: List[Run] = []
     for number, table in enumerate(tables, 1):
         where = f"run {number}" + (f" ({table['name']!r})" if "name" in table else "")
@@ -400,10 +315,10 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
         pathlib.Path(os.fsdecode(output)) if output else folder / about.get("output", "results")
     )
     if not problems:
-        _check_names(runs, problems)
-        _check_files(runs, chosen, problems)
-        _check_roles(runs, problems)
-        _check_rules(runs, problems)
+        check_names(runs, problems)
+        check_files(runs, chosen, problems)
+        check_roles(runs, problems)
+        check_rules(runs, problems)
     if problems:
         raise _bad_study(file, problems)
     language = about.get("language", "en")

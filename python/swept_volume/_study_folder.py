@@ -11,7 +11,8 @@ import sys
 from typing import Iterator, Optional
 
 from . import _core
-from ._study_file import RESERVED, Run
+from ._study_checks import RESERVED
+from ._study_file import Run
 from ._study_run import (
     PARTIAL,
     REPORT_FILE,
