@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <optional>
 
 #include "arrays.h"
 #include "errors.h"
@@ -115,6 +116,16 @@ std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::o
   return rules;
 }
 
+std::vector<std::string> pyRulesFor(const std::vector<std::string>& rules,
+                                    const std::optional<std::vector<std::string>>& names) {
+  std::vector<NamedRule> read;
+  for (const std::string& rule : rules) read.push_back(parseNamedRule(rule));
+  std::vector<std::string> found;
+  if (names)
+    for (const NeighbourRule& rule : rulesFor(*names, read)) found.push_back(ruleText(rule));
+  return found;
+}
+
 MechanismPart mechanismPartFrom(const py::handle& item) {
   const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
   if (part.size() != 6)
@@ -184,6 +195,13 @@ void bindClearance(py::module_& module) {
              py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
              py::arg("penetration") = true, py::arg("run") = py::none(),
              py::arg("rules") = py::tuple());
+  module.def(
+      "rules_for", &pyRulesFor,
+      "rules_for(rules, names=None) -> list of str\n\nThe rule of each neighbour of these names, "
+      "from texts 'NAME=RULE'; '' where the common distance holds. names None: not known, the "
+      "rules "
+      "are only read. Raises InvalidInput (BadRule).",
+      py::arg("rules"), py::arg("names") = py::none());
   module.def("first_contacts", &pyFirstContacts, kFirstContactsDoc, py::arg("vertices"),
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,

@@ -80,6 +80,10 @@ void bindPage(py::module_& module) {
   module.def("page_template", &pageTemplate,
              "page_template(name='page') -> str\n\nA template of the program: 'page' or 'print'.",
              py::arg("name") = "page");
+  module.def("check_page_template", &checkPageTemplate,
+             "check_page_template(template)\n\nRaises InvalidInput (BadTemplate) where "
+             "report_page() would.",
+             py::arg("template"));
   module.def("page_has_view", &pageHasView,
              "page_has_view() -> bool\n\nFalse where the module was built without three.js: pages "
              "have no 3D view then.");

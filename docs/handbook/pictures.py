@@ -31,6 +31,7 @@ from driver import (  # noqa: E402
     shot,
 )
 
+import assembly_pictures  # noqa: E402
 import engine_bay  # noqa: E402
 import mechanism_pictures  # noqa: E402
 import path_pictures  # noqa: E402
@@ -217,6 +218,12 @@ def clearance(made):
 def bay():
     """The first tutorial."""
     yield from engine_bay.work(picture, os.environ["SWEPT_SHOTS"])
+    App.closeDocument(App.ActiveDocument.Name)
+
+
+def assembly():
+    """The third tutorial."""
+    yield from assembly_pictures.work(picture, os.environ["SWEPT_SHOTS"])
     App.closeDocument(App.ActiveDocument.Name)
 
 
@@ -427,7 +434,7 @@ def scenario():
     open_workbench()
     Gui.getMainWindow().showNormal()
     yield
-    for part in (bay, demo, joint, slider, selected, made_by, preferences):
+    for part in (bay, assembly, demo, joint, slider, selected, made_by, preferences):
         yield from part()
     yield from path_pictures.ways(picture)
     yield from mechanism_pictures.crank(picture)

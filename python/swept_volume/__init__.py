@@ -43,7 +43,7 @@ from ._mechanisms import mechanism
 from ._pages import page_template, report_page
 from ._paths import find_path, improve_path
 from ._sources import Sources
-from ._study import run_study
+from ._study import run_study, study_page
 from ._values import (
     Mesh,
     MeshLike,
@@ -93,6 +93,7 @@ __all__ = [
     "read_parts",
     "report_page",
     "run_study",
+    "study_page",
     "write_mesh",
     "write_solid",
 ]

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import signal
 import sys
-from typing import Any, List
+from typing import Any, List, Sequence
 
 from . import Error, RunContext, __version__
 from ._study import Row, run_study
@@ -18,7 +19,7 @@ USAGE, FAILED = 2, 1
 EXAMPLES = """Exit status 0 if all runs are done and clear, 3 if one is not clear, 1 if one failed.
 
 Examples:
-  swept study doors.toml --jobs 4
+  swept study doors.toml --jobs 4 --page
   swept study doors.toml --scheduler tcp://cluster:8786 --send-files"""
 
 
@@ -38,6 +39,8 @@ def _parser() -> argparse.ArgumentParser:
     study.add_argument("--scheduler", metavar="ADDRESS", help="dask scheduler to compute on")
     study.add_argument("--send-files", action="store_true", help="files go through the scheduler")
     study.add_argument("--again", action="store_true", help="compute what is there again")
+    study.add_argument("--page", action="store_true", help="also write study.html, for people")
+    study.add_argument("--rows", action="store_true", help="rows of runs as JSON, as they end")
     study.add_argument("--report", metavar="FILE", help="write the report of the study")
     study.add_argument("-q", "--quiet", action="store_true", help="no progress, no summary")
     return parser
@@ -52,6 +55,15 @@ def _line(row: Row) -> str:
 
 def _show(done: int, all_runs: int, row: Row) -> None:
     print(f"{done}/{all_runs} {_line(row)}", file=sys.stderr)
+
+
+def _tell(done: int, all_runs: int, row: Row) -> None:
+    print(json.dumps({"done": done, "runs": all_runs, "row": row}), flush=True)
+
+
+def _tell_kept(rows: Sequence[Row]) -> None:
+    for row in rows:
+        print(json.dumps({"row": row}), flush=True)
 
 
 def _check_report(options: argparse.Namespace) -> None:
@@ -71,6 +83,8 @@ def _exit_status(report: Report) -> int:
 
 
 def _study(options: argparse.Namespace) -> int:
+    if options.rows and options.report == "-":
+        raise bad_option("--rows and --report - both take standard output; name a file")
     _check_report(options)
     context = RunContext()
     received: List[int] = []
@@ -88,7 +102,9 @@ def _study(options: argparse.Namespace) -> int:
         scheduler=options.scheduler,
         send_files=options.send_files,
         again=options.again,
-        progress=None if options.quiet else _show,
+        page=options.page,
+        progress=_tell if options.rows else None if options.quiet else _show,
+        kept=_tell_kept if options.rows else None,
         run=context,
     )
     text = json_text(report)
@@ -97,7 +113,7 @@ def _study(options: argparse.Namespace) -> int:
     elif options.report:
         with open(options.report, "w", encoding="utf-8") as file:
             file.write(text)
-    if not options.quiet and options.report != "-":
+    if not (options.quiet or options.rows or options.report == "-"):
         print(
             f"{report['name']}: {report['done']} done, {report['not_clear']} not clear, "
             f"{report['failed']} failed, {report['not_run']} left; results in {report['output']}"

@@ -169,6 +169,7 @@ def clearance(
     run: Optional[RunContext] = None,
     rules: Sequence[str] = (),
 ) -> Dict[str, Any]: ...
+def rules_for(rules: Sequence[str], names: Optional[Sequence[str]] = None) -> List[str]: ...
 def first_contacts(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,
@@ -254,6 +255,7 @@ def distance_to_mesh(
     triangles: npt.ArrayLike,
     run: Optional[RunContext] = None,
 ) -> npt.NDArray[np.float64]: ...
+def check_page_template(template: str) -> None: ...
 def report_page(
     report: str,
     title: str = "",

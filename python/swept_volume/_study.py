@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import io
-import json
 import math
-import os
-import pathlib
-import shutil
 import time
 from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
 from ._calls import RunContext, logger
 from ._study_file import Run, Study, read_study
+from ._study_folder import STUDY_PAGE, STUDY_REPORT, TABLE, Folder
+from ._study_page import page_date, study_text
 from ._study_run import (
     DONE,
     FAILED,
     NOT_CLEAR,
-    PARTIAL,
-    REPORT_FILE,
     Report,
     file_hash,
     json_text,
-    output_names,
-    partial_folder,
     run_key,
     state_of,
 )
@@ -33,8 +28,6 @@ from ._values import Path, bad_option
 
 NOT_RUN = "not run"
 _ORDER = (FAILED, NOT_CLEAR, NOT_RUN, DONE)  # the worst first
-TABLE = "study.csv"
-STUDY_REPORT = "study.json"
 #: Of the table: names of columns and the keys of a row that they show.
 COLUMNS = {
     "run": "run",
@@ -44,6 +37,7 @@ COLUMNS = {
     "distance_mm": "distance",
     "guaranteed_mm": "guaranteed",
     "time_s": "time_seconds",
+    "depth_mm": "depth",
     "volume_mm3": "volume",
     "triangles": "triangles",
     "faces": "faces",
@@ -56,11 +50,13 @@ Row = Dict[str, Any]
 
 
 def _worst_neighbour(report: Report) -> Optional[Row]:
-    """The row of a clearance that meets its rule least: what breaks a rule first, then the nearest."""
+    """The row of a clearance that meets its rule least: what breaks a rule first, then the nearest; what may
+    be touched only where no other is there."""
     rows: List[Row] = report.get("clearance", {}).get("neighbours", [])
 
-    def order(row: Row) -> Tuple[bool, float, float]:
-        return row["meets_rule"], row["distance"], -row.get("penetration", {}).get("depth", 0.0)
+    def order(row: Row) -> Tuple[bool, bool, float, float]:
+        depth = row.get("penetration", {}).get("depth", 0.0)
+        return row["meets_rule"], "contact" in row.get("rule", {}), row["distance"], -depth
 
     return min(rows, key=order) if rows else None
 
@@ -77,6 +73,8 @@ def _row(run: Run, report: Optional[Report]) -> Row:
         row["neighbour"] = nearest["name"]
         keys = ("verdict", "distance", "guaranteed", "time_seconds")
         row.update((key, nearest[key]) for key in keys)
+        if "penetration" in nearest:
+            row["depth"] = nearest["penetration"]["depth"]
     envelope, solid = report.get("envelope", {}), report.get("solid", {})
     row.update((key, envelope[key]) for key in ("volume", "triangles") if key in envelope)
     row.update((key, solid[key]) for key in ("faces", "deviation") if key in solid)
@@ -87,54 +85,16 @@ def _row(run: Run, report: Optional[Report]) -> Row:
     return row
 
 
-def _worst_row(rows: Sequence[Row]) -> Row:
-    """What to look at first: a failure, else what is not clear, else the smallest distance."""
-    return min(rows, key=lambda row: (_ORDER.index(row["state"]), row.get("distance", math.inf)))
+def worst_first(rows: Sequence[Row]) -> List[int]:
+    """Numbers of the rows: failures, then what is not clear (the deepest clash, then the nearest), then what
+    is left, then what is done, the nearest first."""
 
+    def order(number: int) -> Tuple[int, float, float]:
+        row = rows[number]
+        depth = row.get("depth", 0.0) if row["state"] == NOT_CLEAR else 0.0
+        return _ORDER.index(row["state"]), -depth, row.get("distance", math.inf)
 
-class _Folder:
-    """The folder of a study's results: a folder a run, each with its report, and the table."""
-
-    def __init__(self, study: Study) -> None:
-        self.study, self.path = study, study.output
-        self.path.mkdir(parents=True, exist_ok=True)
-        self.remove_partial()
-
-    def remove_partial(self) -> None:
-        """What a study that was stopped has left."""
-        for left in self.path.glob(PARTIAL + "*"):
-            shutil.rmtree(left, ignore_errors=True)
-
-    def earlier(self, run: Run, key: str) -> Optional[Report]:
-        """The report of an earlier run of the same input with the same options, unless it failed."""
-        folder = self.path / run.name
-        try:
-            report: Report = json.loads((folder / REPORT_FILE).read_text(encoding="utf-8"))
-            whole = all((folder / name).is_file() for name in output_names(run))
-            same = report["key"] == key and report["status"] == "Ok"
-        except (OSError, ValueError, KeyError, TypeError):
-            return None
-        return report if whole and same else None
-
-    def take(self, run: Run, report: Report, filled: Optional[str]) -> None:
-        """Puts the folder that a run filled in the place of an older one."""
-        folder = self.path / run.name
-        if filled is None:
-            filled = partial_folder(str(self.path))
-            text = json_text(report)
-            pathlib.Path(filled, REPORT_FILE).write_text(text, encoding="utf-8")
-        if folder.exists():
-            old = self.path / (PARTIAL + run.name + ".old")
-            folder.rename(old)
-            pathlib.Path(filled).rename(folder)
-            shutil.rmtree(old)
-        else:
-            pathlib.Path(filled).rename(folder)
-
-    def write(self, name: str, text: str) -> None:
-        made = self.path / (PARTIAL + name)
-        made.write_text(text, encoding="utf-8", newline="")
-        os.replace(made, self.path / name)
+    return sorted(range(len(rows)), key=order)
 
 
 def _table(rows: Sequence[Row]) -> str:
@@ -162,7 +122,7 @@ def _summary(study: Study, rows: Sequence[Row]) -> Report:
     report["output"] = str(study.output)
     keys = {DONE: "done", NOT_CLEAR: "not_clear", FAILED: "failed", NOT_RUN: "not_run"}
     report.update((key, counts[state]) for state, key in keys.items())
-    report["worst"] = _worst_row(rows)["run"]
+    report["worst"] = rows[worst_first(rows)[0]]["run"]
     report["runs"] = list(rows)
     return report
 
@@ -184,6 +144,46 @@ def _reports(
     return compute_here(tasks, jobs or cores(), lambda: context.cancelled)
 
 
+class _Looked:
+    """A study file that was read, with the hashes of its files and what its folder holds of its runs."""
+
+    def __init__(self, path: Path, output: Optional[Path]) -> None:
+        self.study = read_study(path, output)
+        files = dict.fromkeys(file for one in self.study.runs for file in one.files())
+        self.hashes = {file: file_hash(file) for file in [str(self.study.file), *files]}
+        self.keys = [run_key(one, self.hashes) for one in self.study.runs]
+        self.folder = Folder(self.study.output)
+        self.reports: List[Optional[Report]] = [None] * len(self.keys)
+        self.rows = [_row(one, None) for one in self.study.runs]
+
+    def look(self) -> None:
+        """Takes over what an earlier study has left."""
+        for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
+            self.take(number, self.folder.earlier(one, key))
+
+    def take(self, number: int, report: Optional[Report]) -> None:
+        """The report of a run; that of one with a page is also kept for the page of all."""
+        self.reports[number] = report
+        self.rows[number] = _row(self.study.runs[number], report)
+
+    def tasks(self) -> List[Task]:
+        """What is left."""
+        found = []
+        for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
+            if self.reports[number] is None:
+                own = {file: self.hashes[file] for file in one.files()}
+                found.append(Task(number, one, key, str(self.study.output), own))
+        return found
+
+    def summary(self) -> Report:
+        return _summary(self.study, self.rows)
+
+    def page(self, folder: str = "", run: Optional[RunContext] = None) -> str:
+        order = worst_first(self.rows)
+        found = self.summary()
+        return study_text(self.study, found, self.reports, self.hashes, order, folder, run)
+
+
 def run_study(
     path: Path,
     *,
@@ -192,7 +192,9 @@ def run_study(
     scheduler: Optional[str] = None,
     send_files: bool = False,
     again: bool = False,
+    page: bool = False,
     progress: Optional[Progress] = None,
+    kept: Optional[Callable[[Sequence[Row]], None]] = None,
     run: Optional[RunContext] = None,
 ) -> Report:
     """Computes all runs of a study file (docs/studies.md) into a folder, and a table of them.
@@ -202,42 +204,68 @@ def run_study(
     scheduler       address of a dask scheduler (tcp://host:8786), whose workers compute instead
     send_files      files travel through the scheduler; else all machines see the same folders
     again           compute runs again whose results are there, with the same input and options
+    page            also write study.html, a page for people, as where the file says so
     progress        called with the number of runs that have ended, of all runs, and the row of the last
+    kept            called with the rows of the runs that are there already, before others are computed
     run             cancels
 
     Returns the report of the study: its `runs` are the rows of the table, `worst` names the run to look
     at first. A run that fails has a row that says so and stops no other. What was cancelled goes on at
-    the next call. Raises InvalidInput (BadStudy, BadOption), FileNotFoundError, OSError where the
-    scheduler does not answer or results cannot be written.
+    the next call. Raises InvalidInput (BadStudy, BadOption, FolderInUse), FileNotFoundError, OSError
+    where the scheduler does not answer or results cannot be written.
     """
     if jobs is not None and jobs < 1:
         raise bad_option(f"jobs is {jobs}; it must be 1 or more")
     if send_files and scheduler is None:
         raise bad_option("send_files is for a scheduler; name its address")
-    study, context, began = read_study(path, output), run or RunContext(), time.monotonic()
-    hashes = {file: file_hash(file) for one in study.runs for file in one.files()}
-    folder = _Folder(study)
-    keys = [run_key(one, hashes) for one in study.runs]
-    reports: List[Optional[Report]] = [
-        None if again else folder.earlier(one, key) for one, key in zip(study.runs, keys)
-    ]
-    rows = [_row(one, report) for one, report in zip(study.runs, reports)]
-    numbered = enumerate(zip(study.runs, keys))
-    todo = [Task(i, one, key, str(study.output)) for i, (one, key) in numbered if not reports[i]]
-    kept, ended = len(rows) - len(todo), 0
-    try:
-        for number, report, filled in _reports(todo, jobs, scheduler, send_files, context):
-            folder.take(study.runs[number], report, filled)
-            rows[number] = _row(study.runs[number], report)
-            ended += 1
-            if progress is not None:
-                progress(kept + ended, len(rows), rows[number])
-    finally:
-        folder.remove_partial()
-        found = _summary(study, rows)
-        folder.write(TABLE, _table(rows))
-        folder.write(STUDY_REPORT, json_text(found))
-    found["kept"] = kept
+    looked, context, began = _Looked(path, output), run or RunContext(), time.monotonic()
+    study, folder = looked.study, looked.folder
+    if page or study.page:
+        page_date()  # says what is wrong with it before anything is computed
+    with folder.filled_alone():
+        if not again:
+            looked.look()
+        todo = looked.tasks()
+        ended = len(study.runs) - len(todo)
+        there = ended
+        if kept is not None:
+            left = {task.number for task in todo}
+            kept([row for number, row in enumerate(looked.rows) if number not in left])
+        try:
+            for number, report, filled in _reports(todo, jobs, scheduler, send_files, context):
+                folder.take(study.runs[number], report, filled)
+                looked.take(number, report)
+                ended += 1
+                if progress is not None:
+                    progress(ended, len(study.runs), looked.rows[number])
+        finally:
+            folder.remove_partial()
+            found = looked.summary()
+            folder.write(TABLE, _table(looked.rows))
+            folder.write(STUDY_REPORT, json_text(found))
+            if page or study.page:
+                folder.write(STUDY_PAGE, looked.page())
+    found["kept"] = there
     found["seconds"] = {"total": round(time.monotonic() - began, 3)}
-    logger.info("%s: %d runs, %d of them kept", study.name, len(rows), kept)
+    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), there)
     return found
+
+
+def study_page(
+    path: Path,
+    *,
+    output: Optional[Path] = None,
+    folder: str = "",
+    template: Optional[str] = None,
+    run: Optional[RunContext] = None,
+) -> str:
+    """One HTML file, as text, that tells of all runs of a study file what its folder for results holds; runs
+    whose results are not there, or are of other input, are "not run". Nothing is computed. output: another
+    folder than the file says; folder: how the page gets there from its own place, such as "results/"; then it
+    links to the pages of single runs. template: text, in place of that of the file. Raises InvalidInput
+    (BadStudy, BadTemplate), FileNotFoundError, Cancelled."""
+    looked = _Looked(path, output)
+    if template is not None:
+        looked.study = dataclasses.replace(looked.study, template=template)
+    looked.look()
+    return looked.page(folder, run)

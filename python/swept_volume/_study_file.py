@@ -14,11 +14,11 @@ import itertools
 import math
 import os
 import pathlib
-import re
 import sys
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from . import _core
+from ._study_checks import check_files, check_names, check_roles, check_rules, read_template
 from ._values import Path
 
 Table = Mapping[str, Any]
@@ -47,11 +47,17 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Study:
-    """A study file that was read: its name, the folder for results, its runs in their order."""
+    """A study file that was read: its path, its name, the folder for results, its runs in their order;
+    whether a page is made of it, and the language and the text of the template ("": the program's) of all its
+    pages."""
 
+    file: pathlib.Path
     name: str
     output: pathlib.Path
     runs: Tuple[Run, ...]
+    page: bool = False
+    language: str = "en"
+    template: str = ""
 
 
 def _is_number(value: Any) -> bool:
@@ -83,6 +89,11 @@ _RULES: Check = (
     "a table of names, each with a distance in mm, 'contact', 'contact:MM' or 'ignore'",
 )
 
+_CHORDS: Check = (
+    lambda v: all(_is_number(c) and c >= 0 for c in (v.values() if isinstance(v, dict) else [v])),
+    "a number of 0 or more, or a table of them by the names of files",
+)
+
 
 def _one_of(*words: str) -> Check:
     return (lambda v: v in words), "one of " + ", ".join(words)
@@ -92,6 +103,13 @@ _STAGES: Check = (
     lambda v: isinstance(v, list) and v != [] and all(s in STAGES for s in v),
     "a list of " + ", ".join(STAGES),
 )
+_STUDY_KEYS: Dict[str, Check] = {
+    "name": _TEXT,
+    "output": _TEXT,
+    "page": _YES_NO,
+    "language": _one_of("en", "de"),
+    "template": _TEXT,
+}
 _RUN_KEYS: Dict[str, Check] = {
     "name": _TEXT,
     "part": _FILES,
@@ -136,7 +154,8 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
         "required": _NUMBER,
         "tolerance": _ABOVE,
         "deflection": _ABOVE,
-        "neighbour_chord": _NUMBER,
+        "body_chord": _NUMBER,
+        "neighbour_chord": _CHORDS,
         "interval_tolerance": _ABOVE,
         "curve": _COUNT,
         "penetration": _YES_NO,
@@ -221,6 +240,14 @@ def _listed(value: Any) -> List[str]:
     return list(value) if isinstance(value, list) else [value]
 
 
+def _stem(path: str) -> str:
+    return os.path.splitext(os.path.basename(path))[0]
+
+
+def _joined(folder: pathlib.Path, name: str) -> str:
+    return os.path.join(folder, name)
+
+
 def _combinations(
     table: Table, folder: pathlib.Path, where: str, problems: _Problems
 ) -> Iterator[Run]:
@@ -235,43 +262,24 @@ def _combinations(
         problems.append(f"{where}, envelope: cell and resolution exclude one another")
     if "solid" in stages and not _core.HAS_SOLIDS:
         problems.append(f"{where}: this build is without OpenCASCADE and makes no solids")
-    neighbours = tuple(str(folder / name) for name in table.get("neighbours", ()))
+    neighbours = tuple(_joined(folder, name) for name in table.get("neighbours", ()))
     used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid is made of one
     options: Dict[str, Table] = {s: table[s] for s in STAGES if s in used}
     options[""] = {key: table[key] for key in _OPTIONS[""] if key in table}
     pattern = table.get("name", "{part} {motion}")
     for part, motion in itertools.product(_listed(table["part"]), _listed(table["motion"])):
-        name = pattern.replace("{part}", pathlib.PurePath(part).stem)
-        name = name.replace("{motion}", pathlib.PurePath(motion).stem)
-        files = str(folder / part), str(folder / motion), neighbours
+        name = pattern.replace("{part}", _stem(part)).replace("{motion}", _stem(motion))
+        files = _joined(folder, part), _joined(folder, motion), neighbours
         yield Run(name, *files, dict(table.get("rules", {})), stages, options)
 
 
-def _check_names(runs: Sequence[Run], problems: _Problems) -> None:
-    """Names of runs are names of folders, also on systems that do not tell A from a."""
-    seen: Dict[str, str] = {}
-    for run in runs:
-        if not re.fullmatch(r"[\w()+=,@ .-]{1,120}", run.name) or run.name.strip(" .") != run.name:
-            problems.append(
-                f"run {run.name!r}: a name has 1 to 120 letters, digits, blanks or ()+=,@.-_, and "
-                "neither begins nor ends with a blank or a dot"
-            )
-        elif run.name.casefold() in seen:
-            problems.append(
-                f"two runs are called {run.name!r}; give them names, with {{part}} and {{motion}} "
-                "where these are lists"
-            )
-        seen[run.name.casefold()] = run.name
-
-
-def _check_files(runs: Sequence[Run], output: pathlib.Path, problems: _Problems) -> None:
-    inside = output.resolve()
-    for file in dict.fromkeys(file for run in runs for file in run.files()):
-        path = pathlib.Path(file)
-        if not path.is_file():
-            problems.append(f"there is no file '{path}'")
-        elif inside in path.resolve().parents:
-            problems.append(f"'{path}' lies in the folder for results, where it could be replaced")
+def _with_pages(run: Run, language: str, template: str) -> Run:
+    """The run, whose page has the language and the template of the study."""
+    options = run.options.get("clearance", {})
+    if not options.get("page"):
+        return run
+    shown = {**options, "language": language, "template": template}
+    return dataclasses.replace(run, options={**run.options, "clearance": shown})
 
 
 def read_study(path: Path, output: Optional[Path] = None) -> Study:
@@ -287,14 +295,15 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
     if not isinstance(about, dict) or not isinstance(tables, list) or not tables:
         raise _bad_study(file, [*problems, "it has no table [[run]]"])
     for key, value in about.items():
-        if key not in ("name", "output"):
-            problems.unknown("[study]", key, ["name", "output"])
+        if key not in _STUDY_KEYS:
+            problems.unknown("[study]", key, list(_STUDY_KEYS))
         else:
-            problems.check("[study]", key, value, _TEXT)
+            problems.check("[study]", key, value, _STUDY_KEYS[key])
     if problems:
         raise _bad_study(file, problems)
     defaults = _checked(parsed.get("defaults", {}), "[defaults]", problems)
     folder = file.absolute().parent
+    template = read_template(about.get("template", ""), folder, problems)
     runs: List[Run] = []
     for number, table in enumerate(tables, 1):
         where = f"run {number}" + (f" ({table['name']!r})" if "name" in table else "")
@@ -306,8 +315,19 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
         pathlib.Path(os.fsdecode(output)) if output else folder / about.get("output", "results")
     )
     if not problems:
-        _check_names(runs, problems)
-        _check_files(runs, chosen, problems)
+        check_names(runs, problems)
+        check_files(runs, chosen, problems)
+        check_roles(runs, problems)
+        check_rules(runs, problems)
     if problems:
         raise _bad_study(file, problems)
-    return Study(about.get("name", file.stem), chosen.absolute(), tuple(runs))
+    language = about.get("language", "en")
+    return Study(
+        file.absolute(),
+        about.get("name", file.stem),
+        chosen.absolute(),
+        tuple(_with_pages(run, language, template) for run in runs),
+        about.get("page", False),
+        language,
+        template,
+    )

@@ -72,8 +72,14 @@ def output_names(run: Run) -> List[str]:
 class _Stages:
     """The stages of one run; what several of them need is read or computed once."""
 
-    def __init__(self, run: Run, locate: Callable[[str], str], context: RunContext) -> None:
-        self.run, self.locate, self.context = run, locate, context
+    def __init__(
+        self,
+        run: Run,
+        hashes: Mapping[str, str],
+        locate: Callable[[str], str],
+        context: RunContext,
+    ) -> None:
+        self.run, self.hashes, self.locate, self.context = run, hashes, locate, context
         self.files = run.options[""]
         pivot = self.files.get("pivot", (0.0, 0.0, 0.0))
         unit = self.files.get("motion_unit", "mm")
@@ -110,16 +116,22 @@ class _Stages:
         return report
 
     def clearance(self, folder: str) -> Report:
-        options = self._options("clearance", "deflection", "neighbour_chord", "page")
+        own = ("deflection", "neighbour_chord", "page", "language", "template")
+        options = self._options("clearance", *own)
         given = self.run.options["clearance"]
-        deflection = given.get("deflection", 0.05)
+        deflection, chords = given.get("deflection", 0.05), given.get("neighbour_chord", 0.0)
+
+        def chord_of(file: str) -> float:
+            by_name = isinstance(chords, dict)
+            return float(chords.get(pathlib.PurePath(file).stem, 0.0) if by_name else chords)
+
         neighbours = [
             part
             for file in self.run.neighbours
             for part in read_parts(
                 self.locate(file),
                 unit=self.files.get("neighbour_unit", "mm"),
-                chord_error=given.get("neighbour_chord", 0.0),
+                chord_error=chord_of(file),
                 deflection=deflection,
             )
         ]
@@ -136,11 +148,17 @@ class _Stages:
     ) -> None:
         roles = [("body", self.run.part), ("motion", self.run.motion)]
         roles += [("neighbour", file) for file in self.run.neighbours]
-        inputs = [
-            (role, os.path.basename(file), "", file_hash(self.locate(file))) for role, file in roles
-        ]
+        inputs = [(role, os.path.basename(file), "", self.hashes[file]) for role, file in roles]
         moving = (pathlib.PurePath(self.run.part).stem, body, self.motion)
-        text = report_page(report, parts=[moving, *neighbours], inputs=inputs, title=self.run.name)
+        given = self.run.options["clearance"]
+        text = report_page(
+            report,
+            parts=[moving, *neighbours],
+            inputs=inputs,
+            title=self.run.name,
+            language=given["language"],
+            template=given["template"],
+        )
         with open(path, "w", encoding="utf-8", newline="") as file:
             file.write(text)
 
@@ -182,17 +200,18 @@ def execute(
     run: Run,
     key: str,
     output: str,
+    hashes: Mapping[str, str],
     threads: int,
     locate: Optional[Callable[[str], str]] = None,
 ) -> Tuple[Report, str]:
     """Computes a run into a new folder below output; returns its report, which is written there too,
-    and the folder. What fails is told by the report and never raised. locate: where a file of the run
-    lies on this machine."""
+    and the folder. What fails is told by the report and never raised. hashes: of its files, for its page;
+    locate: where a file of the run lies on this machine."""
     began = time.monotonic()
     folder = partial_folder(output)
     report = failed(run, key, "Ok", "", "")
     try:
-        stages = _Stages(run, locate or (lambda file: file), RunContext(threads=threads))
+        stages = _Stages(run, hashes, locate or (lambda file: file), RunContext(threads=threads))
         for stage in run.compute:
             if stage == "clearance":
                 report[stage] = stages.clearance(folder)

@@ -17,7 +17,7 @@ import sys
 import tempfile
 import threading
 import time
-from typing import Any, Callable, Dict, Iterator, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 from ._study_file import Run
 from ._study_run import REPORT_FILE, Report, execute, failed, output_names, partial_folder
@@ -39,6 +39,7 @@ class Task(NamedTuple):
     run: Run
     key: str
     output: str
+    hashes: Mapping[str, str]  # of its files
 
 
 def cores() -> int:
@@ -167,7 +168,7 @@ def _threads_of_worker() -> int:
 
 def _on_worker(task: Task) -> Tuple[Report, Optional[str]]:
     """For folders that all machines share."""
-    return execute(task.run, task.key, task.output, _threads_of_worker())
+    return execute(task.run, task.key, task.output, task.hashes, _threads_of_worker())
 
 
 Sent = Tuple[Report, Dict[str, bytes]]
@@ -186,7 +187,7 @@ def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
             where[name].write_bytes(data)
         locate = {name: str(path) for name, path in where.items()}
         report, filled = execute(
-            task.run, task.key, place, _threads_of_worker(), locate.__getitem__
+            task.run, task.key, place, task.hashes, _threads_of_worker(), locate.__getitem__
         )
         names = [REPORT_FILE, *output_names(task.run)]
         names = [name for name in names if (pathlib.Path(filled) / name).exists()]
@@ -266,6 +267,6 @@ def serve(threads: int) -> None:
             task: Task = pickle.load(sys.stdin.buffer)
         except EOFError:
             return
-        report, folder = execute(task.run, task.key, task.output, threads)
+        report, folder = execute(task.run, task.key, task.output, task.hashes, threads)
         pickle.dump((task.number, report, folder), reports)
         reports.flush()

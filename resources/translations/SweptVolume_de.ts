@@ -88,8 +88,16 @@
    <translation>Vorlage</translation>
   </message>
   <message>
-   <source>HTML with placeholders for reports of clearance checks; empty: the workbench's own</source>
-   <translation>HTML mit Platzhaltern für Berichte von Abstandsprüfungen; leer: die eigene der Arbeitsumgebung</translation>
+   <source>HTML with placeholders for reports and studies; empty: the workbench's own</source>
+   <translation>HTML mit Platzhaltern für Berichte und Studien; leer: die der Arbeitsumgebung</translation>
+  </message>
+  <message>
+   <source>Template of PDF</source>
+   <translation>Vorlage für PDF</translation>
+  </message>
+  <message>
+   <source>The same for PDF, in the simple HTML of Qt's text documents; empty: the workbench's own</source>
+   <translation>Dasselbe für PDF, im einfachen HTML der Textdokumente von Qt; leer: die der Arbeitsumgebung</translation>
   </message>
   <message>
    <source>Path editor</source>
@@ -179,8 +187,8 @@
    <translation>Bericht exportieren ...</translation>
   </message>
   <message>
-   <source>Writes what the selected clearance check found as one HTML file with a 3D view, or as PDF</source>
-   <translation>Schreibt, was die ausgewählte Abstandsprüfung ergab, als eine HTML-Datei mit 3D-Ansicht oder als PDF</translation>
+   <source>Writes what the selected check or study found as one HTML file, with a 3D view of a check, or as PDF</source>
+   <translation>Schreibt, was die gewählte Prüfung oder Studie ergab, als eine HTML-Datei, mit 3D-Ansicht einer Prüfung, oder als PDF</translation>
   </message>
   <message>
    <source>Find path...</source>
@@ -269,6 +277,14 @@
   <message>
    <source>Reads the file or the source of the selected motion again; all motions of one driver or simulation together</source>
    <translation>Liest die Datei oder die Quelle der gewählten Bewegung neu; alle Bewegungen eines Antriebs oder einer Simulation zusammen</translation>
+  </message>
+  <message>
+   <source>Study...</source>
+   <translation>Studie...</translation>
+  </message>
+  <message>
+   <source>Many runs, several at once: those of a study file, or the envelopes and clearance checks of the document. Select some of them, or an earlier study</source>
+   <translation>Viele Läufe, mehrere gleichzeitig: die einer Studiendatei oder die Hüllen und Abstandsprüfungen des Dokuments. Wählen Sie einige davon oder eine frühere Studie</translation>
   </message>
   <message>
    <source>Keyboard to the tree or panel</source>
@@ -537,12 +553,12 @@
    <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
   </message>
   <message>
-   <source>There is no clearance check in the document: make one with Check clearance.</source>
-   <translation>Das Dokument enthält keine Abstandsprüfung: Legen Sie mit „Abstand prüfen“ eine an.</translation>
+   <source>There is no check in the document: make one with Check clearance or Check mechanism.</source>
+   <translation>Im Dokument ist keine Prüfung: Legen Sie eine an mit Abstand prüfen oder Mechanismus prüfen.</translation>
   </message>
   <message>
-   <source>Select one of the {0} clearance checks.</source>
-   <translation>Wählen Sie eine der {0} Abstandsprüfungen aus.</translation>
+   <source>Select one of the {0} checks and studies.</source>
+   <translation>Wählen Sie eine der {0} Prüfungen und Studien.</translation>
   </message>
   <message>
    <source>Select the part whose way is to be found.</source>
@@ -921,6 +937,10 @@ Versucht:
    <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
   </message>
   <message>
+   <source>the rules for "{0}" and for "{1}" contradict each other for "{2}", and none of them is the narrower one: give this pair a rule of its own.</source>
+   <translation>die Regeln für "{0}" und für "{1}" widersprechen sich für "{2}", und keine von ihnen ist die engere: Geben Sie diesem Paar eine eigene Regel.</translation>
+  </message>
+  <message>
    <source>the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} lengths): give them anew.</source>
    <translation>Die Regeln von „{0}“ passen nicht zu den Teilen ({1} Teile, zwei für jede Regel, {2} Arten, {3} Längen): neu angeben.</translation>
   </message>
@@ -969,6 +989,90 @@ Versucht:
    <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
   </message>
   <message>
+   <source>{0} of {1} runs are left: run the study again to go on.</source>
+   <translation>{0} von {1} Läufen sind übrig: Starten Sie die Studie erneut, um fortzufahren.</translation>
+  </message>
+  <message>
+   <source>Run study</source>
+   <translation>Studie rechnen</translation>
+  </message>
+  <message>
+   <source>Study</source>
+   <translation>Studie</translation>
+  </message>
+  <message>
+   <source>the parts of "{0}" have motions of their own: a run of a study has one motion.</source>
+   <translation>die Teile von "{0}" haben eigene Bewegungen: Ein Lauf einer Studie hat eine Bewegung.</translation>
+  </message>
+  <message>
+   <source>"{0}": a study knows only consistent components (property Components).</source>
+   <translation>"{0}": Eine Studie kennt nur konsistente Komponenten (Eigenschaft Components).</translation>
+  </message>
+  <message>
+   <source>the study file has no run "{0}" any more: run the study again.</source>
+   <translation>die Studiendatei hat keinen Lauf "{0}" mehr: Rechnen Sie die Studie erneut.</translation>
+  </message>
+  <message>
+   <source>Run {0}</source>
+   <translation>Lauf {0}</translation>
+  </message>
+  <message>
+   <source>"{0}" cannot be a run of a study: choose envelopes and clearance checks of one motion.</source>
+   <translation>"{0}" kann kein Lauf einer Studie sein: Wählen Sie Hüllen und Abstandsprüfungen mit einer Bewegung.</translation>
+  </message>
+  <message>
+   <source>no runs are given: choose a study file, or envelopes and clearance checks.</source>
+   <translation>keine Läufe angegeben: Wählen Sie eine Studiendatei oder Hüllen und Abstandsprüfungen.</translation>
+  </message>
+  <message>
+   <source>save the document first, or choose a folder.</source>
+   <translation>speichern Sie zuerst das Dokument oder wählen Sie einen Ordner.</translation>
+  </message>
+  <message>
+   <source>Not clear</source>
+   <translation>Nicht frei</translation>
+  </message>
+  <message>
+   <source>Not run</source>
+   <translation>Nicht gerechnet</translation>
+  </message>
+  <message>
+   <source>Done</source>
+   <translation>Fertig</translation>
+  </message>
+  <message>
+   <source>Contact, allowed</source>
+   <translation>Kontakt, erlaubt</translation>
+  </message>
+  <message>
+   <source>{0} failed</source>
+   <translation>{0} fehlgeschlagen</translation>
+  </message>
+  <message>
+   <source>{0} not clear</source>
+   <translation>{0} nicht frei</translation>
+  </message>
+  <message>
+   <source>{0} not run</source>
+   <translation>{0} nicht gerechnet</translation>
+  </message>
+  <message>
+   <source>{0} done</source>
+   <translation>{0} fertig</translation>
+  </message>
+  <message>
+   <source>{0} deep</source>
+   <translation>{0} tief</translation>
+  </message>
+  <message>
+   <source>{0} runs</source>
+   <translation>{0} Läufe</translation>
+  </message>
+  <message>
+   <source>t = {0} s</source>
+   <translation>t = {0} s</translation>
+  </message>
+  <message>
    <source>the mesh could not be written to the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
    <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
@@ -1011,10 +1115,6 @@ Versucht:
   <message>
    <source>Clearance table</source>
    <translation>Abstandstabelle</translation>
-  </message>
-  <message>
-   <source>Contact, allowed</source>
-   <translation>Kontakt, erlaubt</translation>
   </message>
   <message>
    <source>the cell size must be above 0 mm.</source>
@@ -1171,6 +1271,18 @@ Versucht:
    <translation>Zuerst eine Bewegung auswählen.</translation>
   </message>
   <message>
+   <source>no program was found that shows {0}.</source>
+   <translation>kein Programm gefunden, das {0} zeigt.</translation>
+  </message>
+  <message>
+   <source>Open run</source>
+   <translation>Lauf öffnen</translation>
+  </message>
+  <message>
+   <source>the results of the study are not there any more: run it again.</source>
+   <translation>die Ergebnisse der Studie sind nicht mehr da: Rechnen Sie sie erneut.</translation>
+  </message>
+  <message>
    <source>Look for contacts</source>
    <translation>Kontakte suchen</translation>
   </message>
@@ -1193,6 +1305,26 @@ Versucht:
   <message>
    <source>Cancelled: the document or an object is gone.</source>
    <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
+  </message>
+  <message>
+   <source>studies need the Python package swept_volume beside the compiled core, and the folder {0} has none: install the workbench again, or build it with cmake --build build.</source>
+   <translation>Studien brauchen das Python-Paket swept_volume neben dem übersetzten Kern, und im Ordner {0} ist keines: installieren Sie die Arbeitsumgebung neu oder bauen Sie sie mit cmake --build build.</translation>
+  </message>
+  <message>
+   <source>the study ended with status {0} and no result.</source>
+   <translation>die Studie endete mit Status {0} und ohne Ergebnis.</translation>
+  </message>
+  <message>
+   <source>studies need the program {0}, and it was not found: install it.</source>
+   <translation>Studien brauchen das Programm {0}, und es wurde nicht gefunden: installieren Sie es.</translation>
+  </message>
+  <message>
+   <source>study files cannot be read: {0}</source>
+   <translation>Studiendateien können nicht gelesen werden: {0}</translation>
+  </message>
+  <message>
+   <source>the study file "{0}" cannot be read: {1}</source>
+   <translation>die Studiendatei "{0}" kann nicht gelesen werden: {1}</translation>
   </message>
   <message>
    <source>the file type "{0}" is unknown; use one of {1}.</source>
@@ -1426,6 +1558,10 @@ Versucht:
    <translation>Tabelle</translation>
   </message>
   <message>
+   <source>Report...</source>
+   <translation>Bericht ...</translation>
+  </message>
+  <message>
    <source>depth</source>
    <translation>Tiefe</translation>
   </message>
@@ -1540,10 +1676,6 @@ Versucht:
   <message>
    <source>The envelope has changed since the check: check again.</source>
    <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
-  </message>
-  <message>
-   <source>Report...</source>
-   <translation>Bericht ...</translation>
   </message>
   <message>
    <source>Swept envelope</source>
@@ -1668,6 +1800,14 @@ Versucht:
   <message>
    <source>Export table</source>
    <translation>Tabelle exportieren</translation>
+  </message>
+  <message>
+   <source>Study file</source>
+   <translation>Studiendatei</translation>
+  </message>
+  <message>
+   <source>Folder for results</source>
+   <translation>Ordner für Ergebnisse</translation>
   </message>
   <message>
    <source>{0} poses, {1} to {2} s, moving {3} x {4} x {5}</source>
@@ -2414,6 +2554,74 @@ bis etwa {2}, {3}</translation>
    <translation>Die Lagen von „{0}“ kommen von {1} und folgen ihm. Um einen Schlüssel zu ändern, muss die Verknüpfung getrennt werden: Die Bewegung behält dann die Lagen, wie sie sind. Trennen?</translation>
   </message>
   <message>
+   <source>Study</source>
+   <translation>Studie</translation>
+  </message>
+  <message>
+   <source>Runs</source>
+   <translation>Läufe</translation>
+  </message>
+  <message>
+   <source>Results</source>
+   <translation>Ergebnisse</translation>
+  </message>
+  <message>
+   <source>beside the file</source>
+   <translation>neben der Datei</translation>
+  </message>
+  <message>
+   <source>one for each core</source>
+   <translation>einer je Kern</translation>
+  </message>
+  <message>
+   <source>Runs at once</source>
+   <translation>Läufe gleichzeitig</translation>
+  </message>
+  <message>
+   <source>The page of all runs, in the web browser</source>
+   <translation>Die Seite aller Läufe, im Webbrowser</translation>
+  </message>
+  <message>
+   <source>Go on</source>
+   <translation>Fortfahren</translation>
+  </message>
+  <message>
+   <source>Run study</source>
+   <translation>Studie rechnen</translation>
+  </message>
+  <message>
+   <source>of this document</source>
+   <translation>dieses Dokuments</translation>
+  </message>
+  <message>
+   <source>of a study file</source>
+   <translation>einer Studiendatei</translation>
+  </message>
+  <message>
+   <source>&amp;Open worst</source>
+   <translation>&amp;Schlimmsten öffnen</translation>
+  </message>
+  <message>
+   <source>&amp;Open run</source>
+   <translation>&amp;Lauf öffnen</translation>
+  </message>
+  <message>
+   <source>Page</source>
+   <translation>Seite</translation>
+  </message>
+  <message>
+   <source>{0} (stale: run again)</source>
+   <translation>{0} (veraltet: erneut rechnen)</translation>
+  </message>
+  <message>
+   <source>Run</source>
+   <translation>Lauf</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <translation>Zustand</translation>
+  </message>
+  <message>
    <source>Tangent at the key</source>
    <translation>Tangente an der Stützstelle</translation>
   </message>
@@ -2955,6 +3163,34 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Volume of the solid</source>
    <translation>Volumen des Festkörpers</translation>
+  </message>
+  <message>
+   <source>Study file (TOML) with the runs, where they are not those of Sources</source>
+   <translation>Studiendatei (TOML) mit den Läufen, wo es nicht die von Sources sind</translation>
+  </message>
+  <message>
+   <source>Envelopes and clearance checks of the document: one run for each</source>
+   <translation>Hüllen und Abstandsprüfungen des Dokuments: je ein Lauf</translation>
+  </message>
+  <message>
+   <source>Folder for results; empty: the one that the file names, or one beside the document</source>
+   <translation>Ordner für Ergebnisse; leer: der in der Datei genannte oder einer neben dem Dokument</translation>
+  </message>
+  <message>
+   <source>Runs at once; 0: one for each core</source>
+   <translation>Läufe gleichzeitig; 0: einer je Kern</translation>
+  </message>
+  <message>
+   <source>Runs that have ended</source>
+   <translation>Läufe, die beendet sind</translation>
+  </message>
+  <message>
+   <source>Folder of the stored result</source>
+   <translation>Ordner des gespeicherten Ergebnisses</translation>
+  </message>
+  <message>
+   <source>Study file of the stored result</source>
+   <translation>Studiendatei des gespeicherten Ergebnisses</translation>
   </message>
   <message>
    <source>What a pose means.

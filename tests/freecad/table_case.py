@@ -8,7 +8,7 @@ import FreeCAD as App
 from case import Case
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope, mechanism, solid
+from sweptvolume.features import clearance, envelope, mechanism, solid, study
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
@@ -56,6 +56,9 @@ class Table(Case):
             return [obj.Required.Value, obj.Checked] + sorted(
                 (*names, round(row["distance"], 5), row["verdict"]) for *names, row in found
             )
+        if kind_of(obj) == study.Study.KIND:
+            keys = ("run", "state", "neighbour", "verdict", "distance", "time_seconds", "volume")
+            return [[row.get(key) for key in keys] for row in study.report_of(obj)["runs"]]
         place = obj.getGlobalPlacement()
         box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
         numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
@@ -64,8 +67,14 @@ class Table(Case):
 
     def modules(self):
         """KIND of a result -> the module that computes it."""
-        kinds = (envelope.Envelope, solid.Solid, clearance.Clearance, mechanism.Mechanism)
-        return dict(zip((k.KIND for k in kinds), (envelope, solid, clearance, mechanism)))
+        kinds = (
+            envelope.Envelope,
+            solid.Solid,
+            clearance.Clearance,
+            mechanism.Mechanism,
+            study.Study,
+        )
+        return dict(zip((k.KIND for k in kinds), (envelope, solid, clearance, mechanism, study)))
 
     def fresh(self):
         """{name: content} of the document computed anew, as it is now; None where that is refused."""

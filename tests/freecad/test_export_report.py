@@ -15,7 +15,7 @@ from page_check import cells, check_alone, data  # noqa: E402
 from case import Case, shift  # noqa: E402
 from sweptvolume import core, page, settings, texts  # noqa: E402
 from sweptvolume.convert import InputProblem  # noqa: E402
-from sweptvolume.features import clearance, neighbour_rules  # noqa: E402
+from sweptvolume.features import clearance, mechanism, neighbour_rules, pair_rules  # noqa: E402
 from sweptvolume.features.neighbour_rules import CONTACT, Rule  # noqa: E402
 
 
@@ -149,3 +149,108 @@ class Pages(Case):
         self.assertIn("Eine Notiz &lt;x&gt;", text)
         self.assertNotIn("sind englisch", text)
         self.assertEqual(texts.language(), "en")
+
+    def test_the_template_for_pdf_is_another_one_and_is_checked_as_well(self):
+        clearance.compute(self.obj)
+        self.assertIn("<h1>{{title}}</h1>", page.request(self.obj, pdf=True).layout)
+        group = App.ParamGet(settings.PATH)
+        self.addCleanup(group.RemString, "PrintTemplate")
+        path = self.file("t.html", "<p>ACME paper {{title}}</p>{{rules}}")
+        group.SetString("PrintTemplate", path)
+        self.assertEqual(page.request(self.obj).layout, "")
+        req = page.request(self.obj, pdf=True)
+        text = page.text(req, core.Control(), view=False)
+        self.assertTrue(text.startswith("<p>ACME paper Clearance</p>"))
+        os.remove(path)
+        with self.assertRaisesRegex(InputProblem, "cannot be read"):
+            page.request(self.obj, pdf=True)
+
+
+class PagesOfMechanisms(Case):
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.left, self.right = self.box("Left"), self.box("Right")
+        self.right.Placement = shift(x=60)
+        self.wall = self.box("Wall")
+        self.wall.Placement = shift(y=12)
+        self.there = self.line(20.0)
+        self.back = self.line(-25.0)
+        self.back.Frame = "RelativeToFirst"
+        self.there.Label, self.back.Label = "There", "Back"
+        self.doc.recompute()
+        self.obj = mechanism.make_mechanism(
+            self.doc,
+            Generators=[(self.left, ""), (self.right, "")],
+            Motions=[self.there, self.back],
+            AllVisible=True,
+            Required=8.0,
+        )
+        rule = {
+            pair_rules.key((self.left, ""), (self.wall, "")): Rule(neighbour_rules.REQUIRED, 1.0)
+        }
+        pair_rules.write(self.obj, rule)
+        self.doc.recompute()
+        self.target = os.path.join(self.folder, "report.html")
+
+    def written(self):
+        page.write(self.obj, self.target)
+        with open(self.target, encoding="utf-8") as file:
+            return file.read()
+
+    def test_a_page_tells_of_every_pair(self):
+        with self.assertRaisesRegex(InputProblem, "no result that is up to date"):
+            self.written()
+        mechanism.compute(self.obj)
+        text = self.written()
+        check_alone(text)
+        report = mechanism.report_of(self.obj)
+        rows = {row[0]: row for row in cells(text, "verdicts")[1:]}
+        self.assertEqual(rows["Left - Right"][1:3], ["below required", "5 mm"])
+        self.assertEqual(rows["Left - Wall"][1:3], ["clear", "2 mm"])
+        rules = {row[0]: row[1:] for row in cells(text, "rules")[1:]}
+        self.assertEqual(rules["Left - Wall"], ["at least 1 mm", "yes"])
+        self.assertEqual(rules["Left - Right"], ["at least 8 mm", "no"])
+        kept = data(text, "report")
+        for told, pair in zip(kept["pairs"], report["pairs"]):
+            self.assertEqual(told["clearance"]["curve"], pair["clearance"]["curve"])
+        self.assertIn("<svg", text)
+
+    def test_inputs_and_view_are_those_that_were_checked(self):
+        mechanism.compute(self.obj)
+        text = self.written()
+        rows = cells(text, "inputs")[1:]
+        told = [row[:2] for row in rows]
+        self.assertEqual(
+            told,
+            [
+                ["moving part", "Left"],
+                ["motion", "There"],
+                ["moving part", "Right"],
+                ["motion", "Back"],
+                ["part that stands still", "Wall"],
+            ],
+        )
+        found = mechanism.Plan.of(self.obj).request().rows()
+        for name, vertices, triangles, _, _, _ in found:
+            shape = hashlib.sha256(np.asarray(vertices, "<f8").tobytes())
+            shape.update(np.asarray(triangles, "<i4").tobytes())
+            self.assertEqual(next(r for r in rows if r[1] == name)[3], shape.hexdigest(), name)
+        if core.has_page_view():
+            kinds = [(p["name"], p["kind"]) for p in data(text, "scene")["parts"]]
+            self.assertEqual(kinds, [("Left", "moves"), ("Right", "moves"), ("Wall", "stands")])
+
+    def test_parts_of_one_motion_name_it_once(self):
+        self.obj.Motions = [self.there, self.there]
+        self.doc.recompute()
+        mechanism.compute(self.obj)
+        rows = cells(self.written(), "inputs")[1:]
+        self.assertEqual([row[1] for row in rows if row[0] == "motion"], ["There"])
+
+    def test_what_changed_is_refused(self):
+        mechanism.compute(self.obj)
+        self.right.Placement = shift(x=70)
+        self.doc.recompute()
+        with self.assertRaisesRegex(InputProblem, "check again first"):
+            self.written()

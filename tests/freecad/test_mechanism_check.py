@@ -375,6 +375,69 @@ class BadInput(SliderCrank):
         self.doc.recompute()
         self.assertRegex(obj.Message, '"Group" and "Inside": one holds the other')
 
+    def grouped(self):
+        """Two groups with a part each that passes the other, and the check of both."""
+        left, right = self.doc.addObject("App::Part", "Left"), self.doc.addObject(
+            "App::Part", "Right"
+        )
+        one, other = self.box("One"), self.box("Other")
+        left.addObject(one)
+        right.addObject(other)
+        right.Placement = shift(y=12)
+        self.doc.recompute()
+        back = motion.motion_from_poses(self.doc, [0, 1], [shift(30, 12), shift(0, 12)])
+        return (
+            left,
+            right,
+            mechanism.make_mechanism(
+                self.doc,
+                Generators=[(left, "One."), (right, "Other.")],
+                Motions=[self.line(), back],
+                Required=3.0,
+            ),
+        )
+
+    def test_rules_of_groups_that_cross_are_named(self):
+        """Each is the narrower one on one side: neither wins by chance."""
+        left, right, obj = self.grouped()
+        crossing = {
+            pair_rules.key((left, ""), (right, "Other.")): Rule(CONTACT),
+            pair_rules.key((left, "One."), (right, "")): Rule(IGNORE),
+        }
+        pair_rules.write(obj, crossing)
+        self.doc.recompute()
+        with self.assertRaisesRegex(
+            InputProblem, "contradict each other for .*none of them is the narro"
+        ):
+            mechanism.compute(obj)
+        self.assertEqual(obj.Status, FAILED)
+        own = {pair_rules.key((left, "One."), (right, "Other.")): Rule(length=1.0)}
+        pair_rules.write(obj, {**crossing, **own})
+        self.doc.recompute()
+        (pair,) = mechanism.compute(obj)["pairs"]
+        self.assertEqual(pair["required"], 1.0)
+        same = {pair: Rule(length=2.0) for pair in crossing}
+        pair_rules.write(obj, same)
+        self.doc.recompute()
+        (pair,) = mechanism.compute(obj)["pairs"]
+        self.assertEqual(pair["required"], 2.0, "they agree")
+
+    def test_groups_that_contain_each_other_cannot_be(self):
+        """Rules follow groups; FreeCAD refuses the circle, and the rules stay what they were."""
+        left, right, obj = self.grouped()
+        pair_rules.write(obj, {pair_rules.key((left, ""), (right, "")): Rule(length=1.5)})
+        self.doc.recompute()
+        left.addObject(right)
+        with self.assertRaises(Exception):
+            right.addObject(left)
+        self.assertNotIn(left, right.Group)
+        self.doc.recompute()
+        obj.touch()
+        self.doc.recompute()
+        plan = mechanism.Plan.of(obj)
+        rule = pair_rules.of(plan.pair_rules, *plan.pairs)
+        self.assertEqual(rule, Rule(length=1.5), "one group inside the other")
+
 
 class Warned(SliderCrank):
     def test_clearance_names_what_moves_too(self):

@@ -107,3 +107,25 @@ def test_the_program_writes_a_table(call, inputs):  # noqa: F811
     ):
         done = call(*words, *extra)
         assert done.returncode in (1, 2) and named in done.stderr, done.stderr
+
+
+def test_bad_input_of_the_programs_is_named(call, inputs):  # noqa: F811
+    """A part in both roles, motions that are missing, times that do not overlap."""
+    part = ["box.ply", "--motion", "slide.csv"]
+    done = call("clearance", *part, "box.ply", cwd=inputs)
+    assert done.returncode == 2 and "'box.ply' is the moving part and a neighbour" in done.stderr
+    (inputs / "twin.ply").write_bytes((inputs / "box.ply").read_bytes())
+    assert (
+        call("clearance", *part, "twin.ply", cwd=inputs).returncode == 3
+    ), "a copy may stand there"
+    moving = ["--moving", "box.ply", "slide.csv"]
+    for words, status, text in (
+        ([*moving, "box.ply"], 1, "PartTwice: part 'box' is there twice"),
+        ([*moving, "--moving", "twin.ply", "gone.csv"], 1, "'gone.csv' does not exist"),
+        ([*moving, "--moving", "twin.ply"], 2, "--moving"),
+    ):
+        done = call("mechanism", *words, cwd=inputs)
+        assert done.returncode == status and text in done.stderr, (words, done.stderr)
+    (inputs / "late.csv").write_text("50,0,0,0,0,0,0,1\n60,9,0,0,0,0,0,1\n")
+    done = call("mechanism", *moving, "--moving", "twin.ply", "late.csv", cwd=inputs)
+    assert done.returncode == 1 and "NoCommonTime" in done.stderr and "'twin'" in done.stderr

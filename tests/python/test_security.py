@@ -27,6 +27,8 @@ CALLS = {
     "tempfile.mktemp",
     "ctypes.CDLL",
 }
+#: The one place of the workbench that starts a program: the Python of FreeCAD, for studies.
+STARTS = {"workbench/sweptvolume/studies.py": "subprocess"}
 #: What the compiled module and the program may not ask the system for.
 SYMBOLS = re.compile(
     r"^(socket|connect|bind|listen|accept4?|send(to|msg)?|recv(from|msg)?|getaddrinfo|gethostbyname"
@@ -56,7 +58,26 @@ def test_workbench_runs_no_code_from_data_and_has_no_network(root):
     files = [root / "Init.py", root / "InitGui.py", *sorted((root / "workbench").rglob("*.py"))]
     assert len(files) > 50
     found = {str(f.relative_to(root)): breaches(f.read_text(encoding="utf-8")) for f in files}
+    for name, module in STARTS.items():
+        assert [word for _, word in found.pop(name)] == [module]
     assert {name: lines for name, lines in found.items() if lines} == {}
+
+
+def test_what_the_workbench_starts_is_fixed(root):
+    """A list of words, the first of them the interpreter; no shell reads them; they name modules of ours."""
+    for name in STARTS:
+        tree = ast.parse((root / name).read_text(encoding="utf-8"))
+        calls = [
+            node
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Call) and ast.unparse(node.func).startswith("subprocess.")
+        ]
+        assert {ast.unparse(call.func) for call in calls} <= {"subprocess.run", "subprocess.Popen"}
+        for call in calls:
+            assert "shell" not in [word.arg for word in call.keywords]
+            assert ast.unparse(call.args[0]) in ("words", "[python] + words")
+        started = {ast.unparse(n) for n in ast.walk(tree) if isinstance(n, ast.List)}
+        assert any(text.startswith("['-m', 'swept_volume', 'study'") for text in started), started
 
 
 @pytest.mark.parametrize(

@@ -213,6 +213,9 @@ def test_a_study_that_is_stopped_goes_on(program, run, study, number):
 
 
 RUN = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\ncompute = ["envelope"]\n'
+CHECK = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\nneighbours = ["post.ply"]\n' + (
+    'compute = ["clearance"]\n'
+)
 
 
 @pytest.mark.parametrize(
@@ -234,6 +237,32 @@ RUN = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\ncompute = ["envelope"]\n'
         (RUN.replace('["envelope"]', '["drawing"]'), "it must be a list of envelope, solid"),
         ('[[run]]\nmotion = "by30.csv"', "run 1: part and compute missing"),
         ('[study]\noutput = "."\n' + RUN, "lies in the folder for results"),
+        (RUN + 'name = "Study.csv"', "run 'Study.csv': a file of the results has that name"),
+        (RUN + 'name = "study.html"', "a file of the results has that name"),
+        (CHECK + 'rules = { post = "touch" }', "rules: rule 'touch' is not understood; allowed"),
+        (
+            CHECK + "rules = { post = -1 }",
+            "rules: rule '-1.0': a required distance of -1 mm is not",
+        ),
+        (
+            CHECK + "rules = { pots = 3 }",
+            "rules: the rule for 'pots' names no neighbour; there are: 'p",
+        ),
+        (
+            CHECK + "rules = { 'p*' = 3, '*t' = 4 }",
+            "rules: two rules contradict each other for neig",
+        ),
+        (
+            CHECK.replace("post", "box"),
+            "box.ply' is the part that moves and a neighbour; take it out",
+        ),
+        ('[study]\npage = "yes"\n' + RUN, "[study]: page is 'yes'; it must be true or false"),
+        ('[study]\nlanguage = "fr"\n' + RUN, "language is 'fr'; it must be one of en, de"),
+        ('[study]\ntemplate = "gone.html"\n' + RUN, "gone.html' cannot be read"),
+        (
+            '[study]\ntemplate = "by30.csv"\npages = true\n' + RUN,
+            "unknown key 'pages'; did you mean",
+        ),
         ("[[run]", "at line 1"),
         ("x = 1\n" + RUN, "the file: unknown key 'x'; known keys: study, defaults, run"),
         ("", "it has no table [[run]]"),

@@ -50,6 +50,7 @@ def build():
     times, placements = demo_parts.path()
     path = motion.motion_from_poses(document, times, placements)
     path.Label = translate("Messages", "Installation path")
+    motion.set_parts(path, [(starter, "")])
     starter.Placement = placements[-1]
     document.recompute()
     document.commitTransaction()

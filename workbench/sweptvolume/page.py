@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports of clearance checks for people: one HTML file. What it tells is the stored report; what it shows is
-the parts as they were checked, so the result must be up to date.
+"""Reports of checks for people, of one moving body and of mechanisms: one HTML file. What it tells is the
+stored report; what it shows is the parts as they were checked, so the result must be up to date.
 
 request() reads the document (thread of the GUI), text() and write() may run in any thread.
 """
@@ -13,7 +13,7 @@ import numpy as np
 from . import core, settings, targets
 from .convert import InputProblem, label_of
 from .core_texts import said
-from .features import check, clearance
+from .features import check, clearance, mechanism
 from .features.clearance_plan import envelope_arrays
 from .safe_file import written_beside
 from .texts import language, translate
@@ -42,11 +42,12 @@ def date():
     return time.strftime("%Y-%m-%d %H:%M UTC", now)
 
 
-def template():
-    """Text of the template of the preferences; "" where none is chosen. Raises InputProblem."""
-    path = settings.page_template()
+def template(pdf=False):
+    """Text of the template of the preferences, else of the program's own for PDF; "" for that of HTML. Raises
+    InputProblem."""
+    path = settings.page_template(pdf)
     if not path:
-        return ""
+        return core.page_template("print") if pdf else ""
     try:
         with open(path, encoding="utf-8") as file:
             found = file.read()
@@ -59,24 +60,70 @@ def template():
     return found
 
 
-class Request:
-    """A page as plain values, no document behind it. check: clearance_plan.Request."""
+class _Request:
+    """A page as plain values, no document behind it. Subclasses read the check and say parts(), of the 3D
+    view as core.report_page() takes them, and inputs(), the first rows of the table of inputs."""
 
-    def __init__(self, obj, is_changed):
-        self.report = clearance.report_of(obj)
-        self.title = obj.Label
-        self.date = date()
-        self.layout = template()
-        self.language = language()
+    def __init__(self, obj, is_changed, pdf):
+        self.report = obj.Proxy.report_of(obj)
+        self.title, self.language = obj.Label, language()
+        self.date, self.layout = date(), template(pdf)
+        self.file = _file_of(obj.Document, is_changed)
+        self.read(obj)
+
+    def read(self, obj):
+        """GUI thread."""
+        raise NotImplementedError
+
+
+class _OfClearance(_Request):
+    def read(self, obj):
         plan = clearance.Plan.of(obj)
         self.moving = ", ".join(label_of(*pair) for pair in plan.pairs)
-        moving = plan.moving()
-        self.motion = moving.motion.Label
+        self.motion = plan.moving().motion.Label
         self.check = plan.request()
         self.envelope = None
         if plan.envelope is not None and plan.envelope.Mesh.CountFacets:
             self.envelope = (plan.envelope.Label, *envelope_arrays(plan.envelope))
-        self.file = _file_of(obj.Document, is_changed)
+
+    def parts(self):
+        body = self.check.body
+        shape = body.body.vertices, body.body.triangles
+        parts = [(self.moving, *shape, _motion(body), body.interpolation, True, False)]
+        for name, vertices, triangles, _, _ in self.check.rows():
+            parts.append((name, vertices, triangles, None, "linear", False, False))
+        if self.envelope is not None:
+            parts.append((*self.envelope, None, "linear", False, True))
+        return parts
+
+    def inputs(self):
+        body = self.check.body
+        found = [_triangles("body", self.moving, body.body.vertices, body.body.triangles)]
+        found.append(_poses(self.motion, body))
+        return found + [_triangles("neighbour", *row[:3]) for row in self.check.rows()]
+
+
+class _OfMechanism(_Request):
+    def read(self, obj):
+        plan = mechanism.Plan.of(obj)
+        self.check = plan.request()
+        self.motions = {pair: path.Label for pair, path in zip(plan.pairs, plan.motions)}
+
+    def parts(self):
+        return [(*row[:5], part.moves(), False) for row, part in self._rows()]
+
+    def inputs(self):
+        found = []
+        for row, part in self._rows():
+            found.append(_triangles("body" if part.moves() else "neighbour", *row[:3]))
+            poses = _poses(self.motions[part.pair], part.run) if part.moves() else None
+            if poses is not None and poses not in found:
+                found.append(poses)
+        return found
+
+    def _rows(self):
+        rows = self.check.rows()  # leaves out of parts what gives no triangles
+        return zip(rows, self.check.parts)
 
 
 def _file_of(document, is_changed):
@@ -87,18 +134,19 @@ def _file_of(document, is_changed):
     return os.path.basename(document.FileName), how, document.FileName
 
 
-def request(obj, is_changed=False):
-    """What text() needs of a clearance check. is_changed: the document was, since it was saved. Raises
-    InputProblem where there is no result, or where it is not that of the parts as they are now."""
+def request(obj, is_changed=False, pdf=False):
+    """What text() needs of a check. is_changed: the document was, since it was saved. Raises InputProblem
+    where there is no result, or where it is not that of the parts as they are now."""
     check.update_status(obj)
-    if clearance.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
+    if obj.Proxy.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
             "Messages",
             '"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again '
             "first.",
         )
         raise InputProblem("\n".join(filter(None, (text.format(obj.Label), obj.Message))))
-    return Request(obj, is_changed)
+    kind = _OfMechanism if mechanism.is_mechanism(obj) else _OfClearance
+    return kind(obj, is_changed, pdf)
 
 
 def _hash(*arrays):
@@ -114,16 +162,19 @@ def _triangles(role, name, vertices, triangles):
     return role, name, detail, _hash(*shape)
 
 
-def _inputs(req, rows):
+def _motion(run):
+    return run.times, run.rotations, run.translations
+
+
+def _poses(label, run):
+    detail = translate("Messages", "{0} poses").format(len(run.times))
+    arrays = (run.times, run.translations, run.rotations)
+    return "motion", label, detail, _hash(*(np.asarray(a, "<f8") for a in arrays))
+
+
+def _inputs(req):
     """Rows of the page's table of inputs. A shape stands for the triangles that were checked."""
-    body = req.check.body
-    poses = translate("Messages", "{0} poses").format(len(body.times))
-    arrays = (body.times, body.translations, body.rotations)
-    found = [
-        _triangles("body", req.moving, body.body.vertices, body.body.triangles),
-        ("motion", req.motion, poses, _hash(*(np.asarray(a, "<f8") for a in arrays))),
-    ]
-    found += [_triangles("neighbour", row[0], row[1], row[2]) for row in rows]
+    found = req.inputs()
     if req.file is not None:
         name, how, path = req.file
         content = hashlib.sha256()
@@ -141,34 +192,23 @@ def _told(report):
     return dict(report, warnings=findings, findings_language=language())
 
 
-def text(req, control, layout=None, pictures=(), view=True):
-    """Any thread: the page. layout: another template; pictures: (caption, media type, bytes). Raises
-    core.CoreError, InputProblem."""
-    rows = req.check.rows()
-    parts = []
-    if view:
-        body = req.check.body
-        motion = (body.times, body.rotations, body.translations)
-        shape = body.body.vertices, body.body.triangles
-        parts.append((req.moving, *shape, motion, body.interpolation, True, False))
-        parts += [(row[0], row[1], row[2], None, "linear", False, False) for row in rows]
-        if req.envelope is not None:
-            parts.append((*req.envelope, None, "linear", False, True))
+def text(req, control, pictures=(), view=True):
+    """Any thread: the page. pictures: (caption, media type, bytes). Raises core.CoreError, InputProblem."""
     return core.report_page(
         _told(req.report),
         control,
         title=req.title,
         language=req.language,
         date=req.date,
-        template=req.layout if layout is None else layout,
-        inputs=_inputs(req, rows),
-        parts=parts,
+        template=req.layout,
+        inputs=_inputs(req),
+        parts=req.parts() if view else [],
         pictures=list(pictures),
     )
 
 
 def write(obj, path, control=None):
-    """Writes the HTML page of a clearance check, for scripts. Raises InputProblem, core.CoreError."""
+    """Writes the HTML page of a check, for scripts. Raises InputProblem, core.CoreError."""
     check_target(path)
     if is_pdf(path):
         raise InputProblem(translate("Messages", "a PDF is written by the window alone."))

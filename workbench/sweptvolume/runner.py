@@ -45,6 +45,11 @@ class Task:
     #: Whether finish() changes the document: then it runs in a transaction and failures are told.
     writes = True
 
+    def steps(self, control):
+        """GUI thread, before work(): what only the window can do, in pieces. A generator; after each piece
+        the window goes on for the ms that it yields."""
+        return iter(())
+
     def work(self, control):
         raise NotImplementedError
 
@@ -109,6 +114,7 @@ class Run(QtCore.QObject):
         self._thread = _Thread(task, self.control)
         self._thread.finished.connect(self._worked)
         self._fetching = None
+        self._steps = None  # those that are left, while there are any
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._look)
 
@@ -116,14 +122,41 @@ class Run(QtCore.QObject):
         _runs.append(self)
         _watch()
         self._timer.start(POLL)
-        self._thread.start()
+        self._steps = self.task.steps(self.control)
+        self._step()
         for obj in self.task.watched:
             _refresh_icon(obj)
+
+    def _step(self):
+        """The next piece of the task's steps; the thread after the last."""
+        if self._steps is None:
+            return  # it was cancelled meanwhile
+        try:
+            pause = next(self._steps)
+        except StopIteration:
+            self._steps = None
+            self._thread.start()
+        except Exception as error:  # shown by _conclude
+            self._steps, self._thread.error = None, error
+            self._ended(wait=False)
+        else:
+            QtCore.QTimer.singleShot(int(pause or 0), self._step)
 
     def cancel(self):
         """Asks the run to stop; it ends within GRACE."""
         self.control.cancel()
-        QtCore.QTimer.singleShot(GRACE, self._leave)
+        if self._steps is None:
+            QtCore.QTimer.singleShot(GRACE, self._leave)
+        else:
+            QtCore.QTimer.singleShot(0, self._leave_steps)
+
+    def _leave_steps(self):
+        """Ends a run whose thread has not begun."""
+        steps, self._steps = self._steps, None
+        if steps is not None and self.state == "running":
+            steps.close()
+            self._thread.error = core.cancelled()
+            self._ended(wait=False)
 
     def _leave(self):
         """Ends a run whose thread has not answered: the thread goes on alone until it looks up, and what

@@ -35,9 +35,9 @@ def memory_limit():
     return max(0, _group().GetInt("MemoryLimit", 0))
 
 
-def page_template():
-    """File with the template of reports; "": the workbench's own."""
-    return _group().GetString("PageTemplate", "")
+def page_template(pdf=False):
+    """File with the template of reports, of HTML or of PDF; "": the workbench's own."""
+    return _group().GetString("PrintTemplate" if pdf else "PageTemplate", "")
 
 
 def preview_resolution():

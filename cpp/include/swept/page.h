@@ -1,6 +1,6 @@
-// Pages: what a check of clearance or of a mechanism found, as one HTML file that needs nothing but
-// itself: no other file, no network.
-// In:    the report as JSON text (toJson()), meshes and motions for the 3D view, pictures, inputs,
+// Pages: what a check of clearance or of a mechanism found, or all runs of a study, as one HTML
+// file that needs nothing but itself: no other file, no network. In:    the report as JSON text
+// (toJson()), meshes and motions for the 3D view, pictures, inputs,
 // a
 //        template. Units: mm, s.
 // Out:   UTF-8 text: verdicts, graph of the distances (SVG), 3D view, pictures, rules, inputs,
@@ -56,10 +56,10 @@ struct PageOptions {
   std::size_t viewTriangles = 50000;  ///< about so many are shown; about 30 bytes of the page each
 };
 
-/// Throws Error(InvalidInput): "BadReport" for what is no report of a check or mechanism that ended
-/// well, "BadTemplate" for a template with an unknown {{placeholder}}, "BadOption" for an unknown
-/// language or type of picture, "BadIndex", "NonFiniteVertex", "OutOfRange" or "BadPose" for a part
-/// that cannot be drawn; Error(Cancelled).
+/// Throws Error(InvalidInput): "BadReport" for what is no report of a study, or of a check or
+/// mechanism that ended well, "BadTemplate" for a template with an unknown {{placeholder}},
+/// "BadOption" for an unknown language or type of picture, "BadIndex", "NonFiniteVertex",
+/// "OutOfRange" or "BadPose" for a part that cannot be drawn; Error(Cancelled).
 std::string reportPage(const std::string& report, const PageOptions& options, RunContext& run);
 
 /// Templates of the program: "page" (for browsers, used where none is given) or "print" (the little

@@ -53,7 +53,8 @@ class Graph {
 
   bool isEmpty() const { return curves_.empty(); }
 
-  std::string text() const {
+  /// follows: with the line that the 3D view moves.
+  std::string text(bool follows) const {
     const std::size_t named = std::min(curves_.size(), kColours.size());
     const std::size_t names = named + (curves_.size() > named ? 1 : 0);
     const double height = kHeight + kLegendRow * double((names + kRowLength - 1) / kRowLength);
@@ -64,8 +65,9 @@ class Graph {
         "\" data-to=\"" + numberText(to_, 17) + "\" data-left=\"" + at(kLeft) + "\" data-right=\"" +
         at(kWidth - kRight) + "\">\n" + distanceTicks() + timeTicks() + demands();
     for (std::size_t i = curves_.size(); i-- > 0;) svg += curve(i);
-    svg += stroke(kLeft, kTop, kLeft, kHeight - kBottom,
-                  "id=\"graph-now\" stroke=\"#333333\" visibility=\"hidden\"");
+    if (follows)
+      svg += stroke(kLeft, kTop, kLeft, kHeight - kBottom,
+                    "id=\"graph-now\" stroke=\"#333333\" visibility=\"hidden\"");
     return svg + legend(named, names) + "</svg>\n";
   }
 
@@ -183,9 +185,7 @@ class Graph {
   double from_ = 0, to_ = 1, most_ = 0, bend_ = 1;
 };
 
-}  // namespace
-
-std::string graphOf(const Told& told, const Words& words) {
+std::string figure(const Told& told, const Words& words, bool follows) {
   const Graph graph(told, words);
   if (graph.isEmpty()) return {};
   std::string notes = escaped(words("graph_scale"));
@@ -193,8 +193,15 @@ std::string graphOf(const Told& told, const Words& words) {
     notes.append(" ").append(
         escaped(words("graph_range", words.millimetres(told.report["range"].get<double>()))));
   notes.append(" ").append(element("span", escaped(words("graph_names")), "screen"));
-  return section("graph", words("graph"),
-                 "<div class=\"wide\">" + graph.text() + "</div>\n" + element("p", notes, "note"));
+  return "<div class=\"wide\">" + graph.text(follows) + "</div>\n" + element("p", notes, "note");
 }
+
+}  // namespace
+
+std::string graphOf(const Told& told, const Words& words) {
+  return section("graph", words("graph"), figure(told, words, true));
+}
+
+std::string graphFigure(const Told& told, const Words& words) { return figure(told, words, false); }
 
 }  // namespace swept::page

@@ -14,5 +14,7 @@ namespace swept::page {
 
 /// A section; empty where the report holds no curves.
 std::string graphOf(const Told& told, const Words& words);
+/// Its content, of one of several on a page: without the line that follows the 3D view.
+std::string graphFigure(const Told& told, const Words& words);
 
 }  // namespace swept::page

@@ -11,43 +11,66 @@
 #include "page/rows.h"
 #include "page/scene.h"
 #include "page/sections.h"
+#include "page/study.h"
 #include "page/words.h"
 
 namespace swept {
 namespace page {
 namespace {
 
-std::string pageOf(const std::string& report, const PageOptions& options, RunContext& run) {
+using Values = std::map<std::string, std::string>;
+
+Values checkValues(const Told& told, const PageOptions& options, const Words& words,
+                   RunContext& run) {
+  return {{"title", escaped(words(told.mechanism ? "title_mechanism" : "title_clearance"))},
+          {"verdict", verdictBanner(told, words)},
+          {"table", verdictTable(told, words)},
+          {"graph", graphOf(told, words)},
+          {"view", viewOf(told, options, words, run)},
+          {"runs", ""},
+          {"rules", rulesTable(told, words)},
+          {"settings", settingsTable(told, words)},
+          {"findings", findingsList(told, words)},
+          {"data", dataElement("report", told.report)}};
+}
+
+/// A study has no 3D view; graphs, rules and findings stand with their runs.
+Values studyValues(const ToldStudy& study, const Words& words) {
+  return {{"title", escaped(study.report.value("name", words("title_study")))},
+          {"verdict", studyBanner(study, words)},
+          {"table", studyTable(study, words)},
+          {"graph", ""},
+          {"view", ""},
+          {"runs", studyRuns(study, words)},
+          {"rules", ""},
+          {"settings", ""},
+          {"findings", ""},
+          {"data", dataElement("report", study.report)}};
+}
+
+std::string pageOf(const std::string& text, const PageOptions& options, RunContext& run) {
   const Words words(options.language);
-  const Told told = tellReport(report);
-  const std::string title = options.title.empty()
-                                ? words(told.mechanism ? "title_mechanism" : "title_clearance")
-                                : options.title;
+  Json report = parseReport(text);
+  const bool isStudy = report["command"] == "study";
+  Values values = isStudy ? studyValues(tellStudy(std::move(report)), words)
+                          : checkValues(tellReport(std::move(report)), options, words, run);
   const std::string program =
       "Swept Volume" + (options.version.empty() ? "" : " " + options.version);
-  const std::map<std::string, std::string> values{{"language", words.language()},
-                                                  {"title", escaped(title)},
-                                                  {"date", escaped(options.date)},
-                                                  {"version", escaped(options.version)},
-                                                  {"made_by", escaped(words("made_by", program))},
-                                                  {"style", resourceText("page.css")},
-                                                  {"verdict", verdictBanner(told, words)},
-                                                  {"table", verdictTable(told, words)},
-                                                  {"graph", graphOf(told, words)},
-                                                  {"view", viewOf(told, options, words, run)},
-                                                  {"pictures", picturesOf(options.pictures, words)},
-                                                  {"rules", rulesTable(told, words)},
-                                                  {"settings", settingsTable(told, words)},
-                                                  {"inputs", inputsTable(options.inputs, words)},
-                                                  {"findings", findingsList(told, words)},
-                                                  {"data", dataElement("report", told.report)}};
+  if (!options.title.empty()) values["title"] = escaped(options.title);
+  values["language"] = words.language();
+  values["date"] = escaped(options.date);
+  values["version"] = escaped(options.version);
+  values["made_by"] = escaped(words("made_by", program));
+  values["style"] = resourceText("page.css");
+  values["pictures"] = picturesOf(options.pictures, words);
+  values["inputs"] = inputsTable(options.inputs, words);
   return filled(options.layout.empty() ? pageTemplate() : options.layout, values);
 }
 
 /// What pageOf() fills in.
 constexpr std::array kPlaceholders{
-    "data",  "date",     "findings", "graph", "inputs", "language", "made_by", "pictures",
-    "rules", "settings", "style",    "table", "title",  "verdict",  "version", "view"};
+    "data", "date",     "findings", "graph", "inputs", "language", "made_by", "pictures", "rules",
+    "runs", "settings", "style",    "table", "title",  "verdict",  "version", "view"};
 
 }  // namespace
 }  // namespace page

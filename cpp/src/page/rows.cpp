@@ -10,19 +10,9 @@
 namespace swept::page {
 namespace {
 
-[[noreturn]] void badReport(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadReport", "no page can be made of this report: " + text);
-}
-
 double numberOf(const Json& value, const char* what) {
   if (!value.is_number()) badReport(std::string(what) + " is no number");
   return value.get<double>();
-}
-
-double lengthOf(const Json& row, const char* key) {
-  const double value = numberOf(row.at(key), key);
-  if (!(value >= 0 && std::isfinite(value))) badReport(std::string(key) + " is no length");
-  return value;
 }
 
 Eigen::Vector3d vectorOf(const Json& value, const char* what) {
@@ -131,23 +121,39 @@ std::size_t Told::failing() const {
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.meetsRule; }));
 }
 
-Told tellReport(const std::string& text) {
-  Told told;
-  told.report = Json::parse(text);
-  const Json& report = told.report;
+void badReport(const std::string& text) {
+  throw Error(Status::InvalidInput, "BadReport", "no page can be made of this report: " + text);
+}
+
+double lengthOf(const Json& row, const char* key) {
+  const double value = numberOf(row.at(key), key);
+  if (!(value >= 0 && std::isfinite(value))) badReport(std::string(key) + " is no length");
+  return value;
+}
+
+Json parseReport(const std::string& text) {
+  Json report = Json::parse(text);
   if (!report.is_object() || report.value("report_version", 0) != kReportVersion)
     badReport("it is no report of version " + std::to_string(kReportVersion));
   const std::string command = report.value("command", "");
-  if (command != "clearance" && command != "mechanism")
-    badReport("its command is '" + command + "'; pages tell of 'clearance' and 'mechanism'");
-  if (report.value("status", "") != "Ok")
+  if (command != "clearance" && command != "mechanism" && command != "study")
+    badReport("its command is '" + command +
+              "'; pages tell of 'clearance', 'mechanism' and 'study'");
+  // A study with runs that failed is told with them.
+  if (command != "study" && report.value("status", "") != "Ok")
     badReport("the run ended with " + report.value("status", "?") + ": " +
               report.value("message", ""));
-  told.mechanism = command == "mechanism";
+  return report;
+}
+
+Told tellReport(Json report) {
+  Told told;
+  told.report = std::move(report);
+  told.mechanism = told.report.value("command", "") == "mechanism";
   dropMeasures(told.report);
   readRows(told);
-  told.ignored = namesOf(report, "ignored");
-  told.joined = namesOf(report, "joined");
+  told.ignored = namesOf(told.report, "ignored");
+  told.joined = namesOf(told.report, "joined");
   told.order.resize(told.rows.size());
   std::iota(told.order.begin(), told.order.end(), std::size_t{0});
   std::stable_sort(told.order.begin(), told.order.end(), [&](std::size_t a, std::size_t b) {

@@ -41,7 +41,14 @@ struct Told {
   std::size_t failing() const;
 };
 
-/// Throws Error(InvalidInput, "BadReport").
-Told tellReport(const std::string& text);
+/// A report as JSON. Throws Error(InvalidInput, "BadReport") for what is none of this version, or
+/// of a run that did not end well.
+Json parseReport(const std::string& text);
+/// Of a check or a mechanism. Throws Error(InvalidInput, "BadReport").
+Told tellReport(Json report);
+
+[[noreturn]] void badReport(const std::string& text);
+/// A number of 0 or more. Throws Error(InvalidInput, "BadReport").
+double lengthOf(const Json& row, const char* key);
 
 }  // namespace swept::page

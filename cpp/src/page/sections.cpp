@@ -9,12 +9,6 @@ namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
 
-std::string verdictMark(const Row& row, const Words& words) {
-  const bool allowed = row.meetsRule && row.verdict == "contact";
-  return element("span", escaped(words(allowed ? "allowed" : row.verdict)),
-                 std::string("verdict ").append(allowed ? "allowed" : row.verdict));
-}
-
 std::string ruleOf(const Row& row, const Words& words) {
   if (row.contact)
     return *row.contact > 0 ? words("rule_depth", words.millimetres(*row.contact))
@@ -30,6 +24,11 @@ std::string depthOf(const Row& row, const Words& words) {
 }
 
 }  // namespace
+
+std::string verdictMark(const std::string& verdict, bool allowed, const Words& words) {
+  const std::string kind = allowed && verdict == "contact" ? "allowed" : verdict;
+  return element("span", escaped(words(kind)), "verdict " + kind);
+}
 
 std::string verdictBanner(const Told& told, const Words& words) {
   const std::size_t bad = told.failing(), all = told.rows.size();
@@ -54,14 +53,14 @@ std::string verdictBanner(const Told& told, const Words& words) {
   return std::string("<div class=\"banner ") + (bad ? "bad" : "good") + "\">" + out + "</div>\n";
 }
 
-std::string verdictTable(const Told& told, const Words& words) {
+std::string verdictRows(const Told& told, const Words& words) {
   Cells cells{{words(told.mechanism ? "pair" : "neighbour"), words("verdict"), words("distance"),
                words("guaranteed"), words("time"), words("depth"), words("below_for")}};
   for (std::string& head : cells[0]) head = escaped(head);
   std::vector<std::string> rows;
   for (const std::size_t index : told.order) {
     const Row& row = told.rows[index];
-    cells.push_back({escaped(row.name), verdictMark(row, words),
+    cells.push_back({escaped(row.name), verdictMark(row.verdict, row.meetsRule, words),
                      escaped(words.millimetres(row.distance)),
                      escaped(words.millimetres(row.guaranteed)), escaped(words.seconds(row.time)),
                      escaped(depthOf(row, words)),
@@ -74,11 +73,14 @@ std::string verdictTable(const Told& told, const Words& words) {
   }
   const bool copies = told.report.value("interpolation", "") == "none";
   const std::string promise = escaped(words(copies ? "promise_copies" : "promise"));
-  return section("verdicts", words("verdicts"),
-                 table(cells, "ttnnnnn", rows) + element("p", promise, "note"));
+  return table(cells, "ttnnnnn", rows) + element("p", promise, "note");
 }
 
-std::string rulesTable(const Told& told, const Words& words) {
+std::string verdictTable(const Told& told, const Words& words) {
+  return section("verdicts", words("verdicts"), verdictRows(told, words));
+}
+
+std::string rulesRows(const Told& told, const Words& words) {
   Cells cells{{escaped(words(told.mechanism ? "pair" : "neighbour")), escaped(words("rule")),
                escaped(words("met"))}};
   for (const std::size_t index : told.order) {
@@ -90,8 +92,11 @@ std::string rulesTable(const Told& told, const Words& words) {
     cells.push_back({escaped(name), escaped(words("rule_ignore")), ""});
   for (const std::string& name : told.joined)
     cells.push_back({escaped(name), escaped(words("joined")), ""});
-  if (cells.size() == 1) return {};
-  return section("rules", words("rules"), table(cells, "ttt"));
+  return cells.size() == 1 ? std::string() : table(cells, "ttt");
+}
+
+std::string rulesTable(const Told& told, const Words& words) {
+  return section("rules", words("rules"), rulesRows(told, words));
 }
 
 std::string settingsTable(const Told& told, const Words& words) {
@@ -131,18 +136,23 @@ std::string inputsTable(const std::vector<PageInput>& inputs, const Words& words
   return section("inputs", words("inputs"), table(cells, "tttt"));
 }
 
-std::string findingsList(const Told& told, const Words& words) {
+std::string findingsItems(const Told& told, const Words& words) {
   std::string items;
   for (const Json& finding : told.report.value("warnings", Json::array()))
     items += element("li", element("code", escaped(finding.value("code", ""))) + " " +
                                escaped(finding.value("text", ""))) +
              "\n";
-  if (items.empty())
-    return section("findings", words("findings"), element("p", escaped(words("no_findings"))));
+  if (items.empty()) return {};
   std::string out = element("ul", "\n" + items);
   if (words.language() != told.report.value("findings_language", "en"))
     out += element("p", escaped(words("findings_language")), "note");
-  return section("findings", words("findings"), out);
+  return out;
+}
+
+std::string findingsList(const Told& told, const Words& words) {
+  const std::string items = findingsItems(told, words);
+  return section("findings", words("findings"),
+                 items.empty() ? element("p", escaped(words("no_findings"))) : items);
 }
 
 std::string picturesOf(const std::vector<PagePicture>& pictures, const Words& words) {

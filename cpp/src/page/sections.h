@@ -15,9 +15,15 @@ namespace swept::page {
 std::string verdictBanner(const Told& told, const Words& words);
 std::string verdictTable(const Told& told, const Words& words);
 std::string rulesTable(const Told& told, const Words& words);
+/// What stands in the two sections above.
+std::string verdictRows(const Told& told, const Words& words);
+std::string rulesRows(const Told& told, const Words& words);
+/// A verdict of a report in its colour; allowed: of contact that a rule allows.
+std::string verdictMark(const std::string& verdict, bool allowed, const Words& words);
 std::string settingsTable(const Told& told, const Words& words);
 std::string inputsTable(const std::vector<PageInput>& inputs, const Words& words);
 std::string findingsList(const Told& told, const Words& words);
+std::string findingsItems(const Told& told, const Words& words);  ///< empty: there are none
 /// Throws Error(InvalidInput, "BadOption") for a media type that is no picture's.
 std::string picturesOf(const std::vector<PagePicture>& pictures, const Words& words);
 

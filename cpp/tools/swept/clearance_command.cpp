@@ -249,7 +249,7 @@ Run addClearanceCommand(CLI::App& program) {
                                           "between two poses is missed.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours);
+    checkNeighbourOptions(job->neighbours, job->generatorPath);
     checkPageOptions(job->page);
     if (!job->page.path.empty() && !job->offerPath.empty())
       badOption("--page and --offer-rules exclude each other: with the second nothing is checked");

@@ -223,7 +223,7 @@ Run addMechanismCommand(CLI::App& program) {
       "and to parts that stand still; nothing between two poses is missed.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->still);
+    checkNeighbourOptions(job->still, "");
     checkPageOptions(job->page);
     if (job->curve < 0) job->curve = job->page.path.empty() ? 0 : 200;
     if (job->moving.empty()) badOption("--moving PART MOTION is missing: no part moves");

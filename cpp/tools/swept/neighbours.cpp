@@ -2,6 +2,9 @@
 #ifdef HAVE_SWEPT_CLEARANCE
 #include "neighbours.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "files.h"
 #include "io/line_source.h"
 #include "swept/body.h"
@@ -39,8 +42,18 @@ void addRuleOptions(CLI::App& app, NeighbourFiles& files) {
           "rules from a text file, NAME=RULE a line; # begins a remark");
 }
 
-void checkNeighbourOptions(const NeighbourFiles& files) {
+void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving) {
   if (!(files.deflection > 0)) badOption("--deflection must be greater than 0 mm");
+  if (moving.empty() || isStream(moving)) return;
+  for (const std::string& path : files.paths) {
+    std::error_code failed;  // what is not there is said by whoever reads it
+    if (isStream(path) ||
+        !std::filesystem::equivalent(pathFromUtf8(path), pathFromUtf8(moving), failed))
+      continue;
+    badOption("'" + path +
+              "' is the moving part and a neighbour: take it out of the neighbours; a copy that "
+              "stands still needs a file of its own");
+  }
 }
 
 namespace {

@@ -23,8 +23,9 @@ struct NeighbourFiles {
 CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
 /// --rule and --rules.
 void addRuleOptions(CLI::App& app, NeighbourFiles& files);
-/// Throws what a wrong usage is.
-void checkNeighbourOptions(const NeighbourFiles& files);
+/// Throws what a wrong usage is; moving: the file of the part that moves, which is no neighbour of
+/// itself ("": there are several, or it is placed where its file does not have it).
+void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving);
 /// A mesh is one neighbour, a solid file one a solid; each with its rule. Throws
 /// Error(InvalidInput), "BadRule" where rules do not fit; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);

@@ -177,7 +177,7 @@ Run addPathCommand(CLI::App& program) {
       "that is clear of them between the keys as well.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours);
+    checkNeighbourOptions(job->neighbours, "");  // it is placed elsewhere
     return runPath(*job);
   };
 }

@@ -93,12 +93,15 @@ Run addStudyCommand(CLI::App& program) {
   flag("--send-files",
        "files travel through the scheduler (default: all machines see the same folders)");
   flag("--again", "compute runs again whose results are there");
+  flag("--page",
+       "also write study.html into the folder for results: one page for people, of all runs");
+  flag("--rows", "write the row of each run that has ended as a line of JSON to standard output");
   value("--report", "FILE", "write the report of the study as JSON; - for standard output");
   flag("-q,--quiet", "no progress, no summary");
   app.footer(
       "Exit status 0 if all runs are done and clear, 3 if one is not clear, 1 if one failed.\n\n"
       "Examples:\n"
-      "  swept study doors.toml --jobs 4\n"
+      "  swept study doors.toml --jobs 4 --page\n"
       "  swept study doors.toml --scheduler tcp://cluster:8786 --send-files");
   return [job] { return runStudy(*job); };
 }

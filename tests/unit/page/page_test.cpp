@@ -114,8 +114,9 @@ TEST(Page, ReportsThatAreNoneAreNamed) {
   };
   EXPECT_EQ(code("", "no page can be made"), "BadReport");
   EXPECT_EQ(code("[]", "no report of version 1"), "BadReport");
-  EXPECT_EQ(code(R"({"report_version": 1, "command": "check"})", "'clearance' and 'mechanism'"),
-            "BadReport");
+  EXPECT_EQ(
+      code(R"({"report_version": 1, "command": "check"})", "'clearance', 'mechanism' and 'study'"),
+      "BadReport");
   EXPECT_EQ(code(R"({"report_version": 1, "command": "clearance", "status": "Cancelled",
                      "message": "stopped"})",
                  "ended with Cancelled: stopped"),
@@ -125,6 +126,35 @@ TEST(Page, ReportsThatAreNoneAreNamed) {
   EXPECT_EQ(code(R"({"report_version": 1, "command": "clearance", "status": "Ok",
                      "neighbours": [{"name": "a", "verdict": "<b>"}]})",
                  "'<b>' is unknown"),
+            "BadReport");
+}
+
+TEST(Page, StudiesHaveATableAndAPartForEachRun) {
+  RunContext run;
+  const std::string head = R"({"report_version": 1, "command": "study", "name": "<doors>",
+      "done": 1, "not_clear": 0, "failed": 1, "not_run": 0, "output": "/somewhere", "runs": [)";
+  const std::string failed = R"({"run": "b", "state": "failed", "message": "no <poses>"})";
+  const std::string done = R"({"run": "a", "state": "done", "page": "a/clearance.html",
+      "clearance": {"status": "Ok", "neighbours": [{"name": "post", "verdict": "clear",
+        "distance": 5, "guaranteed": 4, "time_seconds": 1, "point_on_body": [0, 0, 0],
+        "point_on_neighbour": [5, 0, 0], "curve": [[0, 9], [1, 5]],
+        "pose": {"translation": [0, 0, 0], "quaternion_xyzw": [0, 0, 0, 1]}}]}})";
+  const std::string page = reportPage(head + failed + "," + done + "]}", {}, run);
+  for (const char* part :
+       {"1 of 2 runs are done", "&lt;doors&gt;", "no &lt;poses&gt;", "<a href=\"#run-1\">b</a>",
+        "<section id=\"run-2\">", "<svg", "<a href=\"a/clearance.html\">open</a>"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  EXPECT_LT(page.find("no &lt;poses&gt;"), page.find("<svg")) << "in the order of the report";
+  EXPECT_EQ(page.find("/somewhere"), std::string::npos) << "the same in every folder";
+  EXPECT_EQ(page.find("id=\"graph"), std::string::npos) << "one of several";
+  const auto code = [&](const std::string& row, const std::string& part) {
+    return codeOf([&] { reportPage(head + row + "]}", {}, run); }, part);
+  };
+  EXPECT_EQ(code(R"({"run": "a", "state": "late"})", "'late' of a run is unknown"), "BadReport");
+  EXPECT_EQ(code(R"({"run": "a", "state": "done", "page": "data:x"})", "not one beside it"),
+            "BadReport");
+  EXPECT_EQ(code(R"({"run": "a", "state": "done", "clearance": {"neighbours": 3}})",
+                 "no page can be made"),
             "BadReport");
 }
 

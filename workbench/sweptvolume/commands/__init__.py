@@ -24,6 +24,7 @@ _MODULES = [
     "made_by",
     "check_clearance",
     "check_mechanism",
+    "study",
     "make_solid",
     "export_envelope",
     "export_report",
@@ -98,7 +99,9 @@ def fill_context_menu(workbench, recipient):
             "SweptVolume_Solid",
             "SweptVolume_Export",
         ]
-    if selection.clearance():
+    if selection.reported():
         names.append("SweptVolume_ExportReport")
+    if selection.study() or selection.runs():
+        names.append("SweptVolume_Study")
     if names:
         workbench.appendContextMenu("", ["Separator"] + sorted(set(names), key=_names.index))

@@ -42,6 +42,16 @@ def worst(report):
     return min(bad, key=WORST_FIRST.index, default="clear")
 
 
+def worst_rows(report):
+    """Numbers of the rows that do not meet their rule, the worst first; where all do, of the nearest one
+    alone."""
+    rows = report["neighbours"]
+    bad = [i for i, row in enumerate(rows) if not meets_rule(row)]
+    bad.sort(key=lambda i: (WORST_FIRST.index(rows[i]["verdict"]), rows[i]["distance"]))
+    nearest = report.get("smallest", 0)
+    return bad or ([nearest] if nearest < len(rows) else [])
+
+
 def rule_of(row, report):
     """(kind of neighbour_rules.KINDS, mm) of a row."""
     rule = row.get("rule", {})

@@ -47,17 +47,39 @@ def write(obj, rules):
 
 
 def of(rules, one, other):
-    """The rule of two parts: their own, or that of the smallest groups around them."""
-    found, letters = Rule(), -1
+    """The rule of two parts: their own, or that of the smallest groups around them. Raises InputProblem where
+    two rules contradict each other of which none is the narrower one on both sides: one names a smaller group
+    around the first part, the other one around the second."""
+    held = (
+        []
+    )  # (letters of the path to the one and to the other side, rule, pair) of those that hold
     for pair, rule in rules.items():
         for a, b in (pair, pair[::-1]):
             holds = all(
                 root is above and path.startswith(sub)
                 for (above, sub), (root, path) in ((a, one), (b, other))
             )
-            if holds and len(a[1]) + len(b[1]) > letters:
-                found, letters = rule, len(a[1]) + len(b[1])
-    return found
+            if holds:
+                held.append(((len(a[1]), len(b[1])), rule, pair))
+    narrowest = [row for row in held if not any(_narrower(other[0], row[0]) for other in held)]
+    for _, rule, pair in narrowest[1:]:
+        if rule != narrowest[0][1]:
+            raise _contradiction((one, other), narrowest[0][2], pair)
+    return narrowest[0][1] if narrowest else Rule()
+
+
+def _narrower(one, other):
+    """Whether the sides of one rule are as small as those of another, and one of them smaller."""
+    return one != other and all(a >= b for a, b in zip(one, other))
+
+
+def _contradiction(parts, first, second):
+    text = translate(
+        "Messages",
+        'the rules for "{0}" and for "{1}" contradict each other for "{2}", and none of them is the narrower '
+        "one: give this pair a rule of its own.",
+    )
+    return InputProblem(text.format(label_of(first), label_of(second), label_of(parts)))
 
 
 def merged(rules, shown, given):

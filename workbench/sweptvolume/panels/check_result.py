@@ -8,24 +8,15 @@ from ..texts import translate
 from ..views.clearance_view import BANDS
 from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
+from .page_task import PageTask
 from .run_panel import StayingPanel
 from .shades import ShadedCells
+from .sorted_cell import SortedCell
 from .widgets import QtWidgets
 
 #: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
 NAME_LETTERS = 18
 RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
-
-
-class _Cell(QtWidgets.QTableWidgetItem):
-    """A cell that sorts by a number and shows a text."""
-
-    def __init__(self, text, key):
-        super().__init__(text)
-        self.key = key
-
-    def __lt__(self, other):
-        return self.key < other.key
 
 
 class ResultPanel(StayingPanel):
@@ -46,9 +37,6 @@ class ResultPanel(StayingPanel):
 
     def build_more(self, rows):
         """What stands between graph and export."""
-
-    def build_export(self, rows):
-        """What stands below the export of the table."""
 
     def shown(self):
         """A result was shown."""
@@ -110,11 +98,14 @@ class ResultPanel(StayingPanel):
         buttons.addWidget(self.csv)
         buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
-        self.build_export(rows)
+        self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
+        self.page.setObjectName("SweptVolumeReport")
+        rows.addWidget(self.page)
         self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())
         self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
+        self.page.clicked.connect(lambda *ignored: self.export_page())
 
     def show_result(self):
         report = self.stored_report() if self.obj is not None else None
@@ -147,11 +138,11 @@ class ResultPanel(StayingPanel):
             rank = RANK["clear" if met else row["verdict"]]
             rule = clearance_table.rule_text(row, self.report)
             cells = (
-                _Cell(row["name"], row["name"].lower()),
-                _Cell(verdict, rank),
-                _Cell(self._length(row["distance"]), row["distance"]),
-                _Cell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
-                _Cell(self._length(deep) if deep else "", -deep),
+                SortedCell(row["name"], row["name"].lower()),
+                SortedCell(verdict, rank),
+                SortedCell(self._length(row["distance"]), row["distance"]),
+                SortedCell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
+                SortedCell(self._length(deep) if deep else "", -deep),
             )
 
             colour = QtGui.QColor.fromRgbF(*BANDS[rank])
@@ -199,3 +190,11 @@ class ResultPanel(StayingPanel):
         self.TABLE.make_spreadsheet(self.obj, self.whole)
         self.document.commitTransaction()
         self.document.recompute()
+
+    @guard.told
+    def export_page(self):
+        if self.run is not None:
+            return
+        path = file_dialogs.ask_report(self.obj.Label)
+        if path:
+            self.begin(lambda: PageTask(self.obj, path), self.ended)

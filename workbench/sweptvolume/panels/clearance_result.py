@@ -3,8 +3,7 @@
 from ..features import clearance
 from ..texts import mark, translate
 from ..views.clearance_view import BANDS
-from . import check_result, file_dialogs, guard, widgets
-from .page_task import PageTask
+from . import check_result, guard, widgets
 from .widgets import QtWidgets
 
 
@@ -86,20 +85,6 @@ class ResultPanel(check_result.ResultPanel):
         else:
             text = translate("Panels", "The envelope has changed since the check: check again.")
             widgets.show_message(self.message, text)
-
-    def build_export(self, rows):
-        self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
-        self.page.setObjectName("SweptVolumeReport")
-        self.page.clicked.connect(lambda *ignored: self.export_page())
-        rows.addWidget(self.page)
-
-    @guard.told
-    def export_page(self):
-        if self.run is not None:
-            return
-        path = file_dialogs.ask_report(self.obj.Label)
-        if path:
-            self.begin(lambda: PageTask(self.obj, path), self.ended)
 
     def leave(self):
         if self.obj is not None and widgets.alive(self.obj):

@@ -68,3 +68,23 @@ def ask_table(name):
         "CSV (*.csv)",
     )
     return path + ".csv" if path and not os.path.splitext(path)[1] else path
+
+
+def ask_study():
+    """Study file to read; "" when cancelled."""
+    path, _ = QtWidgets.QFileDialog.getOpenFileName(
+        Gui.getMainWindow(),
+        translate("Panels", "Study file"),
+        folder_of(App.ActiveDocument),
+        "TOML (*.toml)",
+    )
+    return path
+
+
+def ask_folder(now):
+    """Folder for results; "" when cancelled. now: the one so far, or ""."""
+    return QtWidgets.QFileDialog.getExistingDirectory(
+        Gui.getMainWindow(),
+        translate("Panels", "Folder for results"),
+        now or folder_of(App.ActiveDocument),
+    )

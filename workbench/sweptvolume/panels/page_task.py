@@ -1,71 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports of clearance checks, written beside the window: HTML by the core, PDF through Qt."""
-import os
+"""Reports of checks, written beside the window: HTML by the core, PDF through Qt."""
 import re
-import tempfile
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import core, page, quantities
-from ..features import clearance_table
 from ..runner import Task
 from ..safe_file import written_beside
 from ..texts import translate
+from .page_pictures import SIZE, Pictures
 
 try:
     from PySide import QtSvg
 except ImportError:  # then the PDF has no graph
     QtSvg = None
 
-#: Pictures of a PDF: the worst neighbours.
-MOST_PICTURES = 3
-PICTURE = (1200, 750)
 #: Widths of the graph and of pictures on A4 with its margins, in pixels of Qt's text documents.
 WIDTH, PICTURE_WIDTH = 600, 460
 _GRAPH = re.compile(r'<svg class="graph".*?</svg>', re.S)
 #: What only a screen can do.
 _SCREEN = re.compile(r'<span class="screen">.*?</span>', re.S)
-
-
-def worst_rows(report):
-    """Numbers of the rows that a PDF has pictures of: those that do not meet their rule, the worst first;
-    else the nearest."""
-    rows = report["neighbours"]
-    bad = [i for i, row in enumerate(rows) if not clearance_table.meets_rule(row)]
-    bad.sort(
-        key=lambda i: (clearance_table.WORST_FIRST.index(rows[i]["verdict"]), rows[i]["distance"])
-    )
-    nearest = report.get("smallest", 0)
-    return bad[:MOST_PICTURES] or ([nearest] if nearest < len(rows) else [])
-
-
-def take_pictures(obj, report):
-    """[(caption, media type, bytes)] of the worst places, as the document's view shows them."""
-    gui = Gui.getDocument(obj.Document.Name)
-    view = gui.ActiveView if gui is not None else None
-    if view is None or not hasattr(view, "saveImage"):
-        return []
-    found, camera, proxy = [], view.getCamera(), obj.ViewObject.Proxy
-    shown = obj.ViewObject.Visibility
-    folder = tempfile.mkdtemp()
-    path = os.path.join(folder, "view.png")
-    try:
-        obj.ViewObject.Visibility = True
-        for index in worst_rows(report):
-            proxy.show_row(obj, index)
-            view.saveImage(path, *PICTURE, "White")
-            with open(path, "rb") as file:
-                found.append((report["neighbours"][index]["name"], "image/png", file.read()))
-    finally:
-        proxy.hide_row()
-        view.setCamera(camera)
-        obj.ViewObject.Visibility = shown
-        if os.path.exists(path):
-            os.remove(path)
-        os.rmdir(folder)
-    return found
 
 
 def _graph_image(svg):
@@ -79,18 +35,24 @@ def _graph_image(svg):
 
 
 def _for_qt(text, document):
-    """The HTML that Qt's text documents know. The graph becomes a picture of the document; pictures need
-    both sides."""
+    """The HTML that Qt's text documents know. Graphs become pictures of the document; the workbench's own
+    pictures need both sides."""
     text = _SCREEN.sub("", text)
-    found = _GRAPH.search(text)
-    sides = (PICTURE_WIDTH, PICTURE_WIDTH * PICTURE[1] // PICTURE[0])
-    text = text.replace("<img ", '<img width="{}" height="{}" '.format(*sides))
-    if found is not None and QtSvg is not None:
-        image = _graph_image(found.group(0))
-        document.addResource(QtGui.QTextDocument.ImageResource, QtCore.QUrl("graph.png"), image)
-        shown = '<img src="graph.png" width="{}" height="{}" />'
-        shown = shown.format(WIDTH, WIDTH * image.height() // image.width())
-        text = text.replace(found.group(0), shown)
+    sides = (PICTURE_WIDTH, PICTURE_WIDTH * SIZE[1] // SIZE[0])
+    text = text.replace("<figure><img ", '<figure><img width="{}" height="{}" '.format(*sides))
+    if QtSvg is not None:
+        pictures = []
+
+        def shown(found):
+            image = _graph_image(found.group(0))
+            pictures.append("graph{}.png".format(len(pictures)))
+            url = QtCore.QUrl(pictures[-1])
+            document.addResource(QtGui.QTextDocument.ImageResource, url, image)
+            height = WIDTH * image.height() // image.width()
+            place = '<img src="{}" width="{}" height="{}" />'
+            return place.format(pictures[-1], WIDTH, height)
+
+        text = _GRAPH.sub(shown, text)
     for unknown, known in (("figure", "div"), ("figcaption", "p")):
         text = text.replace("<" + unknown + ">", "<" + known + ">")
         text = text.replace("</" + unknown + ">", "</" + known + ">")
@@ -117,26 +79,10 @@ def pdf_of(text):
     return bytes(content.data())
 
 
-class PageTask(Task):
-    """Writes the report of a clearance check; the document stays as it is."""
+class WritingTask(Task):
+    """Writes the bytes that work() gives to the file `path`; the document stays as it is."""
 
     writes = False
-
-    def __init__(self, obj, path):
-        self.title = translate("Messages", "Export report")
-        self.document = obj.Document
-        self.watched = [obj]
-        self.path = path
-        page.check_target(path)
-        self.request = page.request(obj, bool(Gui.getDocument(obj.Document.Name).Modified))
-        wanted = page.is_pdf(path) or not core.has_page_view()
-        self.pictures = take_pictures(obj, self.request.report) if wanted else []
-
-    def work(self, control):
-        if not page.is_pdf(self.path):
-            return page.text(self.request, control, pictures=self.pictures).encode("utf-8")
-        layout = core.page_template("print")
-        return pdf_of(page.text(self.request, control, layout, self.pictures, view=False))
 
     def finish(self, value):
         with written_beside(self.path) as beside, open(beside, "wb") as out:
@@ -146,3 +92,27 @@ class PageTask(Task):
                 self.path, quantities.megabytes(len(value))
             )
         )
+
+
+class PageTask(WritingTask):
+    """Writes the report of a check."""
+
+    def __init__(self, obj, path):
+        self.title = translate("Messages", "Export report")
+        self.document = obj.Document
+        self.watched = [obj]
+        self.path = path
+        page.check_target(path)
+        self.pdf = page.is_pdf(path)
+        changed = bool(Gui.getDocument(obj.Document.Name).Modified)
+        self.request = page.request(obj, changed, self.pdf)
+        wanted = self.pdf or not core.has_page_view()
+        self.pictures = Pictures(obj, self.request.report) if wanted else None
+
+    def steps(self, control):
+        return self.pictures.steps(control) if self.pictures is not None else iter(())
+
+    def work(self, control):
+        pictures = self.pictures.packed() if self.pictures is not None else []
+        text = page.text(self.request, control, pictures, view=not self.pdf)
+        return pdf_of(text) if self.pdf else text.encode("utf-8")

@@ -10,6 +10,8 @@ from ..features.envelope import Envelope, is_envelope
 from ..features.mechanism import is_mechanism
 from ..features.motion import Motion, is_motion, parts_of
 from ..features.solid import can_be_source, is_solid
+from ..features.study import is_study
+from ..features.study_plan import can_run
 from ..texts import translate
 
 
@@ -31,7 +33,7 @@ def _target(pair):
 
 
 def _ours(obj):
-    tests = (is_envelope, is_motion, is_solid, is_clearance, is_mechanism)
+    tests = (is_envelope, is_motion, is_solid, is_clearance, is_mechanism, is_study)
     return any(test(obj) for test in tests)
 
 
@@ -89,6 +91,21 @@ def clearance():
 def mechanism():
     """The selected mechanism check, or None."""
     return _first(is_mechanism)
+
+
+def reported():
+    """The selected check or study, of which there are reports, or None."""
+    return _first(lambda obj: is_clearance(obj) or is_mechanism(obj) or is_study(obj))
+
+
+def study():
+    """The selected study, or None."""
+    return _first(is_study)
+
+
+def runs():
+    """The selected envelopes and clearance checks, which can be runs of a study."""
+    return [target for target in map(_target, paths()) if target is not None and can_run(target)]
 
 
 def motions():

@@ -23,3 +23,9 @@ class MechanismView(View):
     def setupContextMenu(self, view, menu):
         text = translate("Commands", "Check mechanism")
         self.add_menu(menu, text, self.EDITOR, lambda: run_command(view.Object, self.EDITOR))
+        self.add_menu(
+            menu,
+            translate("Commands", "Export report..."),
+            "SweptVolume_ExportReport",
+            lambda: run_command(view.Object, "SweptVolume_ExportReport"),
+        )

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The folder of a study's results: a folder for each run with its report, the table, the page."""
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+import sys
+from typing import Iterator, Optional
+
+from . import _core
+from ._study_checks import RESERVED
+from ._study_file import Run
+from ._study_run import (
+    PARTIAL,
+    REPORT_FILE,
+    Report,
+    json_text,
+    output_names,
+    partial_folder,
+)
+
+if sys.platform != "win32":
+    import fcntl
+
+TABLE, STUDY_REPORT, STUDY_PAGE = RESERVED
+_LOCK = ".study.lock"
+
+
+def _in_use(path: pathlib.Path) -> _core.InvalidInput:
+    text = f"another study is filling '{path}'; wait until it has ended, or name another folder"
+    error = _core.InvalidInput(text)
+    error.status, error.code, error.report = "InvalidInput", "FolderInUse", None
+    return error
+
+
+class Folder:
+    """See the module's head. Results are put in their place once they are whole."""
+
+    def __init__(self, path: pathlib.Path) -> None:
+        self.path = path
+
+    @contextlib.contextmanager
+    def filled_alone(self) -> Iterator[None]:
+        """Only one study at a time fills a folder. The lock belongs to the process: it is free when the
+        process has ended, however that was. The empty file stays. Raises InvalidInput (FolderInUse), OSError.
+        Windows has no such lock."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        handle = os.open(self.path / _LOCK, os.O_RDWR | os.O_CREAT, 0o666)
+        try:
+            if sys.platform != "win32":
+                try:
+                    fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    raise _in_use(self.path) from None
+            self.remove_partial()
+            yield
+        finally:
+            os.close(handle)
+
+    def remove_partial(self) -> None:
+        """What a study that was stopped has left."""
+        for left in self.path.glob(PARTIAL + "*"):
+            shutil.rmtree(left, ignore_errors=True)
+
+    def earlier(self, run: Run, key: str) -> Optional[Report]:
+        """The report of an earlier run of the same input with the same options, unless it failed."""
+        folder = self.path / run.name
+        try:
+            report: Report = json.loads((folder / REPORT_FILE).read_text(encoding="utf-8"))
+            whole = all((folder / name).is_file() for name in output_names(run))
+            same = report["key"] == key and report["status"] == "Ok"
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+        return report if whole and same else None
+
+    def take(self, run: Run, report: Report, filled: Optional[str]) -> None:
+        """Puts the folder that a run filled in the place of an older one."""
+        folder = self.path / run.name
+        if filled is None:
+            filled = partial_folder(str(self.path))
+            text = json_text(report)
+            pathlib.Path(filled, REPORT_FILE).write_text(text, encoding="utf-8")
+        if folder.exists():
+            old = self.path / (PARTIAL + run.name + ".old")
+            folder.rename(old)
+            pathlib.Path(filled).rename(folder)
+            shutil.rmtree(old)
+        else:
+            pathlib.Path(filled).rename(folder)
+
+    def write(self, name: str, text: str) -> None:
+        made = self.path / (PARTIAL + name)
+        made.write_text(text, encoding="utf-8", newline="")
+        os.replace(made, self.path / name)

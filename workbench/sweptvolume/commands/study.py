@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Study: many runs at once, of a study file or of the document's envelopes and clearance checks."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_Study"
+    TEXT = mark("Commands", "Study...")
+    TIP = mark(
+        "Commands",
+        "Many runs, several at once: those of a study file, or the envelopes and clearance checks of the "
+        "document. Select some of them, or an earlier study",
+    )
+
+    def run(self, document):
+        from ..panels import selection, study_panel
+
+        study_panel.show(document, obj=selection.study(), sources=selection.runs())

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Study: many runs, of a study file or of the document's own envelopes and clearance checks, with their rows
+kept in the document (docs/studies.md).
+
+`execute` only marks; a run is Plan.request() - work() - apply(). Results lie in a folder; the document has
+the rows. What was stopped keeps the rows that it had, and the next run goes on from there.
+"""
+import json
+
+from .. import core, studies
+from ..convert import InputProblem
+from ..texts import translate
+from . import missing, status, study_table
+from .base import (  # noqa: F401 (the states are read from here as well)
+    CANCELLED,
+    NOT_COMPUTED,
+    STALE,
+    UP_TO_DATE,
+    Feature,
+    attach_view,
+    kind_of,
+    stored,
+)
+from .study_plan import Plan
+from .study_properties import INPUT, RESULT
+
+TYPE = "App::FeaturePython"
+missing.watch()
+
+
+class Study(Feature):
+    """Proxy of the study."""
+
+    KIND = "SweptVolume::Study"
+
+    def properties(self):
+        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
+        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
+
+    def __init__(self, obj):
+        super().__init__(obj)
+        obj.Status = NOT_COMPUTED
+
+    def execute(self, obj):
+        """Marks the result stale or current; keeps it."""
+        update_status(obj)
+
+    def look(self, obj):
+        update_status(obj)
+
+    def onChanged(self, obj, name):
+        missing.changed(obj, name)
+
+
+def is_study(obj):
+    return kind_of(obj) == Study.KIND
+
+
+def report_of(obj):
+    """The stored report (dict); None if there is none, or a damaged one."""
+    return stored(obj.Report, study_table.REPORT)
+
+
+def update_status(obj):
+    """Compares inputs and stored result. A study file cannot be read without the core: then the state stays
+    what it is."""
+    plan = Plan.of(obj)
+    if not plan.sources and plan.file and not core.available():
+        return
+    now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
+    if waits:
+        return
+    if not problem and now == status.NOT_READ and not plan.sources:
+        problem = status.hash_or_problem(plan.runs)[
+            1
+        ]  # what is wrong with a file that was never run
+    report = report_of(obj) if obj.Report else None
+    status.judge(obj, now, problem, plan.waits(), report["message"] if report else "")
+
+
+def work(request, control):
+    """Any thread: writes the study file, where it is of the document, and computes what is left. Returns the
+    report. Raises core.CoreError, InputProblem, OSError."""
+    request.prepare(control)
+
+    def told(row, done, runs):
+        request.rows[row["run"]] = row
+        if done is not None:
+            control.enter(done, runs)
+
+    return studies.run(request.file, request.output, request.jobs, told, control.is_cancelled)
+
+
+def _store(obj, report, request):
+    rows = report["runs"]
+    obj.Report = json.dumps(report)
+    obj.Summary = study_table.summary(report)
+    obj.Checked = len(rows) - study_table.count(rows, "not run")
+    obj.Verdict = study_table.verdict(report)
+    obj.Results, obj.Written = request.output, request.file
+
+
+def apply(obj, report, request, hash_at_start):
+    """Writes the result of a study."""
+    _store(obj, report, request)
+    obj.InputHash, obj.TriedHash = hash_at_start, ""
+    update_status(obj)
+
+
+def unfinished(names, rows):
+    """The report of a study that was stopped. rows: of the runs that have ended, by name."""
+    found = [rows.get(name, {"run": name, "state": "not run"}) for name in names]
+    left = study_table.count(found, "not run")
+    text = translate("Messages", "{0} of {1} runs are left: run the study again to go on.")
+    worst = found[studies.worst_first(found)[0]]["run"]
+    return {"runs": found, "worst": worst, "message": text.format(left, len(found))}
+
+
+def fail(obj, text, tried, cancelled=False):
+    """Remembers a run that gave nothing."""
+    status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
+
+
+def stop(obj, names, request, tried):
+    """Remembers a run that was stopped, with the rows that it had."""
+    report = unfinished(names, request.rows)
+    _store(obj, report, request)
+    obj.InputHash = ""
+    fail(obj, report["message"], tried, cancelled=True)
+
+
+def compute(obj, control=None):
+    """Runs in this thread (scripts, no GUI): one undo step; returns the report. Raises core.CoreError,
+    core.CoreMissing, InputProblem, OSError."""
+    plan = Plan.of(obj)
+    hash_at_start = plan.hash()
+    request = plan.request()
+    try:
+        report = work(request, control or core.Control())
+    except (core.CoreError, InputProblem, OSError) as error:
+        if getattr(error, "status", "") == "Cancelled":
+            stop(obj, plan.runs(), request, hash_at_start)
+        else:
+            fail(obj, str(error), hash_at_start)
+        raise
+    obj.Document.openTransaction(translate("Messages", "Run study"))
+    apply(obj, report, request, hash_at_start)
+    obj.purgeTouched()
+    obj.Document.commitTransaction()
+    return report
+
+
+def make_study(document, label=None, **settings):
+    """A study, not yet computed. `settings` are property names with values."""
+    obj = document.addObject(TYPE, "Study")
+    Study(obj)
+    obj.Label = label or translate("Messages", "Study")
+    for name, value in settings.items():
+        setattr(obj, name, value)
+    attach_view(obj, "sweptvolume.views.study_view:StudyView")
+    return obj

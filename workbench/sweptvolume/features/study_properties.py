@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a study: type, name, help, default; of results type, name, help, mode."""
+from ..texts import mark
+from . import clearance_properties
+from .base import HIDDEN, READ_ONLY
+
+INPUT = [
+    (
+        "App::PropertyFile",
+        "File",
+        mark("Properties", "Study file (TOML) with the runs, where they are not those of Sources"),
+        "",
+    ),
+    (
+        "App::PropertyLinkListGlobal",
+        "Sources",
+        mark("Properties", "Envelopes and clearance checks of the document: one run for each"),
+        None,
+    ),
+    (
+        "App::PropertyString",
+        "Folder",
+        mark(
+            "Properties",
+            "Folder for results; empty: the one that the file names, or one beside the document",
+        ),
+        "",
+    ),
+    (
+        "App::PropertyInteger",
+        "Jobs",
+        mark("Properties", "Runs at once; 0: one for each core"),
+        0,
+    ),
+]
+#: What it has as the clearance check has it.
+_SAME = ("Status", "Message", "Summary", "Verdict", "Report", "InputHash", "TriedHash", "Missing")
+RESULT = [row for row in clearance_properties.RESULT if row[1] in _SAME] + [
+    ("App::PropertyInteger", "Checked", mark("Properties", "Runs that have ended"), READ_ONLY),
+    (
+        "App::PropertyString",
+        "Results",
+        mark("Properties", "Folder of the stored result"),
+        READ_ONLY,
+    ),
+    (
+        "App::PropertyString",
+        "Written",
+        mark("Properties", "Study file of the stored result"),
+        HIDDEN,
+    ),
+]

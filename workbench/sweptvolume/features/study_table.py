@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rows of a study for people: order, texts, one line."""
+from ..quantities import TABLE_DIGITS, number, quantity
+from ..texts import mark, translate
+from .clearance import VERDICTS
+
+#: State of a run -> what people read.
+STATES = {
+    "failed": mark("Messages", "Failed"),
+    "not clear": mark("Messages", "Not clear"),
+    "not run": mark("Messages", "Not run"),
+    "done": mark("Messages", "Done"),
+}
+#: What is read of a stored report.
+REPORT = {"runs": [{"run": str, "state": set(STATES)}], "worst": str, "message": str}
+
+
+def count(rows, state):
+    return sum(row["state"] == state for row in rows)
+
+
+def state_text(row):
+    return translate("Messages", STATES[row["state"]])
+
+
+def verdict_text(row):
+    """The worst verdict of a run; "" where no clearance was computed."""
+    verdict = row.get("verdict", "")
+    if verdict == "contact" and row["state"] == "done":
+        return translate("Messages", "Contact, allowed")
+    return translate("Messages", VERDICTS[verdict]) if verdict in VERDICTS else ""
+
+
+def length_text(row):
+    """The smallest distance, or how deep the clash is; "" where there is none."""
+    if row.get("verdict") == "clash" and row.get("depth"):
+        return translate("Messages", "{0} deep").format(quantity(row["depth"], TABLE_DIGITS))
+    return quantity(row["distance"], TABLE_DIGITS) if "distance" in row else ""
+
+
+def told(row):
+    """A run in one line."""
+    words = [row["run"], state_text(row), verdict_text(row), length_text(row)]
+    words.append(row.get("neighbour", ""))
+    if "time_seconds" in row:
+        words.append(translate("Messages", "t = {0} s").format(number(row["time_seconds"], 4)))
+    words.append(row.get("message", ""))
+    return ", ".join(filter(None, words))
+
+
+def worst(report):
+    """The row to look at first; None where there is none."""
+    rows = report["runs"]
+    return next((row for row in rows if row["run"] == report["worst"]), None)
+
+
+def verdict(report):
+    """As that of checks, for the icon: "failed" where a run failed; "" where all is well."""
+    row = worst(report)
+    if row is None or row["state"] in ("done", "not run"):
+        return ""
+    return row["state"] if row["state"] == "failed" else row.get("verdict", "below")
+
+
+def summary(report):
+    """The result in one line."""
+    rows = report["runs"]
+    words = [translate("Messages", "{0} runs").format(len(rows))]
+    for state, text in (
+        ("failed", translate("Messages", "{0} failed")),
+        ("not clear", translate("Messages", "{0} not clear")),
+        ("not run", translate("Messages", "{0} not run")),
+        ("done", translate("Messages", "{0} done")),
+    ):
+        if count(rows, state):
+            words.append(text.format(count(rows, state)))
+    return ", ".join(words)

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Opens a run of a study: the panel of its check, with the moving part at its worst place, or of its
+envelope. A check that is not up to date is computed first."""
+from PySide import QtCore
+
+from ..features import clearance, clearance_table
+from . import clearance_panel, envelope_panel, widgets
+
+
+class Opener:
+    """panel: the panel of the study, which makes room."""
+
+    def __init__(self, panel):
+        self.panel = panel
+
+    def show(self, source):
+        """From the loop: the panel of the study is closed first."""
+        self.panel.reject()
+        QtCore.QTimer.singleShot(0, lambda: _open(source))
+
+
+def _open(source):
+    if not widgets.alive(source):
+        return
+    if not clearance.is_clearance(source):
+        envelope_panel.show(source.Document, obj=source)
+        return
+    panel = clearance_panel.show(source.Document, obj=source)
+    if source.Status == clearance.UP_TO_DATE:
+        _worst(panel)
+    elif panel.start():
+        panel.run.ended.connect(lambda run: _worst(panel) if run.state == "ok" else None)
+
+
+def _worst(panel):
+    """Chooses the row that meets its rule least: the part is shown at its worst place."""
+    wanted = clearance_table.worst_rows(panel.report)[:1]
+    for line in range(panel.table.rowCount()):
+        if panel.table.item(line, 0).data(QtCore.Qt.UserRole) in wanted:
+            panel.table.selectRow(line)

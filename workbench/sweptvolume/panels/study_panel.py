@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel of a study: what is run, the rows with their state while they end, the worst one opened. Nothing
+is written to the document before a run has ended well or was stopped."""
+import os
+
+from PySide import QtCore, QtGui
+
+from .. import core
+from ..convert import InputProblem
+from ..features import study, study_plan, study_table
+from ..texts import translate
+from . import file_dialogs, focus, guard, widgets
+from .run_panel import StayingPanel
+from .study_open import Opener
+from .study_rows import RowTable
+from .study_tasks import StudyPageTask, StudyTask, TakeRunTask
+from .widgets import QtWidgets
+
+
+class StudyPanel(StayingPanel):
+    """Makes a new study (obj None) or shows and repeats one. sources: what is ticked at first."""
+
+    def __init__(self, document, obj=None, sources=()):
+        self.document, self.obj, self.run = document, obj, None
+        plan = study.Plan.of(obj) if obj is not None else study.Plan(document, sources=sources)
+        title = translate("Panels", "Study")
+        self.form, self.layout = widgets.window(title, "SweptVolume_Study")
+        self.box = widgets.RunBox()
+        self.message = widgets.message_label()
+        self.layout.addWidget(self.box)
+        self.layout.addWidget(self.message)
+        self._build_result()
+        self._build_inputs(plan)
+        self.opener = Opener(self)
+        self.show_result()
+        if plan.lost:
+            widgets.show_message(self.message, plan.lost)
+        self.watch = widgets.DocumentWatch(document, self.reject)
+
+    # --- building
+
+    def _build_inputs(self, plan):
+        rows = widgets.group(translate("Panels", "Runs"), self.layout)
+        self.kind = widgets.choice(
+            ["document", "file"],
+            "file" if plan.file and not plan.sources else "document",
+            [translate("Panels", "of this document"), translate("Panels", "of a study file")],
+        )
+        self.kind.setObjectName("SweptVolumeStudyKind")
+        rows.addRow(translate("Panels", "Runs"), self.kind)
+        self.list = QtWidgets.QListWidget()
+        self.list.setObjectName("SweptVolumeStudySources")
+        self.list.setMaximumHeight(150)
+        every = [o for o in self.document.Objects if study_plan.can_run(o)]
+        ticked = plan.sources or every
+        for source in every:
+            item = QtWidgets.QListWidgetItem(source.ViewObject.Icon, source.Label)
+            item.setData(QtCore.Qt.UserRole, source.Name)
+            item.setFlags(item.flags() | QtCore.Qt.ItemIsUserCheckable)
+            item.setCheckState(QtCore.Qt.Checked if source in ticked else QtCore.Qt.Unchecked)
+            self.list.addItem(item)
+        rows.addRow(self.list)
+        self.file = self._file_row(rows, "SweptVolumeStudyFile", plan.file, self._ask_file)
+        text = translate("Panels", "Study file")
+        self.labels = [rows.labelForField(self.file.parentWidget())]
+        self.labels[0].setText(text)
+        self.folder = self._file_row(rows, "SweptVolumeStudyFolder", plan.folder, self._ask_folder)
+        rows.labelForField(self.folder.parentWidget()).setText(translate("Panels", "Results"))
+        self.folder.setPlaceholderText(translate("Panels", "beside the file"))
+        self.jobs = QtWidgets.QSpinBox()
+        self.jobs.setObjectName("SweptVolumeStudyJobs")
+        self.jobs.setRange(0, 256)
+        self.jobs.setSpecialValueText(translate("Panels", "one for each core"))
+        self.jobs.setValue(plan.jobs)
+        rows.addRow(translate("Panels", "Runs at once"), self.jobs)
+        self.start_button = QtWidgets.QPushButton()
+        self.start_button.setObjectName("SweptVolumeRunStudy")
+        self.start_button.setDefault(True)  # Enter
+        rows.addRow(self.start_button)
+        self.start_button.clicked.connect(lambda *ignored: self.start())
+        self.kind.currentIndexChanged.connect(lambda *ignored: self._show_kind())
+        self._show_kind()
+
+    def _file_row(self, rows, name, text, ask):
+        """A field with a button that asks for what belongs there."""
+        line = QtWidgets.QWidget()
+        box = QtWidgets.QHBoxLayout(line)
+        box.setContentsMargins(0, 0, 0, 0)
+        field, button = QtWidgets.QLineEdit(text), QtWidgets.QPushButton("...")
+        field.setObjectName(name)
+        button.setObjectName(name + "Ask")
+        button.setMaximumWidth(40)
+        box.addWidget(field, 1)
+        box.addWidget(button)
+        rows.addRow(" ", line)
+        button.clicked.connect(lambda *ignored: ask())
+        return field
+
+    def _build_result(self):
+        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
+        rows = QtWidgets.QVBoxLayout(self.result)
+        self.summary = QtWidgets.QLabel()
+        self.summary.setWordWrap(True)
+        self.summary.setObjectName("SweptVolumeStudySummary")
+        self.table = RowTable()
+        self.about = widgets.message_label()
+        buttons = QtWidgets.QHBoxLayout()
+        self.open_button, self.page_button, self.report_button = (
+            QtWidgets.QPushButton(text)
+            for text in (
+                translate("Panels", "&Open worst"),
+                translate("Panels", "Page"),
+                translate("Panels", "Report..."),
+            )
+        )
+        for button, name in (
+            (self.open_button, "SweptVolumeOpenRun"),
+            (self.page_button, "SweptVolumeStudyPage"),
+            (self.report_button, "SweptVolumeReport"),
+        ):
+            button.setObjectName(name)
+            buttons.addWidget(button)
+        widgets.hint(
+            self.page_button, translate("Panels", "The page of all runs, in the web browser")
+        )
+        for widget in (self.summary, self.table, self.about):
+            rows.addWidget(widget)
+        rows.addLayout(buttons)
+        self.layout.addWidget(self.result)
+        self.table.chose.connect(lambda *ignored: self._chosen())
+        self.table.doubleClicked.connect(lambda *ignored: self.open_run())
+        self.open_button.clicked.connect(lambda *ignored: self.open_run())
+        self.page_button.clicked.connect(lambda *ignored: self.open_page())
+        self.report_button.clicked.connect(lambda *ignored: self.export_page())
+
+    # --- inputs
+
+    def _show_kind(self):
+        of_file = self.kind.currentData() == "file"
+        self.list.setVisible(not of_file)
+        for widget in (self.file.parentWidget(), *self.labels):
+            widget.setVisible(of_file)
+
+    def _ask_file(self):
+        path = file_dialogs.ask_study()
+        if path:
+            self.file.setText(path)
+
+    def _ask_folder(self):
+        path = file_dialogs.ask_folder(self.folder.text())
+        if path:
+            self.folder.setText(path)
+
+    def plan(self):
+        folder, jobs = self.folder.text().strip(), self.jobs.value()
+        if self.kind.currentData() == "file":
+            return study.Plan(self.document, self.file.text().strip(), (), folder, jobs)
+        items = [self.list.item(k) for k in range(self.list.count())]
+        names = [
+            item.data(QtCore.Qt.UserRole)
+            for item in items
+            if item.checkState() == QtCore.Qt.Checked
+        ]
+        sources = [obj for obj in map(self.document.getObject, names) if obj is not None]
+        return study.Plan(self.document, "", sources, folder, jobs)
+
+    # --- run
+
+    def start(self):
+        plan = self.plan()
+        if not self.begin(
+            lambda: StudyTask(self.document, plan, self.obj), self.ended, plan.words, self.start
+        ):
+            return False
+        self._enable(False)
+        self.begun = False
+        self.result.show()
+        self.summary.setText("")
+        self.run.progress.connect(lambda *ignored: self._follow())
+        return True
+
+    def _follow(self):
+        if self.run is None or not isinstance(self.run.task, StudyTask):
+            return
+        task = self.run.task
+        if not self.begun and task.names is not None:
+            self.table.begin(task.names)
+            self.begun = True
+        if self.begun:
+            self.table.take(dict(task.request.rows))
+
+    def _enable(self, on):
+        for button in (self.start_button, self.open_button, self.page_button, self.report_button):
+            button.setEnabled(on)
+
+    def ended(self, run):
+        self.run = None
+        if not widgets.alive(self.document):
+            return
+        self._enable(True)
+        if isinstance(run.task, StudyTask):
+            self.obj = run.task.obj or self.obj
+            self.box.leave(self.table)
+            self.show_result()
+            if run.state == "failed" or self.obj is None:
+                widgets.show_failure(self.message, run)
+            return
+        self.box.leave(self.table)
+        if run.state != "ok":
+            widgets.show_failure(self.message, run)
+        elif isinstance(run.task, TakeRunTask):
+            self.opener.show(run.task.found)
+
+    # --- result
+
+    def show_result(self):
+        report = study.report_of(self.obj) if self.obj is not None else None
+        self.result.setVisible(report is not None)
+        left = report is not None and study_table.count(report["runs"], "not run")
+        go_on = translate("Panels", "Go on") if left else translate("Panels", "Run study")
+        self.start_button.setText(go_on)
+        if report is None:
+            return
+        text = self.obj.Summary
+        if self.obj.Status == study.STALE:
+            text = translate("Panels", "{0} (stale: run again)").format(text)
+        self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
+        widgets.show_message(self.message, self.obj.Message)
+        self.table.show_report(report)
+        there = os.path.isfile(os.path.join(self.obj.Results, "study.html"))
+        self.page_button.setEnabled(there)
+        self._chosen()
+
+    def _chosen(self):
+        """What the chosen row tells; the button opens it, or the worst one."""
+        row = self.table.chosen()
+        self.open_button.setText(
+            translate("Panels", "&Open worst") if row is None else translate("Panels", "&Open run")
+        )
+        widgets.show_message(self.about, "" if row is None else study_table.told(row))
+
+    @guard.told
+    def open_run(self):
+        """The chosen run, or the worst one."""
+        if self.run is not None or self.obj is None:
+            return
+        report = study.report_of(self.obj)
+        row = self.table.chosen() or study_table.worst(report)
+        if row is None:
+            return
+        source = study.Plan.of(self.obj).source_of(row["run"])
+        if source is not None:
+            self.opener.show(source)
+        elif self.begin(lambda: TakeRunTask(self.obj, row["run"]), self.ended):
+            self._enable(False)
+
+    @guard.told
+    def open_page(self):
+        path = os.path.join(self.obj.Results, "study.html")
+        if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
+            text = translate("Messages", "no program was found that shows {0}.")
+            raise InputProblem(text.format(path))
+
+    @guard.told
+    def export_page(self):
+        if self.run is not None:
+            return
+        path = file_dialogs.ask_report(self.obj.Label)
+        if path and self.begin(lambda: StudyPageTask(self.obj, path), self.ended):
+            self._enable(False)
+
+
+def show(document, obj=None, sources=()):
+    core.module()  # says how to get it before anything is asked
+    panel = StudyPanel(document, obj, sources)
+    focus.show(panel)
+    return panel

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Studies (docs/studies.md) beside FreeCAD: the package `swept_volume`, which lies beside the compiled core,
+computes them as it does for `swept study`, in a process of its own. So the window never waits, and a
+process that dies takes nothing with it. Any thread.
+"""
+import contextlib
+import functools
+import importlib
+import json
+import os
+import queue
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+
+import FreeCAD as App
+
+from . import core
+from .body import InputProblem
+from .texts import translate
+
+#: s between two looks whether a study is to stop, and that one has to stop in.
+_POLL, _LEAVE = 0.05, 20.0
+#: Verdict of a study with runs that failed; else as those of checks.
+FAILED = "failed"
+#: State of a row.
+STATES = ("done", "not clear", "failed", "not run")
+
+
+def _folder():
+    """Where the core lies, and the package beside it. Raises core.CoreMissing, InputProblem."""
+    folder = os.path.dirname(os.path.abspath(core.module().__file__))
+    if os.path.isfile(os.path.join(folder, "swept_volume", "__main__.py")):
+        return folder
+    text = translate(
+        "Messages",
+        "studies need the Python package swept_volume beside the compiled core, and the folder {0} has none: "
+        "install the workbench again, or build it with cmake --build build.",
+    )
+    raise InputProblem(text.format(folder))
+
+
+def _package(name):
+    folder = _folder()
+    sys.path.insert(0, folder)
+    try:
+        return importlib.import_module("swept_volume." + name)
+    except ImportError as problem:  # tomli, before Python 3.11
+        text = translate("Messages", "study files cannot be read: {0}")
+        raise InputProblem(text.format(problem)) from None
+    finally:
+        sys.path.remove(folder)
+
+
+def read(path, output=None):
+    """A study file, checked: what has file, name, output (folder of the results) and runs, with name, part,
+    motion, neighbours, rules, compute and options each. Raises core.CoreError, core.CoreMissing,
+    InputProblem."""
+    package = _package("_study_file")
+    try:
+        with core.errors():
+            return package.read_study(path, output or None)
+    except OSError as problem:
+        text = translate("Messages", 'the study file "{0}" cannot be read: {1}')
+        raise InputProblem(text.format(path, problem.strerror or problem)) from None
+
+
+def load(run):
+    """What a run of a study file reads: the part (what has vertices (n,3) mm and triangles (m,3)), its motion
+    (times s, translations mm, rotations as quaternions x, y, z, w), and of each neighbour (name, shape, rule
+    as text, "" for the common distance). Raises core.CoreError, InputProblem."""
+    values, files = _package("_values"), run.options[""]
+    deflection = run.options.get("clearance", {}).get("deflection", 0.05)
+    try:
+        with core.errors():
+            unit = files.get("part_unit", "mm")
+            body = values.read_body(run.part, unit=unit, tolerance=deflection)
+            unit = files.get("neighbour_unit", "mm")
+            parts = [
+                part
+                for file in run.neighbours
+                for part in values.read_parts(file, unit=unit, deflection=deflection)
+            ]
+            texts = _package("_clearance").rule_texts(run.rules)
+            rules = core.module().rules_for(texts, [name for name, _ in parts])
+    except OSError as problem:
+        raise InputProblem(str(problem)) from None
+    motion = core.read_motion(run.motion, files.get("motion_unit", "mm"))
+    return body, motion, [(*part, rule) for part, rule in zip(parts, rules)]
+
+
+def worst_first(rows):
+    """Numbers of the rows of a study, the one to look at first before all others."""
+    return _package("_study").worst_first(rows)
+
+
+@functools.lru_cache(maxsize=1)
+def _interpreter():
+    """A Python of this version: FreeCAD's own executable runs no module."""
+    version = "python{}.{}".format(*sys.version_info[:2])
+    folders = [os.path.dirname(sys.executable or ""), os.path.join(sys.exec_prefix, "bin")]
+    folders += [sys.exec_prefix, os.path.join(App.getHomePath(), "bin")]
+    found = [shutil.which(version, path=folder) for folder in folders if folder]
+    found += [shutil.which(version)]
+    found += [shutil.which(name, path=f) for f in folders if f for name in ("python3", "python")]
+    wanted = "{}.{}".format(*sys.version_info[:2])
+    for path in filter(None, found):
+        words = [path, "-c", "import sys; print('{}.{}'.format(*sys.version_info))"]
+        with contextlib.suppress(OSError, subprocess.SubprocessError):
+            told = subprocess.run(words, capture_output=True, text=True, timeout=30)
+            if told.stdout.strip() == wanted:
+                return path
+    return None
+
+
+def _start(words):
+    """A process of the package, in its folder: nothing else is found there that could be imported."""
+    python = _interpreter()
+    if python is None:
+        text = translate(
+            "Messages", "studies need the program {0}, and it was not found: install it."
+        )
+        raise InputProblem(text.format("python{}.{}".format(*sys.version_info[:2])))
+    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
+    return subprocess.Popen(
+        [python] + words,
+        cwd=_folder(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        **hidden,
+    )
+
+
+class _Output:
+    """What a process writes, read by threads: line by line, and the rest at the end."""
+
+    def __init__(self, process):
+        self.lines, self.errors = queue.Queue(), b""
+        self._process = process
+        self._threads = [
+            threading.Thread(target=target, daemon=True) for target in (self._read, self._complain)
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def _read(self):
+        for line in self._process.stdout:
+            self.lines.put(line)
+        self.lines.put(None)
+
+    def _complain(self):
+        self.errors = self._process.stderr.read()
+
+    def text(self):
+        """What was written to standard error, when the process has ended."""
+        for thread in self._threads:
+            thread.join(_LEAVE)
+        return self.errors.decode("utf-8", "replace").strip()
+
+
+def _ask_to_stop(process):
+    if os.name == "nt":
+        process.terminate()
+    else:
+        process.send_signal(signal.SIGINT)
+
+
+def _followed(process, told, cancelled):
+    """Hands each line to told() until the process has ended. Returns what it wrote to standard error. Raises
+    core.CoreError where it was cancelled."""
+    output, asked = _Output(process), False
+    try:
+        while True:
+            if not asked and cancelled():
+                _ask_to_stop(process)
+                asked = True
+            try:
+                line = output.lines.get(timeout=_POLL)
+            except queue.Empty:
+                continue
+            if line is None:
+                break
+            told(line)
+        process.wait(_LEAVE)
+    finally:
+        if process.poll() is None:
+            process.kill()
+            process.wait()
+    if asked:
+        raise core.cancelled()
+    return output.text()
+
+
+def run(path, output, jobs, told, cancelled):
+    """Computes what is left of a study, in `jobs` processes (0: one for each core), and its page.
+
+    told(row, done, runs) follows each run, in this thread: those that are kept first, without numbers.
+    cancelled(): whether to stop. Returns the report of the study (docs/report.md). Raises core.CoreError,
+    core.CoreMissing, InputProblem."""
+
+    def take(line):
+        found = json.loads(line.decode("utf-8"))
+        told(found["row"], found.get("done"), found.get("runs"))
+
+    with tempfile.TemporaryDirectory() as folder:
+        report = os.path.join(folder, "report.json")
+        words = ["-m", "swept_volume", "study", "--rows", "--page", "--output=" + output]
+        words += ["--report=" + report] + (["--jobs={}".format(jobs)] if jobs else [])
+        process = _start(words + ["--", path])
+        errors = _followed(process, take, cancelled)
+        if os.path.exists(report):  # else it was refused, or died
+            with open(report, encoding="utf-8") as file:
+                return json.load(file)
+    text = translate("Messages", "the study ended with status {0} and no result.")
+    raise InputProblem(errors or text.format(process.returncode))
+
+
+#: Arguments: study, folder for results, way from the page to there, template: "" for that of the study,
+#: "print", or a file.
+_PAGE = """
+import sys, swept_volume as sv
+path, output, way, template = sys.argv[1:]
+text = None
+if template:
+    own = template == "print"
+    text = sv.page_template(template) if own else open(template, encoding="utf-8").read()
+try:
+    page = sv.study_page(path, output=output, folder=way, template=text)
+except (sv.Error, OSError) as error:
+    sys.exit(str(error))
+sys.stdout.buffer.write(page.encode())
+"""
+
+
+def page(path, output, target, template, cancelled):
+    """The page of all runs, for a file at `target`, as text. template: "" for that of the study, "print" for
+    the program's own for PDF, or a file. Raises core.CoreError, core.CoreMissing, InputProblem."""
+    way = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
+    way = "" if way == "." else way.replace(os.sep, "/") + "/"
+    process, lines = _start(["-c", _PAGE, path, output, way, template]), []
+    errors = _followed(process, lines.append, cancelled)
+    if process.returncode != 0:
+        raise InputProblem(errors)
+    return b"".join(lines).decode("utf-8")
