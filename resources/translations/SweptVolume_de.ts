@@ -1418,6 +1418,10 @@ Versucht:
    <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
   </message>
   <message>
+   <source>Colour the &amp;parts by their verdicts</source>
+   <translation>&amp;Teile nach ihren Urteilen färben</translation>
+  </message>
+  <message>
    <source>CSV...</source>
    <translation>CSV …</translation>
   </message>
@@ -1434,6 +1438,22 @@ Versucht:
    <translation>{0} (veraltet: neu prüfen)</translation>
   </message>
   <message>
+   <source>Place &amp;before</source>
+   <translation>Stelle &amp;davor</translation>
+  </message>
+  <message>
+   <source>Back to the place that is worse than this one</source>
+   <translation>Zurück zur Stelle, die schlimmer ist als diese</translation>
+  </message>
+  <message>
+   <source>&amp;Next worst place</source>
+   <translation>&amp;Nächstschlimmste Stelle</translation>
+  </message>
+  <message>
+   <source>Goes through the places from the worst on: clashes, the deepest first, then what is nearest</source>
+   <translation>Geht die Stellen von der schlimmsten an durch: Kollisionen, die tiefste zuerst, dann was am nächsten ist</translation>
+  </message>
+  <message>
    <source>Rule: {0}</source>
    <translation>Regel: {0}</translation>
   </message>
@@ -1444,6 +1464,10 @@ Versucht:
   <message>
    <source>Contact allowed, where it is meant: {0}</source>
    <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
+  </message>
+  <message>
+   <source>{0}: {1} {2} at {3} s</source>
+   <translation>{0}: {1} {2} bei {3} s</translation>
   </message>
   <message>
    <source>No curve yet: check first.</source>

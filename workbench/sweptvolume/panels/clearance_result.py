@@ -101,7 +101,13 @@ class ResultPanel(check_result.ResultPanel):
         if path:
             self.begin(lambda: PageTask(self.obj, path), self.ended)
 
+    def standing_rows(self):
+        rows = self.report["neighbours"]
+        pairs = clearance.Plan.of(self.obj).pairs_named([row["name"] for row in rows])
+        return [(pair, row) for pair, row in zip(pairs, rows) if pair is not None]
+
     def leave(self):
+        super().leave()
         if self.obj is not None and widgets.alive(self.obj):
             self.coloured.setChecked(False)
             self._view().clear()

@@ -135,5 +135,16 @@ class ResultPanel(check_result.ResultPanel):
                     drawn.remove()
         self.shapes, self.ghosts, self.line, self.courses = None, None, None, []
 
+    def standing_rows(self):
+        plan = mechanism.Plan.of(self.obj)
+        parts = {name: pair for pair, name in plan.names().items() if pair not in plan.pairs}
+        return [
+            (parts[name], pair["clearance"])
+            for pair in self.whole["pairs"]
+            for name in (pair["first"], pair["second"])
+            if name in parts
+        ]
+
     def leave(self):
+        super().leave()
         self.clear_view()
