@@ -253,17 +253,17 @@ class ResultPanel(StayingPanel):
 
     def go_through(self, by):
         """To the row that is the next worst (1), or back (-1); from none to the worst."""
-        place = self._place() + by
+        place = self._place_among_worst() + by
         if 0 <= place < len(self.worst_first):
             self.choose(self.worst_first[place])
 
-    def _place(self):
+    def _place_among_worst(self):
         """Where the chosen row stands among the worst; -1: none is chosen."""
         row = self.chosen_row()
         return self.worst_first.index(row) if row in self.worst_first else -1
 
     def _show_place(self):
-        place = self._place()
+        place = self._place_among_worst()
         self.better.setEnabled(place > 0)
         self.worse.setEnabled(place + 1 < len(self.worst_first))
 
