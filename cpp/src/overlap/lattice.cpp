@@ -72,8 +72,7 @@ Whole Lattice::fromCentre(const Whole& p) const { return minus(p, centre_); }
 int Lattice::sideOf(Side side, std::int32_t vertex, const Corners& triangle) const {
   const Side there = other(side);
   const Whole &p = at(side, vertex), &a = at(there, triangle[0]);
-  const Cross normal =
-      cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
+  const Cross normal = cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
   if (const int sign = signOf(dot(normal, minus(p, a))); sign != 0) return sign;
   // A vertex of the fixed mesh moves the other way as seen from the shrunk one.
   const int sign = firstSign(-dot(normal, fromCentre(p)), normal);
@@ -83,8 +82,7 @@ int Lattice::sideOf(Side side, std::int32_t vertex, const Corners& triangle) con
 long double Lattice::heightOf(Side side, std::int32_t vertex, const Corners& triangle) const {
   const Side there = other(side);
   const Whole& a = at(there, triangle[0]);
-  const Cross normal =
-      cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
+  const Cross normal = cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
   return static_cast<long double>(dot(normal, minus(at(side, vertex), a)));
 }
 

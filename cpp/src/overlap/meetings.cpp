@@ -67,12 +67,12 @@ class Pieces {
   std::vector<std::int32_t> parent_, offset_;
 };
 
-[[noreturn]] void failOverlapping(int winding) {
-  throw Error(Status::InvalidInput, "OverlappingShells",
-              "a part lies in itself (its surface goes round some place " +
-                  std::to_string(winding) +
-                  " times): what it shares with another has no volume that could be told; give "
-                  "each solid by itself, or join them first");
+/// Adds up along an edge how much of it the other solid goes round once, and else.
+void measure(Windings& windings, std::int32_t winding, double length) {
+  if (winding == 1)
+    windings.once += length;
+  else if (winding != 0)
+    windings.more += length;
 }
 
 }  // namespace
@@ -134,9 +134,8 @@ std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh&
   return gather<Node>(mesh.edges.size(), kBlock, nodesOf);
 }
 
-std::vector<std::int8_t> vertexWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                                        const TriMesh& there, const std::vector<Node>& nodes,
-                                        RunContext& run) {
+Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
+                      const TriMesh& there, const std::vector<Node>& nodes, RunContext& run) {
   std::vector<std::int32_t> steps(mesh.edges.size(), 0);
   for (const Node& node : nodes) steps[node.edge] += node.enters ? 1 : -1;
   const std::size_t count = mesh.mesh->vertices.size();
@@ -145,27 +144,36 @@ std::vector<std::int8_t> vertexWindings(const Lattice& lattice, Side side, const
     pieces.join(mesh.edges[e].from, mesh.edges[e].to, steps[e]);
   const BoxTree tree = treeOf(lattice, other(side), there);
   std::vector<std::int32_t> ofRoot(count, 0);
-  std::vector<char> used(count, 0);
-  for (const Edge& edge : mesh.edges) used[edge.from] = used[edge.to] = 1;
   for (std::size_t v = 0; v < count; ++v) {
-    if (used[v] == 0 || pieces.find(static_cast<std::int32_t>(v)) != std::int32_t(v)) continue;
+    const auto vertex = static_cast<std::int32_t>(v);
+    if (pieces.find(vertex) != vertex) continue;
     run.checkpoint(Phase::Contour);
-    const Eigen::Vector3d at = lattice.place(side, static_cast<std::int32_t>(v));
+    const Eigen::Vector3d at = lattice.place(side, vertex);
     const Eigen::Vector3d top(at.x(), at.y(), std::max(at.z(), tree.bounds().high.z()));
     tree.forBox(at, top, [&](std::uint32_t place) {
-      ofRoot[v] += lattice.rayThrough(side, static_cast<std::int32_t>(v),
-                                      there.triangles[tree.item(place)]);
+      ofRoot[v] += lattice.rayThrough(side, vertex, there.triangles[tree.item(place)]);
     });
   }
-  std::vector<std::int8_t> windings(count, 0);
+  Windings found;
+  found.ofVertex.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
-    if (used[v] == 0) continue;
     const auto vertex = static_cast<std::int32_t>(v);
-    const std::int32_t winding = ofRoot[pieces.find(vertex)] + pieces.offsetOf(vertex);
-    if (winding < 0 || winding > 1) failOverlapping(winding);
-    windings[v] = static_cast<std::int8_t>(winding);
+    found.ofVertex[v] = ofRoot[pieces.find(vertex)] + pieces.offsetOf(vertex);
   }
-  return windings;
+  std::size_t n = 0;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const Edge& edge = mesh.edges[e];
+    const double length = (mesh.mesh->vertices[edge.to] - mesh.mesh->vertices[edge.from]).norm();
+    std::int32_t winding = found.ofVertex[edge.from];
+    double share = 0;
+    for (; n < nodes.size() && nodes[n].edge == std::int32_t(e); ++n) {
+      measure(found, winding, length * (nodes[n].share - share));
+      winding += nodes[n].enters ? 1 : -1;
+      share = nodes[n].share;
+    }
+    measure(found, winding, length * (1 - share));
+  }
+  return found;
 }
 
 }  // namespace swept::overlap

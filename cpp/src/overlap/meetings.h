@@ -1,5 +1,6 @@
 // Where the edges of one mesh go through the triangles of another.
-// In:    two closed meshes on one lattice. Out: for each edge the triangles it goes through, whether
+// In:    two closed meshes on one lattice. Out: for each edge the triangles it goes through,
+// whether
 //        it enters the other solid there or leaves it, and where.
 // Cost:  O(n log n), all cores; two bounding box trees.
 // Promise: exact: an edge that goes through the surface between two triangles goes through one of
@@ -8,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "overlap/lattice.h"
@@ -30,7 +32,8 @@ struct ClosedMesh {
   std::vector<std::int32_t> edgeOf;  ///< by half-edge
 };
 
-/// Throws Error(InvalidInput, "OpenMesh") if an edge has not as many triangles one way as the other.
+/// Throws Error(InvalidInput, "OpenMesh") if an edge has not as many triangles one way as the
+/// other.
 ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name);
 
 struct Node {
@@ -45,10 +48,13 @@ struct Node {
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
                             const TriMesh& there, RunContext& run);
 
-/// How often the other solid goes round each vertex: 0 outside, 1 inside. nodes: of this mesh's
-/// edges.
-std::vector<std::int8_t> vertexWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                                        const TriMesh& there, const std::vector<Node>& nodes,
-                                        RunContext& run);
+struct Windings {
+  std::vector<std::int32_t> ofVertex;  ///< how often the other solid goes round it: 0 outside, 1 in
+  double once = 0, more = 0;           ///< mm of edges inside it that it goes round once, and else
+};
+
+/// nodes: of this mesh's edges.
+Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
+                      const TriMesh& there, const std::vector<Node>& nodes, RunContext& run);
 
 }  // namespace swept::overlap

@@ -6,9 +6,11 @@
 #include <array>
 #include <vector>
 
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "geometry/half_edges.h"
 #include "geometry/shells.h"
+#include "input/body_check.h"
 #include "overlap/meetings.h"
 #include "overlap/polygons.h"
 
@@ -30,21 +32,38 @@ struct Link {
                   "): a fault of the program; please report it with the parts");
 }
 
+/// Small faults of a mesh do no harm: what lies in itself counts as often as it is there.
+void requireOnce(const Windings& windings, const std::string& name) {
+  constexpr double kMost = 0.01;
+  if (windings.more <= kMost * (windings.once + windings.more)) return;
+  throw Error(Status::InvalidInput, "OverlappingShells",
+              name + " lies in itself (" +
+                  numberText(100 * windings.more / (windings.once + windings.more), 3) +
+                  " % of the edges inside it lie inside it more than once): what it shares with "
+                  "another part has no volume that could be told; give each solid by itself, or "
+                  "join them first");
+}
+
+/// What is kept of each mesh: what lies inside the other, or outside it.
+enum class Keep { Inside, Outside };
+
 class Builder {
  public:
-  Builder(const TriMesh& shrunk, const std::string& shrunkName, const TriMesh& fixed,
+  Builder(Keep keep, const TriMesh& shrunk, const std::string& shrunkName, const TriMesh& fixed,
           const std::string& fixedName, RunContext& run)
-      : run_(run),
+      : keepsInside_(keep == Keep::Inside),
+        run_(run),
         lattice_(shrunk, fixed),
-        meshes_{closedMesh(shrunk, shrunkName), closedMesh(fixed, fixedName)} {}
+        meshes_{closedMesh(shrunk, shrunkName), closedMesh(fixed, fixedName)},
+        names_{shrunkName, fixedName} {}
 
   TriMesh build() {
     for (const Side side : {Side::Shrunk, Side::Fixed}) {
       const ClosedMesh& mesh = of(side);
       const TriMesh& there = *of(other(side)).mesh;
       nodes_[int(side)] = findNodes(lattice_, side, mesh, there, run_);
-      windings_[int(side)] =
-          vertexWindings(lattice_, side, mesh, there, nodes_[int(side)], run_);
+      windings_[int(side)] = findWindings(lattice_, side, mesh, there, nodes_[int(side)], run_);
+      requireOnce(windings_[int(side)], names_[int(other(side))]);
     }
     numberPoints();
     findSegments();
@@ -60,6 +79,14 @@ class Builder {
   std::int32_t nodeNumber(Side side, std::size_t node) const {
     return firstNode_[int(side)] + static_cast<std::int32_t>(node);
   }
+
+  /// How many copies of a vertex are kept: 0 or 1, and else where the other solid lies in itself.
+  std::int32_t copies(Side side, std::int32_t vertex) const {
+    const std::int32_t winding = windings_[int(side)].ofVertex[vertex];
+    return keepsInside_ ? winding : 1 - winding;
+  }
+  /// Does the part that is kept begin there, on the way along the edge?
+  bool begins(const Node& node) const { return node.enters == keepsInside_; }
 
   /// The vertices of both meshes, then their nodes; what is not used goes at the end.
   void numberPoints() {
@@ -91,11 +118,11 @@ class Builder {
         for (const bool forward : {true, false}) {
           const std::int64_t half = forward ? edge.forward : edge.backward;
           const auto own = static_cast<std::int32_t>(half / 3);
-          const bool enters = nodes[n].enters == forward;
+          const bool begin = begins(nodes[n]) == forward;
           if (side == Side::Shrunk)
-            ends.push_back({own, nodes[n].triangle, enters, nodeNumber(side, n)});
+            ends.push_back({own, nodes[n].triangle, begin, nodeNumber(side, n)});
           else
-            ends.push_back({nodes[n].triangle, own, !enters, nodeNumber(side, n)});
+            ends.push_back({nodes[n].triangle, own, !begin, nodeNumber(side, n)});
         }
       }
     }
@@ -111,25 +138,27 @@ class Builder {
     for (std::vector<Link>& list : segments_) std::sort(list.begin(), list.end());
   }
 
-  /// The pieces of an edge inside the other solid, from Edge::from to Edge::to: visit(from, to).
+  /// The pieces of an edge that are kept, from Edge::from to Edge::to: visit(from, to).
   template <class Visit>
   void forPieces(Side side, std::int32_t e, const std::vector<std::size_t>& firstOfEdge,
                  std::vector<std::int32_t>& starts, const Visit& visit) const {
     const Edge& edge = of(side).edges[e];
-    const std::vector<std::int8_t>& inside = windings_[int(side)];
     const std::vector<Node>& nodes = nodes_[int(side)];
-    starts.clear();
-    if (inside[edge.from] != 0) starts.push_back(vertexNumber(side, edge.from));
+    // A vertex that counts less than 0 times ends what it would begin.
+    const std::int32_t first = copies(side, edge.from), last = copies(side, edge.to);
+    starts.assign(std::max(first, 0), vertexNumber(side, edge.from));
     for (std::size_t n = firstOfEdge[e]; n < firstOfEdge[e + 1]; ++n)
-      if (nodes[n].enters) starts.push_back(nodeNumber(side, n));
+      if (begins(nodes[n])) starts.push_back(nodeNumber(side, n));
+    starts.insert(starts.end(), std::max(-last, 0), vertexNumber(side, edge.to));
     std::size_t used = 0;
     const auto end = [&](std::int32_t point) {
       if (used == starts.size()) failBroken("edge " + std::to_string(e));
       visit(starts[used++], point);
     };
+    for (std::int32_t k = 0; k < -first; ++k) end(vertexNumber(side, edge.from));
     for (std::size_t n = firstOfEdge[e]; n < firstOfEdge[e + 1]; ++n)
-      if (!nodes[n].enters) end(nodeNumber(side, n));
-    if (inside[edge.to] != 0) end(vertexNumber(side, edge.to));
+      if (!begins(nodes[n])) end(nodeNumber(side, n));
+    for (std::int32_t k = 0; k < last; ++k) end(vertexNumber(side, edge.to));
     if (used != starts.size()) failBroken("edge " + std::to_string(e));
   }
 
@@ -147,7 +176,7 @@ class Builder {
     out_.triangles.insert(out_.triangles.end(), found.begin(), found.end());
   }
 
-  /// What of a triangle lies inside the other solid.
+  /// What is kept of a triangle.
   void addTriangle(Side side, std::int32_t t, const std::vector<std::size_t>& firstOfEdge,
                    std::vector<std::array<std::int32_t, 3>>& triangles) const {
     const ClosedMesh& mesh = of(side);
@@ -167,8 +196,8 @@ class Builder {
     if (links.empty()) return;
     const auto& corners = mesh.mesh->triangles[t];
     const std::vector<Eigen::Vector3d>& points = mesh.mesh->vertices;
-    const Eigen::Vector3d normal = (points[corners[1]] - points[corners[0]])
-                                       .cross(points[corners[2]] - points[corners[0]]);
+    const Eigen::Vector3d normal =
+        (points[corners[1]] - points[corners[0]]).cross(points[corners[2]] - points[corners[0]]);
     cutIntoTriangles(loopsOf(links, t), out_.vertices, normal, triangles);
   }
 
@@ -183,22 +212,26 @@ class Builder {
       do {
         seen[at] = 1;
         loop.push_back(links[at].from);
-        const auto next = std::lower_bound(links.begin(), links.end(), Link{t, links[at].to, -1});
+        if (links[at].to == loop.front()) break;
+        auto next = std::lower_bound(links.begin(), links.end(), Link{t, links[at].to, -1});
+        while (next != links.end() && next->from == links[at].to && seen[next - links.begin()] != 0)
+          ++next;
         if (next == links.end() || next->from != links[at].to)
           failBroken("triangle " + std::to_string(t));
         at = static_cast<std::size_t>(next - links.begin());
-      } while (seen[at] == 0);
-      if (at != first) failBroken("triangle " + std::to_string(t));
+      } while (true);
       loops.push_back(std::move(loop));
     }
     return loops;
   }
 
+  const bool keepsInside_;
   RunContext& run_;
   Lattice lattice_;
   std::array<ClosedMesh, 2> meshes_;
+  std::array<std::string, 2> names_;
   std::array<std::vector<Node>, 2> nodes_;
-  std::array<std::vector<std::int8_t>, 2> windings_;
+  std::array<Windings, 2> windings_;
   std::array<std::int32_t, 2> firstVertex_{}, firstNode_{};
   std::array<std::vector<Link>, 2> segments_;  ///< sorted by triangle
   TriMesh out_;
@@ -244,18 +277,109 @@ Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
   return box;
 }
 
+/// Shrinking takes the inner one away from the walls round it, and leaves nothing flat there.
+TriMesh combined(Keep keep, const TriMesh& first, const std::string& firstName,
+                 const TriMesh& second, const std::string& secondName, RunContext& run) {
+  const bool swapped = boxOf(second).diagonal().norm() < boxOf(first).diagonal().norm();
+  Builder builder(keep, swapped ? second : first, swapped ? secondName : firstName,
+                  swapped ? first : second, swapped ? firstName : secondName, run);
+  return builder.build();
+}
+
+constexpr double kFlat = 1e-9;  // of the boxes' diagonal
+
+/// The union of solids [begin, end), two halves at a time.
+TriMesh unionOf(const std::vector<TriMesh>& solids, std::size_t begin, std::size_t end,
+                const std::string& name, RunContext& run) {
+  if (end - begin == 1) return solids[begin];
+  const std::size_t middle = begin + (end - begin) / 2;
+  const TriMesh first = unionOf(solids, begin, middle, name, run);
+  const TriMesh second = unionOf(solids, middle, end, name, run);
+  const TriMesh both = combined(Keep::Outside, first, name, second, name, run);
+  return withoutFlatShells(both, kFlat * boxOf(both).diagonal().norm()).mesh;
+}
+
+/// Which shells are one solid: each that bounds material, with the cavities in it. Number of
+/// solids.
+std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
+                         const std::vector<ShellExtent>& extents,
+                         std::vector<std::int32_t>& solidOfShell) {
+  solidOfShell.assign(shells.count, -1);
+  std::size_t count = 0;
+  for (std::int32_t s = 0; s < shells.count; ++s)
+    if (extents[s].volume > 0) solidOfShell[s] = static_cast<std::int32_t>(count++);
+  const RayColumns columns(mesh);
+  const ShellNesting nesting(mesh, shells, columns);
+  for (std::int32_t s = 0; s < shells.count; ++s) {
+    if (extents[s].volume > 0) continue;
+    std::int32_t home = -1;  // the smallest one round it
+    for (const std::int32_t round : nesting.shellsAround(extents[s].first))
+      if (extents[round].volume > 0 && (home < 0 || extents[round].volume < extents[home].volume))
+        home = round;
+    if (home >= 0) solidOfShell[s] = solidOfShell[home];
+  }
+  return count;
+}
+
+/// Solids, each with vertices of its own; a shell of none is left out.
+std::vector<TriMesh> split(const TriMesh& mesh, const Shells& shells,
+                           const std::vector<std::int32_t>& solidOfShell, std::size_t count) {
+  std::vector<TriMesh> solids(count);
+  std::vector<std::vector<std::int32_t>> trianglesOf(count);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (const std::int32_t solid = solidOfShell[shells.ofTriangle[t]]; solid >= 0)
+      trianglesOf[solid].push_back(static_cast<std::int32_t>(t));
+  std::vector<std::int32_t> number(mesh.vertices.size());
+  for (std::size_t solid = 0; solid < count; ++solid) {
+    for (const std::int32_t t : trianglesOf[solid])
+      for (const std::int32_t corner : mesh.triangles[t]) number[corner] = -1;
+    for (const std::int32_t t : trianglesOf[solid]) {
+      std::array<std::int32_t, 3> tri = mesh.triangles[t];
+      for (std::int32_t& corner : tri) {
+        if (number[corner] < 0) {
+          number[corner] = static_cast<std::int32_t>(solids[solid].vertices.size());
+          solids[solid].vertices.push_back(mesh.vertices[corner]);
+        }
+        corner = number[corner];
+      }
+      solids[solid].triangles.push_back(tri);
+    }
+  }
+  return solids;
+}
+
+/// Do the boxes of two shells overlap that bound material?
+bool mayOverlap(const std::vector<ShellExtent>& shells) {
+  for (std::size_t i = 0; i < shells.size(); ++i)
+    for (std::size_t j = i + 1; j < shells.size(); ++j)
+      if (shells[i].volume > 0 && shells[j].volume > 0 && shells[i].box.intersects(shells[j].box))
+        return true;
+  return false;
+}
+
 }  // namespace
+
+TriMesh solidOf(const TriMesh& mesh, const std::string& name, RunContext& run) {
+  CheckedBody body;
+  try {
+    body = checkBody(mesh, Options{}, run);
+  } catch (const Error& e) {
+    throw Error(e.status(), e.code(), name + ": " + e.what());
+  }
+  closedMesh(body.mesh, name);
+  const Shells shells = shellsByEdges(findAdjacency(body.mesh).across);
+  const std::vector<ShellExtent> extents = measureShells(body.mesh, shells);
+  if (!mayOverlap(extents)) return std::move(body.mesh);
+  std::vector<std::int32_t> solidOfShell;
+  const std::size_t count = numberSolids(body.mesh, shells, extents, solidOfShell);
+  const std::vector<TriMesh> solids = split(body.mesh, shells, solidOfShell, count);
+  return unionOf(solids, 0, solids.size(), name, run);
+}
 
 SharedMesh sharedMesh(const TriMesh& first, const std::string& firstName, const TriMesh& second,
                       const std::string& secondName, RunContext& run) {
-  constexpr double kFlat = 1e-9;  // of the boxes' diagonal
-  const Eigen::AlignedBox3d a = boxOf(first), b = boxOf(second);
-  // Shrinking takes the inner one away from the walls round it, and leaves nothing flat there.
-  const bool swapped = b.diagonal().norm() < a.diagonal().norm();
-  Builder builder(swapped ? second : first, swapped ? secondName : firstName,
-                  swapped ? first : second, swapped ? firstName : secondName, run);
-  const TriMesh whole = builder.build();
-  return withoutFlatShells(whole, kFlat * a.merged(b).diagonal().norm());
+  const TriMesh whole = combined(Keep::Inside, first, firstName, second, secondName, run);
+  return withoutFlatShells(whole, kFlat * boxOf(first).merged(boxOf(second)).diagonal().norm());
 }
 
 }  // namespace swept::overlap

@@ -3,11 +3,11 @@
 //        share nothing.
 // Units: mm. Cost: O(n log n); two meshes of 70,000 triangles take half a second.
 // Method: J. M. Smith, Towards robust inexact geometric computation (2009): which edges go through
-//         which triangles is decided exactly, with no two things on each other (lattice.h). Of every
-//         triangle the piece inside the other solid has for its border pieces of the triangle's
-//         edges, which its neighbour has the other way round, and segments along which it meets
-//         triangles of the other mesh, which these have the other way round. So the pieces of all
-//         triangles of both close, whatever rounding does to the points.
+//         which triangles is decided exactly, with no two things on each other (lattice.h). Of
+//         every triangle the piece inside the other solid has for its border pieces of the
+//         triangle's edges, which its neighbour has the other way round, and segments along which
+//         it meets triangles of the other mesh, which these have the other way round. So the pieces
+//         of all triangles of both close, whatever rounding does to the points.
 // Promise: closed, every edge passed as often one way as the other; the volume is right to within
 //         rounding. Where faces of both lie on each other, triangles without area may hang on it.
 //         The same bytes for any number of threads.
@@ -26,7 +26,12 @@ struct SharedMesh {
   double volume = 0;  ///< mm^3
 };
 
-/// Throws Error(InvalidInput): OpenMesh, OverlappingShells; Error(Cancelled).
+/// A mesh ready for the below: welded, turned outward, and of shells that overlap their union.
+/// Throws what checkBody() throws, Error(InvalidInput, "OpenMesh"), Error(Cancelled).
+TriMesh solidOf(const TriMesh& mesh, const std::string& name, RunContext& run);
+
+/// Of two solids as solidOf() gives them. Throws Error(InvalidInput, "OverlappingShells") where one
+/// lies in itself all the same; Error(Cancelled).
 SharedMesh sharedMesh(const TriMesh& first, const std::string& firstName, const TriMesh& second,
                       const std::string& secondName, RunContext& run);
 
