@@ -267,7 +267,10 @@ SharedMesh withoutFlatShells(const TriMesh& mesh, double flat) {
     shared.mesh.triangles.push_back(tri);
   }
   for (std::int32_t s = 0; s < shells.count; ++s)
-    if (std::abs(extents[s].volume) > 0.5 * areas[s] * flat) shared.volume += extents[s].volume;
+    if (std::abs(extents[s].volume) > 0.5 * areas[s] * flat) {
+      shared.volume += extents[s].volume;
+      shared.area += areas[s];
+    }
   return shared;
 }
 

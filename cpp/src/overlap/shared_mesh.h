@@ -24,6 +24,7 @@ namespace swept::overlap {
 struct SharedMesh {
   TriMesh mesh;
   double volume = 0;  ///< mm^3
+  double area = 0;    ///< mm^2; a ball of the radius volume / area fits into it
 };
 
 /// A mesh ready for the below: welded, turned outward, and of shells that overlap their union.

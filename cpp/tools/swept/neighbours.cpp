@@ -2,6 +2,8 @@
 #ifdef HAVE_SWEPT_CLEARANCE
 #include "neighbours.h"
 
+#include <map>
+
 #include "files.h"
 #include "io/line_source.h"
 #include "swept/body.h"
@@ -89,6 +91,12 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunC
   }
   giveRules(files, list);
   return list;
+}
+
+void makeNamesUnique(std::vector<ClearanceNeighbour>& parts) {
+  std::map<std::string, int> seen;
+  for (ClearanceNeighbour& part : parts)
+    if (const int count = ++seen[part.name]; count > 1) part.name += " " + std::to_string(count);
 }
 
 std::string quoted(const std::string& text) {
