@@ -159,7 +159,9 @@ TEST(Overlap, BallsShareALens) {
         share(makeBall({0, 0, 0}, r, levels), makeBall({d, 0.3, 0.1}, r, levels));
     const double lacks = 1 - shared.volume / exact;
     EXPECT_GT(lacks, 0);
-    if (levels > 3) EXPECT_LT(lacks, before / 2);
+    if (levels > 3) {
+      EXPECT_LT(lacks, before / 2);
+    }
     before = lacks;
     expectClosed(shared);
   }
