@@ -255,6 +255,14 @@
    <translation>Öffnet den Bahneditor: das ausgewählte Teil Schritt für Schritt bewegen und seine Platzierungen übernehmen</translation>
   </message>
   <message>
+   <source>Check reserved spaces</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Recompute envelope</source>
    <translation>Hülle neu berechnen</translation>
   </message>
@@ -305,6 +313,10 @@
   <message>
    <source>Create envelope</source>
    <translation>Hülle erzeugen</translation>
+  </message>
+  <message>
+   <source>Compute again</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Make solid again</source>
@@ -444,6 +456,14 @@
   <message>
    <source>The graphics device failed: choose the backend CPU.</source>
    <translation>Die Grafikkarte hat versagt: Wählen Sie als Rechenwerk CPU.</translation>
+  </message>
+  <message>
+   <source>A part lies in itself: give each of its solids by itself, or join them first.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>It cannot be told what two of the parts share.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The part is open; its motion closes it.</source>
@@ -921,6 +941,14 @@ Versucht:
    <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
   </message>
   <message>
+   <source>choose two or more parts, envelopes or solids to compare.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>"{0}" holds "{1}": take one of them away.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} lengths): give them anew.</source>
    <translation>Die Regeln von „{0}“ passen nicht zu den Teilen ({1} Teile, zwei für jede Regel, {2} Arten, {3} Längen): neu angeben.</translation>
   </message>
@@ -931,6 +959,22 @@ Versucht:
   <message>
    <source>give a start, or how far the part is to get out.</source>
    <translation>geben Sie einen Start an, oder wie weit das Teil hinaus soll.</translation>
+  </message>
+  <message>
+   <source>They share no space; the smallest distance is {0}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shared volume</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>two sides are needed: choose two parts or envelopes.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>"{0}" is on both sides: it shares all of itself with itself.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Make solid</source>
@@ -1177,6 +1221,10 @@ Versucht:
   <message>
    <source>Export envelope</source>
    <translation>Hülle exportieren</translation>
+  </message>
+  <message>
+   <source>Check reserved spaces</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Read parts</source>
@@ -2070,6 +2118,42 @@ Versucht:
    <translation>Alle anderen Teile, die jetzt sichtbar sind</translation>
   </message>
   <message>
+   <source>Reserved spaces</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0} chosen: {1}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0} pairs checked, no space is shared, smallest distance {1}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Ta&amp;ke selected</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Makes an object of what the two share, which tells when they change</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{0} pairs checked, {1} shared</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not known</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>shared</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keep s&amp;hared volume</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Take selected</source>
    <translation>Auswahl nehmen</translation>
   </message>
@@ -2943,6 +3027,50 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Driven value at the last pose, in its unit (mm, degrees)</source>
    <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
+  </message>
+  <message>
+   <source>Parts, envelopes or other reserved spaces: the one side</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Parts, envelopes or other reserved spaces: the other side</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Motion that puts the one side where it is at Time; none: it stands</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Motion that puts the other side where it is at Time; none: it stands</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time of the motions (s)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How far the triangles of solids may leave them</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Whether the result is current</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What is to be said of the result</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Volume that both share</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Smallest distance where they share nothing</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How deep a point of one lies inside the other</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Envelope (or any closed mesh) of which this is the solid</source>

@@ -43,6 +43,7 @@ class OverlapCheck {
     options_.required = options.required;
     options_.tolerance = options.tolerance;
     options_.curveSamples = 0;
+    options_.penetration = false;  // a shorter search: the shared volume tells more
   }
 
   void operator()() {

@@ -132,17 +132,17 @@ def scenario():
 
 
 def large(doc):
-    """Balls of 500,000 triangles: the window goes on, and a run is stopped at once."""
+    """Rings of 500,000 triangles: the window goes on, and a run is stopped at once."""
     import Mesh
 
-    balls = []
+    rings = []
     for k in range(2):
-        ball = doc.addObject("Mesh::Feature", "Ball{}".format(k))
-        ball.Mesh = Mesh.createSphere(30.0, 500)
-        ball.Placement.Base = App.Vector(200 + 25 * k, 0.3, 0.1)
-        balls.append(ball)
+        ring = doc.addObject("Mesh::Feature", "Ring{}".format(k))
+        ring.Mesh = Mesh.createToroid(30.0, 10.0, 500)
+        ring.Placement.Base = App.Vector(200 + 25 * k, 0.3, 0.1)
+        rings.append(ring)
     yield 0.5
-    select(*balls)
+    select(*rings)
     Gui.runCommand("SweptVolume_Overlap")
     yield 0.5
     gaps = Gaps()

@@ -108,10 +108,15 @@ class Plan:
         set_changed(obj, "Time", self.time)
         set_changed(obj, "Deflection", self.deflection)
 
+    def pairs(self):
+        """(root, sub) of both sides."""
+        return self.sides[0] + self.sides[1]
+
     def objects(self):
         """Document objects that a run needs to its end."""
-        found = [root for side in self.sides for root, _ in side]
-        return found + [motion for motion in self.motions if motion is not None]
+        return [root for root, _ in self.pairs()] + [
+            motion for motion in self.motions if motion is not None
+        ]
 
     def names(self):
         """What the tree calls both sides."""
@@ -218,7 +223,7 @@ def update_status(obj):
         return
     if now and status.is_displaced(obj):
         now += " moved"
-    used = plan.objects() + [o for side in plan.sides for o in convert.targets(side)]
+    used = plan.objects() + convert.targets(plan.pairs())
     status.judge(obj, now, problem, any(map(status.is_behind, used)), notes_of(obj))
 
 
