@@ -256,11 +256,11 @@
   </message>
   <message>
    <source>Check reserved spaces</source>
-   <translation type="unfinished" />
+   <translation>Reservierte Räume prüfen</translation>
   </message>
   <message>
    <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
-   <translation type="unfinished" />
+   <translation>Wie nahe Hüllen, ihre Körper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
   </message>
   <message>
    <source>Recompute envelope</source>
@@ -316,7 +316,7 @@
   </message>
   <message>
    <source>Compute again</source>
-   <translation type="unfinished" />
+   <translation>Neu berechnen</translation>
   </message>
   <message>
    <source>Make solid again</source>
@@ -459,11 +459,11 @@
   </message>
   <message>
    <source>A part lies in itself: give each of its solids by itself, or join them first.</source>
-   <translation type="unfinished" />
+   <translation>Ein Teil liegt in sich selbst: jeden seiner Körper einzeln angeben oder sie vorher vereinigen.</translation>
   </message>
   <message>
    <source>It cannot be told what two of the parts share.</source>
-   <translation type="unfinished" />
+   <translation>Was zwei der Teile gemeinsam haben, lässt sich nicht sagen.</translation>
   </message>
   <message>
    <source>The part is open; its motion closes it.</source>
@@ -942,11 +942,11 @@ Versucht:
   </message>
   <message>
    <source>choose two or more parts, envelopes or solids to compare.</source>
-   <translation type="unfinished" />
+   <translation>zwei oder mehr Teile, Hüllen oder Körper zum Vergleichen wählen.</translation>
   </message>
   <message>
    <source>"{0}" holds "{1}": take one of them away.</source>
-   <translation type="unfinished" />
+   <translation>„{0}“ enthält „{1}“: eines von beiden wegnehmen.</translation>
   </message>
   <message>
    <source>the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} lengths): give them anew.</source>
@@ -962,19 +962,19 @@ Versucht:
   </message>
   <message>
    <source>They share no space; the smallest distance is {0}.</source>
-   <translation type="unfinished" />
+   <translation>Sie haben keinen Raum gemeinsam; der kleinste Abstand ist {0}.</translation>
   </message>
   <message>
    <source>Shared volume</source>
-   <translation type="unfinished" />
+   <translation>Gemeinsames Volumen</translation>
   </message>
   <message>
    <source>two sides are needed: choose two parts or envelopes.</source>
-   <translation type="unfinished" />
+   <translation>es braucht zwei Seiten: zwei Teile oder Hüllen wählen.</translation>
   </message>
   <message>
    <source>"{0}" is on both sides: it shares all of itself with itself.</source>
-   <translation type="unfinished" />
+   <translation>„{0}“ steht auf beiden Seiten: mit sich selbst hat es alles gemeinsam.</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -1059,6 +1059,10 @@ Versucht:
   <message>
    <source>Contact, allowed</source>
    <translation>Kontakt, erlaubt</translation>
+  </message>
+  <message>
+   <source>parts that are seen from another one have no place in the document.</source>
+   <translation>Teile, die von einem anderen aus gesehen werden, haben keinen Ort im Dokument.</translation>
   </message>
   <message>
    <source>the cell size must be above 0 mm.</source>
@@ -1187,6 +1191,10 @@ Versucht:
    <translation>"{0}": hier braucht es {1} Zahlen mit Leerzeichen dazwischen.</translation>
   </message>
   <message>
+   <source>a part of this row is there no more: check again.</source>
+   <translation>ein Teil dieser Zeile ist nicht mehr da: neu prüfen.</translation>
+  </message>
+  <message>
    <source>"{0}": a clearance of {1} is not possible.</source>
    <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
   </message>
@@ -1224,7 +1232,7 @@ Versucht:
   </message>
   <message>
    <source>Check reserved spaces</source>
-   <translation type="unfinished" />
+   <translation>Reservierte Räume prüfen</translation>
   </message>
   <message>
    <source>Read parts</source>
@@ -1590,6 +1598,10 @@ Versucht:
    <translation>Nachbar</translation>
   </message>
   <message>
+   <source>Makes a body of what the envelope shares with the part of the row</source>
+   <translation>Macht einen Körper aus dem, was die Hülle mit dem Teil der Zeile gemeinsam hat</translation>
+  </message>
+  <message>
    <source>Colour the envelope by distance</source>
    <translation>Hülle nach Abstand einfärben</translation>
   </message>
@@ -1616,6 +1628,10 @@ Versucht:
   <message>
    <source>Report...</source>
    <translation>Bericht ...</translation>
+  </message>
+  <message>
+   <source>Keep volume to be cut awa&amp;y</source>
+   <translation>Wegzuschneidendes Volumen behal&amp;ten</translation>
   </message>
   <message>
    <source>Swept envelope</source>
@@ -2030,10 +2046,6 @@ Versucht:
    <translation>Paare auflisten näher als</translation>
   </message>
   <message>
-   <source>{0} deep</source>
-   <translation>{0} tief</translation>
-  </message>
-  <message>
    <source>none: select it, then press Pick</source>
    <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
@@ -2119,39 +2131,43 @@ Versucht:
   </message>
   <message>
    <source>Reserved spaces</source>
-   <translation type="unfinished" />
+   <translation>Reservierte Räume</translation>
   </message>
   <message>
    <source>{0} chosen: {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} gewählt: {1}</translation>
   </message>
   <message>
    <source>{0} pairs checked, no space is shared, smallest distance {1}</source>
-   <translation type="unfinished" />
+   <translation>{0} Paare geprüft, kein gemeinsamer Raum, kleinster Abstand {1}</translation>
   </message>
   <message>
    <source>Ta&amp;ke selected</source>
-   <translation type="unfinished" />
+   <translation>Ausge&amp;wählte nehmen</translation>
   </message>
   <message>
    <source>Makes an object of what the two share, which tells when they change</source>
-   <translation type="unfinished" />
+   <translation>Macht ein Objekt aus dem, was beide gemeinsam haben; es meldet, wenn sie sich ändern</translation>
   </message>
   <message>
    <source>{0} pairs checked, {1} shared</source>
-   <translation type="unfinished" />
+   <translation>{0} Paare geprüft, {1} gemeinsam</translation>
   </message>
   <message>
    <source>not known</source>
-   <translation type="unfinished" />
+   <translation>unbekannt</translation>
   </message>
   <message>
    <source>shared</source>
-   <translation type="unfinished" />
+   <translation>gemeinsam</translation>
   </message>
   <message>
    <source>Keep s&amp;hared volume</source>
-   <translation type="unfinished" />
+   <translation>&amp;Gemeinsames Volumen behalten</translation>
+  </message>
+  <message>
+   <source>{0} deep</source>
+   <translation>{0} tief</translation>
   </message>
   <message>
    <source>Take selected</source>
@@ -2252,6 +2268,26 @@ Versucht:
   <message>
    <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the selected object stands, or else the part itself</source>
    <translation>x, y, z ({0}), Gier-, Nick-, Rollwinkel (Grad) des Teils im Dokument. Nehmen: wo das gewählte Objekt steht, sonst das Teil selbst</translation>
+  </message>
+  <message>
+   <source>Hides what lies before the place; it follows rows and the player</source>
+   <translation>Blendet aus, was vor der Stelle liegt; folgt den Zeilen und dem Abspielen</translation>
+  </message>
+  <message>
+   <source>Makes a body of what the two parts of the row share at its time</source>
+   <translation>Macht einen Körper aus dem, was beide Teile der Zeile zu deren Zeit gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>clash</source>
+   <translation>Kollision</translation>
+  </message>
+  <message>
+   <source>S&amp;ection through the closest place</source>
+   <translation>&amp;Schnitt durch die nächste Stelle</translation>
+  </message>
+  <message>
+   <source>Keep clas&amp;h volume</source>
+   <translation>Kollisions&amp;volumen behalten</translation>
   </message>
   <message>
    <source>Play</source>
@@ -3030,47 +3066,47 @@ bis etwa {2}, {3}</translation>
   </message>
   <message>
    <source>Parts, envelopes or other reserved spaces: the one side</source>
-   <translation type="unfinished" />
+   <translation>Teile, Hüllen oder andere reservierte Räume: die eine Seite</translation>
   </message>
   <message>
    <source>Parts, envelopes or other reserved spaces: the other side</source>
-   <translation type="unfinished" />
+   <translation>Teile, Hüllen oder andere reservierte Räume: die andere Seite</translation>
   </message>
   <message>
    <source>Motion that puts the one side where it is at Time; none: it stands</source>
-   <translation type="unfinished" />
+   <translation>Bewegung, die die eine Seite dorthin bringt, wo sie zur Zeit Time ist; keine: sie steht</translation>
   </message>
   <message>
    <source>Motion that puts the other side where it is at Time; none: it stands</source>
-   <translation type="unfinished" />
+   <translation>Bewegung, die die andere Seite dorthin bringt, wo sie zur Zeit Time ist; keine: sie steht</translation>
   </message>
   <message>
    <source>Time of the motions (s)</source>
-   <translation type="unfinished" />
+   <translation>Zeit der Bewegungen (s)</translation>
   </message>
   <message>
    <source>How far the triangles of solids may leave them</source>
-   <translation type="unfinished" />
+   <translation>Wie weit die Dreiecke von Körpern von ihnen abweichen dürfen</translation>
   </message>
   <message>
    <source>Whether the result is current</source>
-   <translation type="unfinished" />
+   <translation>Ob das Ergebnis aktuell ist</translation>
   </message>
   <message>
    <source>What is to be said of the result</source>
-   <translation type="unfinished" />
+   <translation>Was zum Ergebnis zu sagen ist</translation>
   </message>
   <message>
    <source>Volume that both share</source>
-   <translation type="unfinished" />
+   <translation>Volumen, das beide gemeinsam haben</translation>
   </message>
   <message>
    <source>Smallest distance where they share nothing</source>
-   <translation type="unfinished" />
+   <translation>Kleinster Abstand, wo sie nichts gemeinsam haben</translation>
   </message>
   <message>
    <source>How deep a point of one lies inside the other</source>
-   <translation type="unfinished" />
+   <translation>Wie tief ein Punkt des einen im anderen liegt</translation>
   </message>
   <message>
    <source>Envelope (or any closed mesh) of which this is the solid</source>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The player of a clearance check: the moving part, the shortest line that follows it, the section through that
-place, and clashes as bodies; nothing is left in the view when the panel is closed."""
+"""The player of a clearance check: the moving part, the shortest line that follows it, the section through
+that place, and clashes as bodies; nothing is left in the view when the panel is closed."""
 import os
 import sys
 
@@ -117,6 +117,7 @@ def scenario():
         ends = line_of(graph)
         assert abs(ends[1][0] - 70) < 1e-3 and abs(ends[1][1] + 2) < 1e-3, ends
     say("played: the window stood still for " + gaps.stop())
+    yield 0.3
     shot("93_closest_line")
     yield 1.0
     section = find(QtWidgets.QCheckBox, "SweptVolumeSection")

@@ -138,7 +138,7 @@ def large(doc):
     rings = []
     for k in range(2):
         ring = doc.addObject("Mesh::Feature", "Ring{}".format(k))
-        ring.Mesh = Mesh.createToroid(30.0, 10.0, 500)
+        ring.Mesh = Mesh.createTorus(30.0, 10.0, 500)
         ring.Placement.Base = App.Vector(200 + 25 * k, 0.3, 0.1)
         rings.append(ring)
     yield 0.5

@@ -56,7 +56,6 @@ class ResultPanel(played_result.PlayedPanel):
         self._cut_again()
 
     def left_row(self):
-        super().left_row()
         self._view().hide_row()
 
     def show_buttons(self, index):

@@ -69,7 +69,6 @@ class ResultPanel(played_result.PlayedPanel):
         return [k for k, name in enumerate(self.names) if name in (pair["first"], pair["second"])]
 
     def left_row(self):
-        super().left_row()
         self.wanted = None
 
     def parts_read(self):

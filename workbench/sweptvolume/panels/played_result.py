@@ -129,9 +129,7 @@ class PlayedPanel(check_result.ResultPanel):
             self._follow(self.player.now())
 
     def left_row(self):
-        """What is seen is no longer the moment of a row."""
-        if self.line is not None:
-            self.line.hide()
+        """What is seen is no longer the moment of a row; the line goes on to the next answer."""
 
     def place(self, time, marked=()):
         self.ghosts.show([course(time) for course in self.courses], marked)

@@ -5,6 +5,9 @@ import numpy as np
 
 from .ghost import view_of
 
+#: How far before the line the plane lies, of its length: the line itself is seen.
+BEFORE = 0.01
+
 
 class SectionPlane:
     """Not there before the first show()."""
@@ -29,8 +32,9 @@ class SectionPlane:
         if self.plane is None:
             self.plane = coin.SoClipPlane()
             self.graph.insertChild(self.plane, 0)
+        middle = 0.5 * (a + b) - max(BEFORE * length, 1e-3) * away
         normal = coin.SbVec3f(*map(float, away))
-        self.plane.plane = coin.SbPlane(normal, coin.SbVec3f(*map(float, 0.5 * (a + b))))
+        self.plane.plane = coin.SbPlane(normal, coin.SbVec3f(*map(float, middle)))
 
     def remove(self):
         if self.plane is not None:
