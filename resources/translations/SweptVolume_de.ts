@@ -127,6 +127,14 @@
    <translation>Kleinster Abstand zwischen je zwei von mehreren Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Ihre Bewegungen oder eine frühere Prüfung auswählen; sonst werden alle Bewegungen genommen, die ihre Teile kennen</translation>
   </message>
   <message>
+   <source>Check reserved spaces</source>
+   <translation>Reservierte Räume prüfen</translation>
+  </message>
+  <message>
+   <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
+   <translation>Wie nahe Hüllen, ihre Körper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
+  </message>
+  <message>
    <source>Create envelope...</source>
    <translation>Hülle erzeugen …</translation>
   </message>
@@ -253,14 +261,6 @@
   <message>
    <source>Opens the path editor: move the selected part step by step and capture its placements</source>
    <translation>Öffnet den Bahneditor: das ausgewählte Teil Schritt für Schritt bewegen und seine Platzierungen übernehmen</translation>
-  </message>
-  <message>
-   <source>Check reserved spaces</source>
-   <translation>Reservierte Räume prüfen</translation>
-  </message>
-  <message>
-   <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
-   <translation>Wie nahe Hüllen, ihre Körper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
   </message>
   <message>
    <source>Recompute envelope</source>
@@ -2138,8 +2138,8 @@ Versucht:
    <translation>{0} gewählt: {1}</translation>
   </message>
   <message>
-   <source>{0} pairs checked, no space is shared, smallest distance {1}</source>
-   <translation>{0} Paare geprüft, kein gemeinsamer Raum, kleinster Abstand {1}</translation>
+   <source>Pairs checked: {0}, no space is shared, smallest distance: {1}</source>
+   <translation>Geprüfte Paare: {0}, kein gemeinsamer Raum, kleinster Abstand: {1}</translation>
   </message>
   <message>
    <source>Ta&amp;ke selected</source>
@@ -2150,8 +2150,8 @@ Versucht:
    <translation>Macht ein Objekt aus dem, was beide gemeinsam haben; es meldet, wenn sie sich ändern</translation>
   </message>
   <message>
-   <source>{0} pairs checked, {1} shared</source>
-   <translation>{0} Paare geprüft, {1} gemeinsam</translation>
+   <source>Pairs checked: {0}, shared: {1}</source>
+   <translation>Geprüfte Paare: {0}, gemeinsam: {1}</translation>
   </message>
   <message>
    <source>not known</source>

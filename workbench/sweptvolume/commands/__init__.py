@@ -24,7 +24,7 @@ _MODULES = [
     "made_by",
     "check_clearance",
     "check_mechanism",
-    "overlap",
+    "check_reserved_spaces",
     "make_solid",
     "export_envelope",
     "export_report",

@@ -191,10 +191,10 @@ class OverlapPanel(StayingPanel):
         count = len(self.report["pairs"])
         total = sum(pair.get("volume", 0.0) for pair in self.report["pairs"])
         if total > 0:
-            text = translate("Panels", "{0} pairs checked, {1} shared")
+            text = translate("Panels", "Pairs checked: {0}, shared: {1}")
             return text.format(count, quantities.volume(total))
         least = min(pair["clearance"]["distance"] for pair in self.report["pairs"])
-        text = translate("Panels", "{0} pairs checked, no space is shared, smallest distance {1}")
+        text = translate("Panels", "Pairs checked: {0}, no space is shared, smallest distance: {1}")
         return text.format(count, quantities.quantity(least, quantities.TABLE_DIGITS))
 
     def _cells(self, pair):
