@@ -196,11 +196,11 @@ class PlayedPanel(check_result.ResultPanel):
             return True
         if self.shapes is None and self.obj is not None:
             self.shapes = runner.start(ShapesTask(self.plan_shown(), MOVING_TRIANGLES))
-            self.shapes.ended.connect(self._read)
+            self.shapes.ended.connect(self._shapes_read)
         return False
 
     @guard.told
-    def _read(self, run):
+    def _shapes_read(self, run):
         self.shapes = None
         if run.state != "ok" or not widgets.alive(self.document):
             return
@@ -219,7 +219,7 @@ class PlayedPanel(check_result.ResultPanel):
         self.player.stop()
         self._stop_following()
         if self.shapes is not None:
-            self.shapes.ended.disconnect(self._read)
+            self.shapes.ended.disconnect(self._shapes_read)
             self.shapes.cancel()
         if widgets.alive(self.document):
             for drawn in (self.ghosts, self.line, self.cut):
