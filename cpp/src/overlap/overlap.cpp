@@ -124,7 +124,7 @@ class OverlapCheck {
     std::atomic<std::uint64_t> done{0};
     parallelFor(report_.pairs.size(), [&](std::size_t p) {
       PairOverlap& pair = report_.pairs[p];
-      const auto [i, j] = pair.parts;
+      const std::int32_t i = pair.parts.first, j = pair.parts.second;
       if (!meets(pair)) {
         pair.volume = 0;
       } else if (solids[i] == nullptr || solids[j] == nullptr) {
