@@ -13,6 +13,7 @@ from driver import (  # noqa: E402
     QtWidgets,
     click,
     find,
+    line_of,
     new_document,
     no_panel,
     open_workbench,
@@ -45,26 +46,6 @@ def scene(doc):
     doc.recompute()
     envelope.compute(swept)
     return slide, path, swept
-
-
-def line_of(graph):
-    """The two ends of the line that is drawn, or None."""
-    from pivy import coin
-
-    search = coin.SoSearchAction()
-    search.setType(coin.SoLineSet.getClassTypeId())
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.apply(graph)
-    paths = search.getPaths()
-    found = []
-    for k in range(paths.getLength()):
-        node = paths[k]
-        parent = node.getNodeFromTail(1)
-        for i in range(parent.getNumChildren()):
-            child = parent.getChild(i)
-            if child.isOfType(coin.SoCoordinate3.getClassTypeId()) and child.point.getNum() == 2:
-                found.append([tuple(p.getValue()) for p in child.point.getValues()])
-    return found[-1] if found else None
 
 
 def planes_of(graph):
@@ -166,6 +147,53 @@ def scenario():
     doc.undo()
     assert doc.getObject("SharedVolume") is None
     assert graph.getNumChildren() <= drawn + 1, (graph.getNumChildren(), drawn)
+    yield from two_that_move()
+
+
+def two_that_move():
+    """Two cubes that pass through each other, 3 mm deep: the line and the clash volume of both at a time."""
+    from sweptvolume.features import mechanism, motion, shared
+
+    doc = new_document("Passing")
+    cubes, paths = [], []
+    for name, y, ends in (("One", 0, (0, 30)), ("Other", 7, (30, 0))):
+        cube = doc.addObject("Part::Box", name)
+        cube.Placement.Base = App.Vector(ends[0], y, 0)
+        places = [App.Placement(App.Vector(x, y, 0), App.Rotation()) for x in ends]
+        path = motion.motion_from_poses(doc, [0, 1], places)
+        path.ViewObject.Visibility = False
+        cubes.append(cube)
+        paths.append(path)
+    doc.recompute()
+    obj = mechanism.make_mechanism(doc, Generators=[(c, "") for c in cubes], Motions=paths)
+    doc.recompute()
+    mechanism.compute(obj)
+    view = Gui.activeDocument().activeView()
+    view.viewTop()
+    Gui.SendMsgToActiveView("ViewFit")
+    graph = view.getSceneGraph()
+    select(obj)
+    Gui.runCommand("SweptVolume_Mechanism")
+    yield 0.5
+    table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+    assert table.item(0, 1).text() == "Clash", table.item(0, 1).text()
+    click(find(QtWidgets.QPushButton, "SweptVolumeNextWorst"))
+    yield 0.5
+    find(QtWidgets.QSlider, "SweptVolumeTime").setValue(
+        100
+    )  # one ends at 13, the other begins at 27
+    yield lambda: line_of(graph) is not None and abs(line_of(graph)[0][0] - 13) < 0.1
+    assert abs(line_of(graph)[1][0] - 27) < 0.1, line_of(graph)
+    click(find(QtWidgets.QPushButton, "SweptVolumeKeepClash"))
+    yield lambda: doc.getObject("SharedVolume") is not None
+    yield 0.3
+    body = doc.getObject("SharedVolume")
+    assert body.Status == shared.UP_TO_DATE, body.Message
+    assert (body.Motion, body.NeighbourMotion) == tuple(paths)
+    along = 10 - abs(30 * body.Time - (30 - 30 * body.Time))
+    assert along > 3 and abs(body.Volume.Value - along * 3 * 10) < 0.01, (body.Time, body.Volume)
+    click(panel_button(Close))
+    yield no_panel
 
 
 run(scenario)
