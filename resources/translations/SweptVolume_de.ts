@@ -132,7 +132,7 @@
   </message>
   <message>
    <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
-   <translation>Wie nahe Hüllen, ihre Körper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
+   <translation>Wie nahe Hüllen, ihre Festkörper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
   </message>
   <message>
    <source>Create envelope...</source>
@@ -459,7 +459,7 @@
   </message>
   <message>
    <source>A part lies in itself: give each of its solids by itself, or join them first.</source>
-   <translation>Ein Teil liegt in sich selbst: jeden seiner Körper einzeln angeben oder sie vorher vereinigen.</translation>
+   <translation>Ein Teil liegt in sich selbst: jeden seiner Festkörper einzeln angeben oder sie vorher vereinigen.</translation>
   </message>
   <message>
    <source>It cannot be told what two of the parts share.</source>
@@ -942,7 +942,7 @@ Versucht:
   </message>
   <message>
    <source>choose two or more parts, envelopes or solids to compare.</source>
-   <translation>zwei oder mehr Teile, Hüllen oder Körper zum Vergleichen wählen.</translation>
+   <translation>zwei oder mehr Teile, Hüllen oder Festkörper zum Vergleichen wählen.</translation>
   </message>
   <message>
    <source>"{0}" holds "{1}": take one of them away.</source>
@@ -3086,7 +3086,7 @@ bis etwa {2}, {3}</translation>
   </message>
   <message>
    <source>How far the triangles of solids may leave them</source>
-   <translation>Wie weit die Dreiecke von Körpern von ihnen abweichen dürfen</translation>
+   <translation>Wie weit die Dreiecke von Festkörpern von diesen abweichen dürfen</translation>
   </message>
   <message>
    <source>Whether the result is current</source>

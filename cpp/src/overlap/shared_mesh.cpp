@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "base/limits.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "geometry/half_edges.h"
@@ -90,6 +91,14 @@ class Builder {
 
   /// The vertices of both meshes, then their nodes; what is not used goes at the end.
   void numberPoints() {
+    std::size_t count = 0;
+    for (const Side side : {Side::Shrunk, Side::Fixed})
+      count += of(side).mesh->vertices.size() + nodes_[int(side)].size();
+    if (count > kMaxElements)
+      throw Error(Status::ResourceLimit, "ResourceLimit",
+                  "the shared volume of " + names_[0] + " and " + names_[1] + " would have " +
+                      std::to_string(count) + " points (at most " + std::to_string(kMaxElements) +
+                      "); use coarser meshes");
     for (const Side side : {Side::Shrunk, Side::Fixed}) {
       firstVertex_[int(side)] = static_cast<std::int32_t>(out_.vertices.size());
       const std::vector<Eigen::Vector3d>& own = of(side).mesh->vertices;
