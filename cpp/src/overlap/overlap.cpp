@@ -12,7 +12,8 @@
 #include "clearance/options_check.h"
 #include "clearance/pair_check.h"
 #include "clearance/summary.h"
-#include "overlap/shared_mesh.h"
+#include "overlap/combine.h"
+#include "overlap/solid_of.h"
 
 namespace swept {
 namespace {
@@ -131,8 +132,9 @@ class OverlapCheck {
         why[p] = solids[i] == nullptr ? refused[i] : refused[j];
       } else {
         unlessInvalid(why[p], [&] {
-          overlap::SharedMesh found = overlap::sharedMesh(*solids[i], quotedName(parts_[i]),
-                                                          *solids[j], quotedName(parts_[j]), run_);
+          overlap::Combined found =
+              overlap::combine(overlap::Keep::Inside, *solids[i], quotedName(parts_[i]), *solids[j],
+                               quotedName(parts_[j]), run_);
           judge(pair, found);
           pair.volume = found.volume;
           pair.shared = std::move(found.mesh);
@@ -150,7 +152,7 @@ class OverlapCheck {
 
   /// Where surfaces lie on each other, no point of one lies inside the other, as deep as the solids
   /// may be in each other: what they share tells.
-  void judge(PairOverlap& pair, const overlap::SharedMesh& found) const {
+  void judge(PairOverlap& pair, const overlap::Combined& found) const {
     const double touch = options_.tolerance + pair.clearance.chordError;
     if (pair.clearance.verdict == ClearanceVerdict::Contact && found.volume > touch * found.area)
       pair.clearance.verdict = ClearanceVerdict::Clash;
@@ -215,8 +217,8 @@ SharedVolume sharedVolume(const OverlapPart& first, const OverlapPart& second, R
   arena.execute([&] {
     const TriMesh a = overlap::solidOf(first.mesh, quotedName(first), run);
     const TriMesh b = overlap::solidOf(second.mesh, quotedName(second), run);
-    overlap::SharedMesh found =
-        overlap::sharedMesh(a, quotedName(first), b, quotedName(second), run);
+    overlap::Combined found =
+        overlap::combine(overlap::Keep::Inside, a, quotedName(first), b, quotedName(second), run);
     shared = {std::move(found.mesh), found.volume};
   });
   run.checkpoint(Phase::Done);

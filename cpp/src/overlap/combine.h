@@ -1,4 +1,4 @@
-// The solid that two solids share, as a mesh.
+// The solid that two solids share, or their union, as a mesh.
 // In:    two closed meshes, turned outward. Out: a closed mesh, turned outward; empty where they
 //        share nothing.
 // Units: mm. Cost: O(n log n); two meshes of 70,000 triangles take half a second.
@@ -21,19 +21,18 @@
 
 namespace swept::overlap {
 
-struct SharedMesh {
+struct Combined {
   TriMesh mesh;
   double volume = 0;  ///< mm^3
   double area = 0;    ///< mm^2; a ball of the radius volume / area fits into it
 };
 
-/// A mesh ready for the below: welded, turned outward, and of shells that overlap their union.
-/// Throws what checkBody() throws, Error(InvalidInput, "OpenMesh"), Error(Cancelled).
-TriMesh solidOf(const TriMesh& mesh, const std::string& name, RunContext& run);
+/// What is kept of each mesh: what lies inside the other, or outside it (their union).
+enum class Keep { Inside, Outside };
 
 /// Of two solids as solidOf() gives them. Throws Error(InvalidInput, "OverlappingShells") where one
 /// lies in itself all the same; Error(Cancelled).
-SharedMesh sharedMesh(const TriMesh& first, const std::string& firstName, const TriMesh& second,
-                      const std::string& secondName, RunContext& run);
+Combined combine(Keep keep, const TriMesh& first, const std::string& firstName,
+                 const TriMesh& second, const std::string& secondName, RunContext& run);
 
 }  // namespace swept::overlap
