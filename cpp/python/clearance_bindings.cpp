@@ -14,6 +14,7 @@
 #include "job.h"
 #include "swept/clearance.h"
 #include "swept/mechanism.h"
+#include "swept/overlap.h"
 #include "values.h"
 
 namespace swept::python {
@@ -67,6 +68,16 @@ list of (name, vertices, triangles, motion, interpolation, chord error); motion 
 part that stands still where its mesh has it. rules: (name, name, rule) of pairs, a rule as clearance() has
 them. Lengths in mm, times in s. Returns the report: summary, pairs (first, second and what clearance() says of a neighbour; the body is the first
 part), far_pairs, joined, as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
+
+constexpr const char* kOverlapDoc =
+    R"(overlap(parts, required=0.0, tolerance=0.01, shared=True, run=None) -> (dict, list)
+
+Parts that stand still, each two of them: smallest distance, or how deep they lie in each other, and the solid
+that they share. parts: list of (name, vertices, triangles) or with the chord error. Lengths in mm. Returns the
+report: summary, pairs (first, second, volume in mm^3 where it is known, and what clearance() says of a
+neighbour; the body is the first part), as docs/overlap.md says; and for each pair its shared solid as
+(vertices float64 (N, 3), triangles int32 (M, 3)), N = M = 0 where there is none. Raises InvalidInput
+(NoParts, PartTwice), Cancelled.)";
 
 constexpr const char* kDistanceDoc =
     R"(distance_to_mesh(points, vertices, triangles, run=None) -> float64 (N,)
@@ -155,6 +166,37 @@ py::object pyMechanism(const py::iterable& list, double required, double toleran
   return found;
 }
 
+OverlapPart overlapPartFrom(const py::handle& item) {
+  const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (part.size() != 3 && part.size() != 4)
+    throw py::value_error("a part is (name, vertices, triangles), and its chord error");
+  return {part[0].cast<std::string>(), meshFromArrays(part[1], part[2]),
+          part.size() > 3 ? part[3].cast<double>() : 0.0};
+}
+
+py::tuple arraysOf(TriMesh mesh) {
+  const auto kept = std::make_shared<const TriMesh>(std::move(mesh));
+  return py::make_tuple(readOnlyView(reinterpret_cast<const double*>(kept->vertices.data()),
+                                     {static_cast<py::ssize_t>(kept->vertices.size()), 3}, kept),
+                        readOnlyView(reinterpret_cast<const std::int32_t*>(kept->triangles.data()),
+                                     {static_cast<py::ssize_t>(kept->triangles.size()), 3}, kept));
+}
+
+py::tuple pyOverlap(const py::iterable& list, double required, double tolerance, bool shared,
+                    const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  std::vector<OverlapPart> parts;
+  for (const py::handle& item : list) parts.push_back(overlapPartFrom(item));
+  const OverlapOptions options{required, tolerance, shared};
+  OverlapReport report =
+      runWithoutLock(*context, [&] { return checkOverlaps(parts, options, *context); });
+  const py::object found = parseJson(toJson(report));
+  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  py::list meshes;
+  for (PairOverlap& pair : report.pairs) meshes.append(arraysOf(std::move(pair.shared)));
+  return py::make_tuple(found, meshes);
+}
+
 py::array pyDistanceToMesh(const py::object& points, const py::object& vertices,
                            const py::object& triangles, const py::object& run) {
   const RunPointer context = runFromObject(run);
@@ -211,6 +253,8 @@ void bindClearance(py::module_& module) {
       py::arg("tolerance") = 0.01, py::arg("range") = 0.0, py::arg("interval_tolerance") = 0.0,
       py::arg("curve") = 200, py::arg("penetration") = true,
       py::arg("rules") = std::vector<std::array<std::string, 3>>{}, py::arg("run") = py::none());
+  module.def("overlap", &pyOverlap, kOverlapDoc, py::arg("parts"), py::arg("required") = 0.0,
+             py::arg("tolerance") = 0.01, py::arg("shared") = true, py::arg("run") = py::none());
   module.def("distance_to_mesh", &pyDistanceToMesh, kDistanceDoc, py::arg("points"),
              py::arg("vertices"), py::arg("triangles"), py::arg("run") = py::none());
 }

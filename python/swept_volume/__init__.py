@@ -40,6 +40,7 @@ from ._calls import (
 )
 from ._clearance import clearance, distance_to_mesh, first_contacts
 from ._mechanisms import mechanism
+from ._overlaps import overlap
 from ._pages import page_template, report_page
 from ._paths import find_path, improve_path
 from ._sources import Sources
@@ -86,6 +87,7 @@ __all__ = [
     "first_contacts",
     "improve_path",
     "mechanism",
+    "overlap",
     "page_template",
     "read_body",
     "read_mesh",

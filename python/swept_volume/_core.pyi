@@ -191,6 +191,13 @@ def mechanism(
     rules: Any = (),
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]: ...
+def overlap(
+    parts: Any,
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    shared: bool = True,
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], List[Any]]: ...
 def find_path(
     vertices: npt.ArrayLike,
     triangles: npt.ArrayLike,

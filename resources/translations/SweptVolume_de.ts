@@ -135,6 +135,14 @@
    <translation>Kleinster Abstand zwischen je zwei von mehreren Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Ihre Bewegungen oder eine frühere Prüfung auswählen; sonst werden alle Bewegungen genommen, die ihre Teile kennen</translation>
   </message>
   <message>
+   <source>Check reserved spaces</source>
+   <translation>Reservierte Räume prüfen</translation>
+  </message>
+  <message>
+   <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
+   <translation>Wie nahe Hüllen, ihre Festkörper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
+  </message>
+  <message>
    <source>Create envelope...</source>
    <translation>Hülle erzeugen …</translation>
   </message>
@@ -323,6 +331,10 @@
    <translation>Hülle erzeugen</translation>
   </message>
   <message>
+   <source>Compute again</source>
+   <translation>Neu berechnen</translation>
+  </message>
+  <message>
    <source>Make solid again</source>
    <translation>Festkörper neu erzeugen</translation>
   </message>
@@ -460,6 +472,14 @@
   <message>
    <source>The graphics device failed: choose the backend CPU.</source>
    <translation>Die Grafikkarte hat versagt: Wählen Sie als Rechenwerk CPU.</translation>
+  </message>
+  <message>
+   <source>A part lies in itself: give each of its solids by itself, or join them first.</source>
+   <translation>Ein Teil liegt in sich selbst: jeden seiner Festkörper einzeln angeben oder sie vorher vereinigen.</translation>
+  </message>
+  <message>
+   <source>It cannot be told what two of the parts share.</source>
+   <translation>Was zwei der Teile gemeinsam haben, lässt sich nicht sagen.</translation>
   </message>
   <message>
    <source>The part is open; its motion closes it.</source>
@@ -937,6 +957,14 @@ Versucht:
    <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
   </message>
   <message>
+   <source>choose two or more parts, envelopes or solids to compare.</source>
+   <translation>zwei oder mehr Teile, Hüllen oder Festkörper zum Vergleichen wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" holds "{1}": take one of them away.</source>
+   <translation>„{0}“ enthält „{1}“: eines von beiden wegnehmen.</translation>
+  </message>
+  <message>
    <source>the rules for "{0}" and for "{1}" contradict each other for "{2}", and none of them is the narrower one: give this pair a rule of its own.</source>
    <translation>die Regeln für "{0}" und für "{1}" widersprechen sich für "{2}", und keine von ihnen ist die engere: Geben Sie diesem Paar eine eigene Regel.</translation>
   </message>
@@ -951,6 +979,22 @@ Versucht:
   <message>
    <source>give a start, or how far the part is to get out.</source>
    <translation>geben Sie einen Start an, oder wie weit das Teil hinaus soll.</translation>
+  </message>
+  <message>
+   <source>They share no space; the smallest distance is {0}.</source>
+   <translation>Sie haben keinen Raum gemeinsam; der kleinste Abstand ist {0}.</translation>
+  </message>
+  <message>
+   <source>Shared volume</source>
+   <translation>Gemeinsames Volumen</translation>
+  </message>
+  <message>
+   <source>two sides are needed: choose two parts or envelopes.</source>
+   <translation>es braucht zwei Seiten: zwei Teile oder Hüllen wählen.</translation>
+  </message>
+  <message>
+   <source>"{0}" is on both sides: it shares all of itself with itself.</source>
+   <translation>„{0}“ steht auf beiden Seiten: mit sich selbst hat es alles gemeinsam.</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -1117,6 +1161,10 @@ Versucht:
    <translation>Abstandstabelle</translation>
   </message>
   <message>
+   <source>parts that are seen from another one have no place in the document.</source>
+   <translation>Teile, die von einem anderen aus gesehen werden, haben keinen Ort im Dokument.</translation>
+  </message>
+  <message>
    <source>the cell size must be above 0 mm.</source>
    <translation>Die Zellgröße muss über 0 mm liegen.</translation>
   </message>
@@ -1243,6 +1291,10 @@ Versucht:
    <translation>"{0}": hier braucht es {1} Zahlen mit Leerzeichen dazwischen.</translation>
   </message>
   <message>
+   <source>a part of this row is there no more: check again.</source>
+   <translation>ein Teil dieser Zeile ist nicht mehr da: neu prüfen.</translation>
+  </message>
+  <message>
    <source>"{0}": a clearance of {1} is not possible.</source>
    <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
   </message>
@@ -1289,6 +1341,10 @@ Versucht:
   <message>
    <source>Export envelope</source>
    <translation>Hülle exportieren</translation>
+  </message>
+  <message>
+   <source>Check reserved spaces</source>
+   <translation>Reservierte Räume prüfen</translation>
   </message>
   <message>
    <source>Read parts</source>
@@ -1550,6 +1606,10 @@ Versucht:
    <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
   </message>
   <message>
+   <source>Colour the &amp;parts by their verdicts</source>
+   <translation>&amp;Teile nach ihren Urteilen färben</translation>
+  </message>
+  <message>
    <source>CSV...</source>
    <translation>CSV …</translation>
   </message>
@@ -1570,6 +1630,22 @@ Versucht:
    <translation>{0} (veraltet: neu prüfen)</translation>
   </message>
   <message>
+   <source>Place &amp;before</source>
+   <translation>Stelle &amp;davor</translation>
+  </message>
+  <message>
+   <source>Back to the place that is worse than this one</source>
+   <translation>Zurück zur Stelle, die schlimmer ist als diese</translation>
+  </message>
+  <message>
+   <source>&amp;Next worst place</source>
+   <translation>&amp;Nächstschlimmste Stelle</translation>
+  </message>
+  <message>
+   <source>Goes through the places from the worst on: clashes, the deepest first, then what is nearest</source>
+   <translation>Geht die Stellen von der schlimmsten an durch: Kollisionen, die tiefste zuerst, dann was am nächsten ist</translation>
+  </message>
+  <message>
    <source>Rule: {0}</source>
    <translation>Regel: {0}</translation>
   </message>
@@ -1580,6 +1656,10 @@ Versucht:
   <message>
    <source>Contact allowed, where it is meant: {0}</source>
    <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
+  </message>
+  <message>
+   <source>{0}: {1} {2} at {3} s</source>
+   <translation>{0}: {1} {2} bei {3} s</translation>
   </message>
   <message>
    <source>No curve yet: check first.</source>
@@ -1654,6 +1734,10 @@ Versucht:
    <translation>Nachbar</translation>
   </message>
   <message>
+   <source>Makes a body of what the envelope shares with the part of the row</source>
+   <translation>Macht einen Körper aus dem, was die Hülle mit dem Teil der Zeile gemeinsam hat</translation>
+  </message>
+  <message>
    <source>Colour the envelope by distance</source>
    <translation>Hülle nach Abstand einfärben</translation>
   </message>
@@ -1676,6 +1760,10 @@ Versucht:
   <message>
    <source>The envelope has changed since the check: check again.</source>
    <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
+  </message>
+  <message>
+   <source>Keep volume to be cut awa&amp;y</source>
+   <translation>Wegzuschneidendes Volumen behal&amp;ten</translation>
   </message>
   <message>
    <source>Swept envelope</source>
@@ -2098,10 +2186,6 @@ Versucht:
    <translation>Paare auflisten näher als</translation>
   </message>
   <message>
-   <source>{0} deep</source>
-   <translation>{0} tief</translation>
-  </message>
-  <message>
    <source>none: select it, then press Pick</source>
    <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
   </message>
@@ -2184,6 +2268,46 @@ Versucht:
   <message>
    <source>All other parts that are visible now</source>
    <translation>Alle anderen Teile, die jetzt sichtbar sind</translation>
+  </message>
+  <message>
+   <source>Reserved spaces</source>
+   <translation>Reservierte Räume</translation>
+  </message>
+  <message>
+   <source>{0} chosen: {1}</source>
+   <translation>{0} gewählt: {1}</translation>
+  </message>
+  <message>
+   <source>Pairs checked: {0}, no space is shared, smallest distance: {1}</source>
+   <translation>Geprüfte Paare: {0}, kein gemeinsamer Raum, kleinster Abstand: {1}</translation>
+  </message>
+  <message>
+   <source>Ta&amp;ke selected</source>
+   <translation>Ausge&amp;wählte nehmen</translation>
+  </message>
+  <message>
+   <source>Makes an object of what the two share, which tells when they change</source>
+   <translation>Macht ein Objekt aus dem, was beide gemeinsam haben; es meldet, wenn sie sich ändern</translation>
+  </message>
+  <message>
+   <source>Pairs checked: {0}, shared: {1}</source>
+   <translation>Geprüfte Paare: {0}, gemeinsam: {1}</translation>
+  </message>
+  <message>
+   <source>not known</source>
+   <translation>unbekannt</translation>
+  </message>
+  <message>
+   <source>shared</source>
+   <translation>gemeinsam</translation>
+  </message>
+  <message>
+   <source>Keep s&amp;hared volume</source>
+   <translation>&amp;Gemeinsames Volumen behalten</translation>
+  </message>
+  <message>
+   <source>{0} deep</source>
+   <translation>{0} tief</translation>
   </message>
   <message>
    <source>Take selected</source>
@@ -2284,6 +2408,26 @@ Versucht:
   <message>
    <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the selected object stands, or else the part itself</source>
    <translation>x, y, z ({0}), Gier-, Nick-, Rollwinkel (Grad) des Teils im Dokument. Nehmen: wo das gewählte Objekt steht, sonst das Teil selbst</translation>
+  </message>
+  <message>
+   <source>Hides what lies before the place; it follows rows and the player</source>
+   <translation>Blendet aus, was vor der Stelle liegt; folgt den Zeilen und dem Abspielen</translation>
+  </message>
+  <message>
+   <source>Makes a body of what the two parts of the row share at its time</source>
+   <translation>Macht einen Körper aus dem, was beide Teile der Zeile zu deren Zeit gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>clash</source>
+   <translation>Kollision</translation>
+  </message>
+  <message>
+   <source>S&amp;ection through the closest place</source>
+   <translation>&amp;Schnitt durch die nächste Stelle</translation>
+  </message>
+  <message>
+   <source>Keep clas&amp;h volume</source>
+   <translation>Kollisions&amp;volumen behalten</translation>
   </message>
   <message>
    <source>Play</source>
@@ -3127,6 +3271,50 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Driven value at the last pose, in its unit (mm, degrees)</source>
    <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
+  </message>
+  <message>
+   <source>Parts, envelopes or other reserved spaces: the one side</source>
+   <translation>Teile, Hüllen oder andere reservierte Räume: die eine Seite</translation>
+  </message>
+  <message>
+   <source>Parts, envelopes or other reserved spaces: the other side</source>
+   <translation>Teile, Hüllen oder andere reservierte Räume: die andere Seite</translation>
+  </message>
+  <message>
+   <source>Motion that puts the one side where it is at Time; none: it stands</source>
+   <translation>Bewegung, die die eine Seite dorthin bringt, wo sie zur Zeit Time ist; keine: sie steht</translation>
+  </message>
+  <message>
+   <source>Motion that puts the other side where it is at Time; none: it stands</source>
+   <translation>Bewegung, die die andere Seite dorthin bringt, wo sie zur Zeit Time ist; keine: sie steht</translation>
+  </message>
+  <message>
+   <source>Time of the motions (s)</source>
+   <translation>Zeit der Bewegungen (s)</translation>
+  </message>
+  <message>
+   <source>How far the triangles of solids may leave them</source>
+   <translation>Wie weit die Dreiecke von Festkörpern von diesen abweichen dürfen</translation>
+  </message>
+  <message>
+   <source>Whether the result is current</source>
+   <translation>Ob das Ergebnis aktuell ist</translation>
+  </message>
+  <message>
+   <source>What is to be said of the result</source>
+   <translation>Was zum Ergebnis zu sagen ist</translation>
+  </message>
+  <message>
+   <source>Volume that both share</source>
+   <translation>Volumen, das beide gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>Smallest distance where they share nothing</source>
+   <translation>Kleinster Abstand, wo sie nichts gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>How deep a point of one lies inside the other</source>
+   <translation>Wie tief ein Punkt des einen im anderen liegt</translation>
   </message>
   <message>
    <source>Envelope (or any closed mesh) of which this is the solid</source>

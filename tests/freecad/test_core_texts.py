@@ -36,5 +36,5 @@ class CoreTexts(unittest.TestCase):
         self.assertEqual(set(core_texts._TEXTS) - found, set())
         #: What no object of FreeCAD can cause.
         refusals -= {"BadFaces", "BadIndex", "NothingKept", "NoSurface", "SameFile", "CheckFailed"}
-        refusals -= {"BadReport", "NoPython", "UnknownPart"}
+        refusals -= {"BadReport", "NoPython", "UnknownPart", "NoParts", "PartTwice"}
         self.assertEqual(refusals - set(core_texts._TEXTS), set())

@@ -13,7 +13,7 @@ ORDER = [
     ["texts", "settings", "safe_file", "quantities"],
     ["core_texts"],
     ["core", "body"],
-    ["core_paths", "core_previews", "meshes", "studies", "targets"],
+    ["core_overlap", "core_paths", "core_previews", "meshes", "studies", "targets"],
     ["apart"],
     ["convert", "joined"],
     ["contents"],

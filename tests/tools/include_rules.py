@@ -43,6 +43,8 @@ MAY_INCLUDE = {
     "check": BELOW,
     # A consumer beside the pipeline: it checks its own inputs as the pipeline does.
     "clearance": BELOW | {"input"},
+    # What two solids share, measured as clearances are.
+    "overlap": BELOW | {"clearance", "input"},
     # Searches for a way, and asks clearance about every step of it.
     "path": BELOW | {"clearance", "input"},
     # Tells what a report says; shapes come to it thinned through a public header.

@@ -63,7 +63,11 @@ _TEXTS = {
         "Core", "There is no graphics device that can be used: choose the backend CPU."
     ),
     "DeviceLost": mark("Core", "The graphics device failed: choose the backend CPU."),
+    "OverlappingShells": mark(
+        "Core", "A part lies in itself: give each of its solids by itself, or join them first."
+    ),
     # findings
+    "NoSharedVolume": mark("Core", "It cannot be told what two of the parts share."),
     "OpenEdges": mark("Core", "The part is open; its motion closes it."),
     "DegenerateTriangles": mark("Core", "Triangles without an area were left out."),
     "DuplicateTriangles": mark("Core", "Triangles that repeat others were left out."),

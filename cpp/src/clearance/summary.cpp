@@ -19,7 +19,7 @@ bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
 }  // namespace
 
 Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
-                  std::size_t ignored) {
+                  std::size_t ignored, Timed timed) {
   Summary summary{-1, head};
   int clashes = 0;
   int contacts = 0;
@@ -49,8 +49,9 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
   const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
   summary.text += (deep ? ", deepest " : ", smallest ") + length + " mm";
   const std::string certain = numberText(row.guaranteed, 4);
-  if (!deep && certain != length) summary.text += ", at least " + certain + " mm,";
-  summary.text += " at t = " + numberText(row.timeSeconds) + " s";
+  const bool told = timed == Timed::Yes;
+  if (!deep && certain != length) summary.text += ", at least " + certain + (told ? " mm," : " mm");
+  if (told) summary.text += " at t = " + numberText(row.timeSeconds) + " s";
   if (!row.name.empty()) summary.text += " (" + row.name + ")";
   return summary;
 }

@@ -14,8 +14,11 @@ struct Summary {
   std::string text;   ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };
 
+/// Whether the text says when.
+enum class Timed { Yes, No };
+
 /// `head`: what the text begins with, as "12 checked". `ignored`: how many rules left out.
 Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
-                  std::size_t ignored = 0);
+                  std::size_t ignored = 0, Timed timed = Timed::Yes);
 
 }  // namespace swept::clearance

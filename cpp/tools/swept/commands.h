@@ -14,6 +14,7 @@ Run addEnvelopeCommand(CLI::App& program);
 Run addCheckCommand(CLI::App& program);
 Run addClearanceCommand(CLI::App& program);
 Run addMechanismCommand(CLI::App& program);
+Run addOverlapCommand(CLI::App& program);
 Run addPathCommand(CLI::App& program);
 Run addSolidCommand(CLI::App& program);
 Run addStudyCommand(CLI::App& program);

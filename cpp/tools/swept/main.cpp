@@ -26,7 +26,8 @@ using Commands = std::vector<std::pair<std::string, Run>>;
 
 constexpr const char* kExitStatuses =
     "Exit status: 0 done, 1 failed, 2 wrong usage, 3 not clear (clearance,\n"
-    "mechanism, study) or no path (path), 130 and 143 cancelled (128 and the number of the "
+    "mechanism, overlap, study) or no path (path), 130 and 143 cancelled (128 and the number of "
+    "the "
     "signal). "
     "Lengths are in mm.";
 
@@ -40,6 +41,7 @@ Commands addCommands(CLI::App& program) {
 #ifdef HAVE_SWEPT_CLEARANCE
   commands.emplace_back("clearance", addClearanceCommand(program));
   commands.emplace_back("mechanism", addMechanismCommand(program));
+  commands.emplace_back("overlap", addOverlapCommand(program));
   commands.emplace_back("path", addPathCommand(program));
 #endif
 #ifdef SWEPT_PYTHON

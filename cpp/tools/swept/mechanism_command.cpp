@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <locale>
-#include <map>
 #include <memory>
 #include <sstream>
 
@@ -78,13 +77,6 @@ void addOptions(CLI::App& app, MechanismJob& job) {
       "--ignore boom arm --required 5\n"
       "  swept mechanism --moving left.ply left.csv --moving right.ply right.csv --csv -\n"
       "  swept mechanism --moving boom.stl boom.csv frame.step --page report.html");
-}
-
-/// Solids of one file may have one name; here each part needs its own.
-void makeNamesUnique(std::vector<ClearanceNeighbour>& parts) {
-  std::map<std::string, int> seen;
-  for (ClearanceNeighbour& part : parts)
-    if (const int count = ++seen[part.name]; count > 1) part.name += " " + std::to_string(count);
 }
 
 std::vector<MechanismPart> readParts(const MechanismJob& job, RunContext& run,

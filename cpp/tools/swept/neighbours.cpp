@@ -3,6 +3,7 @@
 #include "neighbours.h"
 
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include "files.h"
@@ -102,6 +103,12 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunC
   }
   giveRules(files, list);
   return list;
+}
+
+void makeNamesUnique(std::vector<ClearanceNeighbour>& parts) {
+  std::map<std::string, int> seen;
+  for (ClearanceNeighbour& part : parts)
+    if (const int count = ++seen[part.name]; count > 1) part.name += " " + std::to_string(count);
 }
 
 std::string quoted(const std::string& text) {

@@ -30,6 +30,9 @@ void checkNeighbourOptions(const NeighbourFiles& files, const std::string& movin
 /// Error(InvalidInput), "BadRule" where rules do not fit; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
+/// Gives parts of one name, as solids of one file may have, a number each.
+void makeNamesUnique(std::vector<ClearanceNeighbour>& parts);
+
 /// In double quotes, for a table of values with commas between them.
 std::string quoted(const std::string& text);
 

@@ -214,6 +214,26 @@ def drag(start, end, steps=8):
     yield 0.2
 
 
+def line_of(graph):
+    """The two ends of the line with two points that is drawn last in a 3D view, or None."""
+    from pivy import coin
+
+    search = coin.SoSearchAction()
+    search.setType(coin.SoLineSet.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(graph)
+    paths = search.getPaths()
+    found = []
+    for k in range(paths.getLength()):
+        node = paths[k]
+        parent = node.getNodeFromTail(1)
+        for i in range(parent.getNumChildren()):
+            child = parent.getChild(i)
+            if child.isOfType(coin.SoCoordinate3.getClassTypeId()) and child.point.getNum() == 2:
+                found.append([tuple(p.getValue()) for p in child.point.getValues()])
+    return found[-1] if found else None
+
+
 def widen():
     """A roomier window: no console, no report view, a wider combo view."""
     window = Gui.getMainWindow()
@@ -334,6 +354,7 @@ __all__ = [
     "click",
     "drag",
     "find",
+    "line_of",
     "new_document",
     "no_panel",
     "open_workbench",

@@ -87,6 +87,32 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
+    # Reserved spaces, and the result of a check with its player.
+    block = doc.getObject("Engine") or starter
+    select(hull, block)
+    Gui.runCommand("SweptVolume_Overlap")
+    yield 0.3
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces"))
+    yield lambda: any("Geprüfte Paare" in line for line in texts_of_panel())
+    yield 0.3
+    shot("70_german_Overlap")
+    yield 0.8
+    assert "Gemeinsames Volumen behalten" in texts_of_panel()
+    click(panel_button(QtWidgets.QDialogButtonBox.Close))
+    yield no_panel
+    checked = clearance.make_clearance(doc, Envelope=hull)
+    doc.recompute()
+    clearance.compute(checked)
+    select(checked)
+    Gui.runCommand("SweptVolume_Clearance")
+    yield 0.8
+    shot("70_german_places")
+    yield 0.8
+    for text in ("Nächstschlimmste Stelle", "Kollisionsvolumen behalten"):
+        assert text in texts_of_panel(), texts_of_panel()
+    click(panel_button(QtWidgets.QDialogButtonBox.Close))
+    yield no_panel
+
     # A refusal of the core: in German, with the core's own sentence and numbers behind it.
     hull.CellSize = 5000
     doc.recompute()

@@ -24,6 +24,7 @@ _MODULES = [
     "made_by",
     "check_clearance",
     "check_mechanism",
+    "check_reserved_spaces",
     "study",
     "make_solid",
     "export_envelope",
@@ -88,6 +89,8 @@ def fill_context_menu(workbench, recipient):
         names += ["SweptVolume_NewMotion", "SweptVolume_FindPath"]
     if selection.motion() or selection.parts():
         names += ["SweptVolume_Envelope", "SweptVolume_Clearance"]
+    if len(selection.spaces()) > 1:
+        names.append("SweptVolume_Overlap")
     if len(selection.motions()) > 1:
         names.append("SweptVolume_Mechanism")
     if selection.envelope():

@@ -36,10 +36,28 @@ def meets_rule(row):
     return row.get("meets_rule", row["verdict"] == "clear")
 
 
+def judged(row):
+    """The verdict of a row as it counts: "clear" where its rule is met."""
+    return "clear" if meets_rule(row) else row["verdict"]
+
+
 def worst(report):
     """The worst verdict of rows that do not meet their rule; "clear" where all do."""
-    bad = [row["verdict"] for row in report["neighbours"] if not meets_rule(row)]
-    return min(bad, key=WORST_FIRST.index, default="clear")
+    return min(map(judged, report["neighbours"]), key=WORST_FIRST.index, default="clear")
+
+
+def worst_first(report):
+    """Indices of the rows: what does not meet its rule first, clashes before contact before what is too near,
+    the deepest and then the nearest first."""
+    rows = report["neighbours"]
+
+    def badness(index):
+        row = rows[index]
+        verdict = judged(row)
+        deep = row.get("penetration", {}).get("depth", 0.0) if verdict == "clash" else 0.0
+        return WORST_FIRST.index(verdict), -deep, row["distance"]
+
+    return sorted(range(len(rows)), key=badness)
 
 
 def worst_rows(report):

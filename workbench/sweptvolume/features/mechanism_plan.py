@@ -13,12 +13,8 @@ from ..trajectory.poses import Poses, at_time
 from . import containers, missing, pair_rules, status
 from . import motion as motion_feature
 from .base import set_changed
-from .moving import Seen, grouped
+from .moving import DRAWN, Seen, grouped
 from .still_parts import StillParts, chord_of, left_out_text
-
-
-#: How much coarser than for distances solids are where they are only looked at.
-DRAWN = 4
 
 
 class Part:
@@ -270,7 +266,7 @@ class Plan(StillParts):
     def seen(self):
         """(body in the frame that its motion places, placement at a time (s) as a function) of each moving
         part, for pictures: coarse. Raises InputProblem."""
-        found, deflection = [], DRAWN * max(float(self.values["Deflection"]), 0.05)
+        found, deflection = [], self.seen_deflection()
         for group in self.groups():
             into_base, course = group.into_base(), group.course()
             for pair in group.pairs:
@@ -278,6 +274,10 @@ class Plan(StillParts):
                 found.append((pair, (body, course)))
         order = {pair: seen for pair, seen in found}
         return [order[pair] for pair in self.pairs]
+
+    def seen_deflection(self):
+        """mm, of solids in pictures."""
+        return DRAWN * max(float(self.values["Deflection"]), 0.05)
 
     def _moving_parts(self, group, names, deflection, straight):
         """The parts of one motion; straight: mm by which straight pieces may leave a curved way."""

@@ -116,6 +116,15 @@ class StillParts:
                 ]
         return found
 
+    def pairs_named(self, names):
+        """(root, path) of each name of a report's rows, None where it stands there no more. Of parts that
+        have one name the first row is the first."""
+        by_name = {}
+        for pair in self.leaves():
+            if neighbour_rules.of(self.rules, *pair).kind != neighbour_rules.IGNORE:
+                by_name.setdefault(convert.label_of(*pair), []).append(pair)
+        return [by_name[name].pop(0) if by_name.get(name) else None for name in names]
+
     def left_out(self):
         """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""
         if not self.all_visible:

@@ -3,9 +3,11 @@
 from PySide import QtCore, QtGui
 
 from .. import quantities
+from ..convert import InputProblem
 from ..features import clearance, clearance_table
 from ..texts import translate
 from ..views.clearance_view import BANDS
+from ..views.verdict_colours import VerdictColours, painted_object
 from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
 from .page_task import PageTask
@@ -16,7 +18,6 @@ from .widgets import QtWidgets
 
 #: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
 NAME_LETTERS = 18
-RANK = {"clash": 0, "contact": 1, "below": 2, "clear": 3}
 
 
 class ResultPanel(StayingPanel):
@@ -44,8 +45,16 @@ class ResultPanel(StayingPanel):
     def show_row(self, index):
         """A row was chosen; None: none is."""
 
+    def standing_rows(self):
+        """[((root, sub), row)] of the parts that stand still and are still there."""
+        raise NotImplementedError
+
+    def leave(self):
+        self.painted.remove()
+
     def _build_result(self):
         self.one, self.unit = quantities.length_unit()
+        self.worst_first, self.painted = [], VerdictColours()
         self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
         rows = QtWidgets.QVBoxLayout(self.result)
         self.summary = QtWidgets.QLabel()
@@ -87,8 +96,16 @@ class ResultPanel(StayingPanel):
         self.table.setTabKeyNavigation(False)  # Tab leaves the table
         self.keys = focus.SortKeys(self.table)
         self.graph = DistanceGraph()
-        for widget in (self.summary, self.table, self.graph):
-            rows.addWidget(widget)
+        self.graph.picked.connect(self.choose)
+        rows.addWidget(self.summary)
+        rows.addWidget(self.table)
+        rows.addLayout(self._build_worst())
+        rows.addWidget(self.graph)
+        self.paint = QtWidgets.QCheckBox(translate("Panels", "Colour the &parts by their verdicts"))
+        self.paint.setObjectName("SweptVolumePaint")
+        self.paint.setChecked(True)
+        self.paint.toggled.connect(lambda *ignored: self.paint_parts())
+        rows.addWidget(self.paint)
         self.build_more(rows)
         buttons = QtWidgets.QHBoxLayout()
         self.csv = QtWidgets.QPushButton(translate("Panels", "CSV..."))
@@ -107,6 +124,34 @@ class ResultPanel(StayingPanel):
         self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
         self.page.clicked.connect(lambda *ignored: self.export_page())
 
+    def _build_worst(self):
+        """Buttons that go through the rows, the worst first, whatever the table is sorted by."""
+        buttons = QtWidgets.QHBoxLayout()
+        self.better, self.worse = (
+            widgets.hint(QtWidgets.QPushButton(text), tip)
+            for text, tip in (
+                (
+                    translate("Panels", "Place &before"),
+                    translate("Panels", "Back to the place that is worse than this one"),
+                ),
+                (
+                    translate("Panels", "&Next worst place"),
+                    translate(
+                        "Panels",
+                        "Goes through the places from the worst on: clashes, the deepest first, then what is "
+                        "nearest",
+                    ),
+                ),
+            )
+        )
+        self.better.setObjectName("SweptVolumePlaceBefore")
+        self.worse.setObjectName("SweptVolumeNextWorst")
+        self.better.clicked.connect(lambda *ignored: self.go_through(-1))
+        self.worse.clicked.connect(lambda *ignored: self.go_through(1))
+        buttons.addWidget(self.better)
+        buttons.addWidget(self.worse)
+        return buttons
+
     def show_result(self):
         report = self.stored_report() if self.obj is not None else None
         self.result.setVisible(report is not None)
@@ -119,9 +164,26 @@ class ResultPanel(StayingPanel):
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
         if self.obj.Message:
             widgets.show_message(self.message, self.obj.Message)
+        self.worst_first = clearance_table.worst_first(self.report)
         self._fill()
+        self._show_place()
         self.graph.show_report(self.report)
+        self.paint_parts()
         self.shown()
+
+    @guard.told
+    def paint_parts(self):
+        """The parts that stand have the colours of their rows, the worst one's where there are several."""
+        try:
+            rows = self.standing_rows() if self.paint.isChecked() else []
+        except InputProblem:  # the inputs lead nowhere now, which the message tells
+            rows = []
+        ranks = {}
+        for pair, row in rows:
+            found = painted_object(*pair)
+            rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
+            ranks[found] = min(rank, ranks.get(found, rank))
+        self.painted.show({obj: BANDS[rank] for obj, rank in ranks.items()})
 
     def _length(self, value):
         return quantities.number(round(value, 9) / self.one, quantities.TABLE_DIGITS)
@@ -135,7 +197,7 @@ class ResultPanel(StayingPanel):
             met = clearance_table.meets_rule(row)
             if met and row["verdict"] == "contact":
                 verdict = translate("Messages", "Contact, allowed")
-            rank = RANK["clear" if met else row["verdict"]]
+            rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
             rule = clearance_table.rule_text(row, self.report)
             cells = (
                 SortedCell(row["name"], row["name"].lower()),
@@ -166,9 +228,40 @@ class ResultPanel(StayingPanel):
         self.table.sortItems(2)
         QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
 
+    # --- choosing rows
+
+    def chosen_row(self):
+        """Index of the row that is chosen, in the report; -1: none."""
+        items = self.table.selectedItems()
+        return items[0].data(QtCore.Qt.UserRole) if items else -1
+
+    def choose(self, index):
+        """Chooses a row by its index in the report."""
+        for r in range(self.table.rowCount()):
+            if self.table.item(r, 0).data(QtCore.Qt.UserRole) == index:
+                self.table.selectRow(r)
+                self.table.scrollToItem(self.table.item(r, 0))
+
+    def go_through(self, by):
+        """To the row that is the next worst (1), or back (-1); from none to the worst."""
+        place = self._place_among_worst() + by
+        if 0 <= place < len(self.worst_first):
+            self.choose(self.worst_first[place])
+
+    def _place_among_worst(self):
+        """Where the chosen row stands among the worst; -1: none is chosen."""
+        row = self.chosen_row()
+        return self.worst_first.index(row) if row in self.worst_first else -1
+
+    def _show_place(self):
+        place = self._place_among_worst()
+        self.better.setEnabled(place > 0)
+        self.worse.setEnabled(place + 1 < len(self.worst_first))
+
     @guard.told
     def _row_chosen(self):
         items = self.table.selectedItems()
+        self._show_place()
         if not items:
             self.graph.choose(-1, None)
             if self.obj is not None:

@@ -1,82 +1,170 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Graph of distance over time, one line a neighbour, with the required distance."""
+"""Graph of distance over time, one line a neighbour, with the distances asked for. The scale is linear near 0
+and logarithmic beyond (asinh, as in the report), so that 5 mm are seen beside 365 mm. A line tells its name
+when it is pointed at, and its row is chosen when it is clicked."""
+import numpy as np
 from PySide import QtCore, QtGui
 
-from ..quantities import length_unit, number
+from ..features import clearance_table, neighbour_rules
+from ..quantities import TABLE_DIGITS, length_unit, number
 from ..texts import translate
 from .widgets import QtWidgets
 
 COLOURS = ("#1f77b4", "#d95f02", "#2ca02c", "#9467bd", "#8c564b", "#17becf", "#7f7f7f", "#bcbd22")
-#: More lines than this and only the nearest are drawn.
-MOST_LINES = 8
+#: The colour of all lines after those; they have no name at the side.
+OTHERS = "#609a9a9a"
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 8, 30
+#: The scale bends at the smallest distance asked for over BEND; without one at a SHARE of the largest.
+BEND, SHARE, ABOVE = 1.5, 20.0, 1.2
+#: Pixels: between two numbers beside the scale; from a line to the mouse that points at it.
+TICK_GAP, NEAR = 15, 7
+
+
+class Scale:
+    """Distances in the unit of the preferences -> 0 (at 0) to 1 (at `most`)."""
+
+    def __init__(self, most, asked):
+        self.most = max([most, 1e-3] + [ABOVE * value for value in asked])
+        self.bend = min(asked) / BEND if asked else self.most / SHARE
+
+    def share(self, distance):
+        """Of a number or an array."""
+        return np.arcsinh(np.asarray(distance) / self.bend) / np.arcsinh(self.most / self.bend)
+
+    def ticks(self, gap):
+        """Round numbers that lie at least `gap` (of the whole) apart, from 0."""
+        found, last = [0.0], 0.0
+        for decade in range(-4, 10):
+            for step in (1, 2, 5):
+                value = step * 10.0**decade
+                place = float(self.share(value))
+                if value <= self.most and place - last >= gap:
+                    found.append(value)
+                    last = place
+        return found
 
 
 class DistanceGraph(QtWidgets.QWidget):
-    """Draws curves [(name, [(t, mm)...])]; the chosen one is thick."""
+    """Draws curves [(name, times, distances)...], arrays; the chosen one is thick. `picked(index)`: a curve
+    was clicked."""
+
+    picked = QtCore.Signal(int)
 
     def __init__(self):
         super().__init__()
         self.setObjectName("SweptVolumeDistanceGraph")
         self.setMinimumHeight(150)
-        self.curves, self.required, self.chosen, self.moment = [], 0.0, -1, None
+        self.setMouseTracking(True)
+        self.curves, self.order, self.asked = [], [], []
+        self.chosen, self.moment = -1, None
+        self.pointed, self.picture, self.ends = -1, None, None
 
     def show_report(self, report):
         one, self.unit = length_unit()
-        self.curves = [
-            (row["name"], [(t, d / one) for t, d in row["curve"]]) for row in report["neighbours"]
-        ]
-        self.required = report["required"] / one
-        self.chosen, self.moment = -1, None
-        self.update()
+        curves = []
+        for row in report["neighbours"]:
+            points = np.array(row["curve"], dtype=float).reshape(-1, 2)
+            curves.append((row["name"], points[:, 0], points[:, 1] / one))
+        self.curves = curves
+        rules = [clearance_table.rule_of(row, report) for row in report["neighbours"]]
+        asked = {length for kind, length in rules if kind == neighbour_rules.REQUIRED}
+        self.asked = sorted(length / one for length in asked if length > 0)
+        order = [k for k, (_, times, _) in enumerate(curves) if len(times)]
+        self.order = sorted(order, key=lambda k: curves[k][2].min())  # the nearest first
+        self.chosen, self.moment, self.pointed = -1, None, -1
+        self._renew()
 
     def choose(self, index, moment):
         """Makes one curve thick and marks a time."""
-        self.chosen, self.moment = index, moment
+        if index != self.chosen:
+            self.chosen = index
+            self._renew()
+        self.mark(moment)
+
+    def mark(self, moment):
+        """Marks a time (s), None: none."""
+        self.moment = moment
         self.update()
 
-    def _drawn(self):
-        order = sorted(
-            (i for i, (_, curve) in enumerate(self.curves) if curve),
-            key=lambda i: min(d for _, d in self.curves[i][1]),
-        )[:MOST_LINES]
-        if 0 <= self.chosen < len(self.curves) and self.chosen not in order:
-            order.append(self.chosen)
-        return order
+    def _renew(self):
+        self.picture, self.ends = None, None
+        self.update()
 
-    def _limits(self, order):
-        times = [t for i in order for t, _ in self.curves[i][1]]
-        most = max((d for i in order for _, d in self.curves[i][1]), default=1.0)
-        return min(times), max(times), max(most, self.required * 1.2, 1e-9) * 1.05
+    def colour(self, index):
+        """The name of a curve's colour."""
+        place = self.order.index(index)
+        return COLOURS[place] if place < len(COLOURS) else OTHERS
+
+    # --- places
+
+    def _box(self):
+        return QtCore.QRectF(LEFT, TOP, self.width() - LEFT - RIGHT, self.height() - TOP - BOTTOM)
+
+    def _measure(self):
+        self.start = min(float(self.curves[k][1].min()) for k in self.order)
+        self.end = max(float(self.curves[k][1].max()) for k in self.order)
+        most = max(float(self.curves[k][2].max()) for k in self.order)
+        self.scale = Scale(most, self.asked)
+
+    def x_of(self, times):
+        """Pixels, of a number or an array."""
+        box, span = self._box(), self.end - self.start
+        part = (np.asarray(times) - self.start) / span if span > 0 else 0.5 + 0 * np.asarray(times)
+        return box.left() + box.width() * part
+
+    def y_of(self, distances):
+        box = self._box()
+        return box.bottom() - box.height() * self.scale.share(distances)
+
+    def _polygon(self, index):
+        _, times, distances = self.curves[index]
+        places = zip(self.x_of(times).tolist(), self.y_of(distances).tolist())
+        return QtGui.QPolygonF([QtCore.QPointF(*place) for place in places])
+
+    # --- painting
 
     def paintEvent(self, event):  # noqa: N802
         painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        painter.setPen(self._ink())
-        order = self._drawn()
-        if not order:
+        if not self.order:
+            painter.setPen(self._ink())
             text = translate("Panels", "No curve yet: check first.")
             painter.drawText(self.rect(), QtCore.Qt.AlignCenter, text)
             painter.end()
             return
-        start, end, most = self._limits(order)
-        box = QtCore.QRectF(LEFT, TOP, self.width() - LEFT - RIGHT, self.height() - TOP - BOTTOM)
-
-        def at(t, d):
-            x = box.left() + box.width() * ((t - start) / (end - start) if end > start else 0.5)
-            return QtCore.QPointF(x, box.bottom() - box.height() * d / most)
-
-        self._axes(painter, box, start, end, most, at)
-        for k, i in enumerate(order):
-            pen = QtGui.QPen(
-                QtGui.QColor(COLOURS[k % len(COLOURS)]), 3.0 if i == self.chosen else 1.3
-            )
-            painter.setPen(pen)
-            painter.drawPolyline(QtGui.QPolygonF([at(t, d) for t, d in self.curves[i][1]]))
+        self._measure()
+        if self.picture is None or self.picture.size() / self._ratio() != self.size():
+            self._draw_picture()
+        painter.drawPixmap(0, 0, self.picture)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        if self.pointed >= 0:
+            painter.setPen(QtGui.QPen(QtGui.QColor(self.colour(self.pointed)), 3.0))
+            painter.drawPolyline(self._polygon(self.pointed))
         if self.moment is not None:
+            box, x = self._box(), float(self.x_of(self.moment))
             painter.setPen(QtGui.QPen(QtGui.QColor("#d8009a"), 1.2, QtCore.Qt.DashLine))
-            painter.drawLine(at(self.moment, 0), at(self.moment, most))
-        self._names(painter, box, order)
+            painter.drawLine(QtCore.QPointF(x, box.top()), QtCore.QPointF(x, box.bottom()))
+        painter.end()
+
+    def _ratio(self):
+        return self.devicePixelRatioF()
+
+    def _draw_picture(self):
+        """All that stays while the mouse moves; hundreds of curves take some time."""
+        self.picture = QtGui.QPixmap(self.size() * self._ratio())
+        self.picture.setDevicePixelRatio(self._ratio())
+        self.picture.fill(QtCore.Qt.transparent)
+        painter = QtGui.QPainter(self.picture)
+        painter.setFont(self.font())
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        self._axes(painter)
+        for index in reversed(self.order):
+            if index != self.chosen:
+                painter.setPen(QtGui.QPen(QtGui.QColor(self.colour(index)), 1.3))
+                painter.drawPolyline(self._polygon(index))
+        if self.chosen in self.order:
+            painter.setPen(QtGui.QPen(QtGui.QColor(self.colour(self.chosen)), 3.0))
+            painter.drawPolyline(self._polygon(self.chosen))
+        self._names(painter)
         painter.end()
 
     def _ink(self):
@@ -84,20 +172,25 @@ class DistanceGraph(QtWidgets.QWidget):
         panel other colours than its palette has."""
         return self.palette().color(QtGui.QPalette.WindowText)
 
-    def _axes(self, painter, box, start, end, most, at):
+    def _axes(self, painter):
+        box = self._box()
         painter.setPen(QtGui.QPen(QtGui.QColor("#888a85"), 1))
         painter.drawRect(box)
-        painter.setPen(self._ink())
-        for k in range(5):
-            d, t = most * k / 4.0, start + (end - start) * k / 4.0
-            y, x = at(start, d).y(), at(t, 0).x()
+        faint = QtGui.QPen(QtGui.QColor(136, 138, 133, 70), 1)
+        for distance in self.scale.ticks(TICK_GAP / max(box.height(), 1.0)):
+            y = float(self.y_of(distance))
+            painter.setPen(faint)
+            painter.drawLine(QtCore.QPointF(box.left(), y), QtCore.QPointF(box.right(), y))
+            painter.setPen(self._ink())
             painter.drawText(
                 QtCore.QRectF(0, y - 8, LEFT - 4, 16),
                 QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter,
-                number(d, 2),
+                number(distance, 4),
             )
+        for k in range(5):
+            t = self.start + (self.end - self.start) * k / 4.0
             painter.drawText(
-                QtCore.QRectF(min(x - 30, box.right() - 52), box.bottom() + 1, 60, 14),
+                QtCore.QRectF(min(self.x_of(t) - 30, box.right() - 52), box.bottom() + 1, 60, 14),
                 QtCore.Qt.AlignCenter,
                 number(t, 3),
             )
@@ -106,19 +199,82 @@ class DistanceGraph(QtWidgets.QWidget):
             QtCore.Qt.AlignCenter,
             translate("Panels", "distance ({0}) over time (s)").format(self.unit),
         )
-        if self.required > 0:
-            painter.setPen(QtGui.QPen(QtGui.QColor("#cc0000"), 1, QtCore.Qt.DotLine))
-            painter.drawLine(at(start, self.required), at(end, self.required))
+        painter.setPen(QtGui.QPen(QtGui.QColor("#cc0000"), 1.2, QtCore.Qt.DotLine))
+        for distance in self.asked:
+            y = float(self.y_of(distance))
+            painter.drawLine(QtCore.QPointF(box.left(), y), QtCore.QPointF(box.right(), y))
 
-    def _names(self, painter, box, order):
-        light = self._ink().lightness() > 127
+    def _names(self, painter):
+        box, light = self._box(), self._ink().lightness() > 127
         behind_names = QtGui.QColor(40, 40, 40, 200) if light else QtGui.QColor(255, 255, 255, 200)
-        for k, i in enumerate(order):
-            painter.setPen(QtGui.QColor(COLOURS[k % len(COLOURS)]))
+        for k, index in enumerate(self.order[: len(COLOURS)]):
+            painter.setPen(QtGui.QColor(COLOURS[k]))
             text = painter.fontMetrics().elidedText(
-                self.curves[i][0], QtCore.Qt.ElideRight, int(box.width() / 2)
+                self.curves[index][0], QtCore.Qt.ElideRight, int(box.width() / 2)
             )
             where = QtCore.QRectF(box.left(), box.top() + 2 + 13 * k, box.width() - 6, 14)
             behind = painter.boundingRect(where, QtCore.Qt.AlignRight, text)
             painter.fillRect(behind, behind_names)
             painter.drawText(where, QtCore.Qt.AlignRight, text)
+
+    # --- pointing
+
+    def _segments(self):
+        """(first ends (k,2), second ends, index of the curve (k,)), pixels; a single point is both ends."""
+        if self.ends is None:
+            parts = []
+            for index in self.order:
+                _, times, distances = self.curves[index]
+                places = np.column_stack([self.x_of(times), self.y_of(distances)])
+                first, second = (places[:-1], places[1:]) if len(places) > 1 else (places, places)
+                parts.append((first, second, np.full(len(first), index)))
+            self.ends = tuple(np.concatenate(group) for group in zip(*parts))
+        return self.ends
+
+    def curve_at(self, x, y):
+        """Index of the curve that is pointed at; -1: none."""
+        if not self.order:
+            return -1
+        self._measure()
+        first, second, of = self._segments()
+        along, to = second - first, np.array([x, y]) - first
+        squared = np.maximum((along**2).sum(axis=1), 1e-12)
+        part = np.clip((along * to).sum(axis=1) / squared, 0.0, 1.0)
+        off = np.linalg.norm(to - part[:, None] * along, axis=1)
+        nearest = int(off.argmin())
+        return int(of[nearest]) if off[nearest] <= NEAR else -1
+
+    def text_at(self, index, x):
+        """What is told of a curve there: its name, distance and time."""
+        name, times, distances = self.curves[index]
+        box = self._box()
+        part = min(max((x - box.left()) / max(box.width(), 1.0), 0.0), 1.0)
+        time = self.start + part * (self.end - self.start)
+        distance = float(np.interp(time, times, distances))
+        text = translate("Panels", "{0}: {1} {2} at {3} s")
+        return text.format(name, number(distance, TABLE_DIGITS), self.unit, number(time, 3))
+
+    def mouseMoveEvent(self, event):  # noqa: N802
+        where = event.pos()
+        pointed = self.curve_at(where.x(), where.y())
+        if pointed != self.pointed:
+            self.pointed = pointed
+            self.update()
+        if pointed >= 0:
+            QtWidgets.QToolTip.showText(
+                self.mapToGlobal(where), self.text_at(pointed, where.x()), self
+            )
+        else:
+            QtWidgets.QToolTip.hideText()
+
+    def mousePressEvent(self, event):  # noqa: N802
+        index = self.curve_at(event.pos().x(), event.pos().y())
+        if index >= 0:
+            self.picked.emit(index)
+
+    def leaveEvent(self, event):  # noqa: N802
+        self.pointed = -1
+        self.update()
+
+    def resizeEvent(self, event):  # noqa: N802
+        self._renew()

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The result of a clearance check in its panel: the moving part of a row, and the envelope in colours."""
-from ..features import clearance
+from .. import convert
+from ..convert import InputProblem
+from ..features import clearance, shared
 from ..texts import mark, translate
 from ..views.clearance_view import BANDS
-from . import check_result, guard, widgets
+from . import guard, played_result, widgets
+from .played_result import RowScene, gone
 from .widgets import QtWidgets
 
 
-class ResultPanel(check_result.ResultPanel):
+class ResultPanel(played_result.PlayedPanel):
     """`hidden`: the envelope under its colours."""
 
     NAME = mark("Panels", "Neighbour")
@@ -16,17 +19,91 @@ class ResultPanel(check_result.ResultPanel):
         return clearance.report_of(self.obj)
 
     def build_more(self, rows):
+        self.build_played(rows)
+        self.cut_away = widgets.hint(
+            QtWidgets.QPushButton(translate("Panels", "Keep volume to be cut awa&y")),
+            translate(
+                "Panels", "Makes a body of what the envelope shares with the part of the row"
+            ),
+        )
+        self.cut_away.setObjectName("SweptVolumeKeepCut")
+        self.cut_away.clicked.connect(lambda *ignored: self.keep(self.cut_plan))
+        rows.addWidget(self.cut_away)
         rows.addLayout(self._bands())
 
     def shown(self):
+        self.clear_view()
+        self.show_buttons(None)
+        curve = [time for row in self.report["neighbours"] for time, _ in row["curve"]]
+        times = {row["time_seconds"] for row in self.report["neighbours"]}
+        self.set_span(times | ({min(curve), max(curve)} if curve else set()))
         self.coloured.setEnabled(bool(self.obj.MapDistances))
         self._paint()
 
     def show_row(self, index):
+        self.show_buttons(index)
+        for drawn in (self.line, self.ghosts):
+            if drawn is not None:
+                drawn.hide()
         if index is None:
             self._view().hide_row()
-        else:
-            self._view().show_row(self.obj, index)
+            return
+        row = self.report["neighbours"][index]
+        self.go_to(row["time_seconds"])
+        self._view().show_row(self.obj, index)
+        self.ends = self.ends_of(row)[0]
+        self._cut_again()
+
+    def left_row(self):
+        self._view().hide_row()
+
+    def show_buttons(self, index):
+        super().show_buttons(index)
+        self.cut_away.setEnabled(self.clash.isEnabled() and self.obj.Envelope is not None)
+
+    # --- the two parts of a row
+
+    def plan_shown(self):
+        return clearance.Plan.of(self.obj)
+
+    def marked(self, index):
+        return [0]
+
+    def _neighbour(self, plan, index):
+        """(root, sub) of a row, None where it is there no more."""
+        names = [row["name"] for row in self.report["neighbours"]]
+        return plan.pairs_named(names)[index]
+
+    def row_scene(self, index):
+        plan = clearance.Plan.of(self.obj)
+        pair = self._neighbour(plan, index)
+        if pair is None:
+            raise gone()
+        deflection = plan.seen_deflection()
+        ((body, course),) = plan.seen()
+        beside = convert.body_from([pair], deflection)
+        return RowScene(body, beside, (course, None), deflection)
+
+    def clash_plan(self, index):
+        plan, time = clearance.Plan.of(self.obj), self.report["neighbours"][index]["time_seconds"]
+        if plan.moving().reference is not None:
+            text = translate(
+                "Messages", "parts that are seen from another one have no place in the document."
+            )
+            raise InputProblem(text)
+        sides = plan.pairs, [self._neighbour(plan, index)]
+        return self._shared(plan, sides, (plan.motion, None), time)
+
+    def cut_plan(self, index):
+        """shared.Plan of what the envelope shares with the part of a row."""
+        plan = clearance.Plan.of(self.obj)
+        sides = [convert.root_path(self.obj.Envelope)], [self._neighbour(plan, index)]
+        return self._shared(plan, sides, (None, None), 0.0)
+
+    def _shared(self, plan, sides, motions, time):
+        if None in sides[1]:
+            raise gone()
+        return shared.Plan(self.document, *sides, motions, time, plan.values["Deflection"])
 
     def _view(self):
         return self.obj.ViewObject.Proxy
@@ -86,7 +163,13 @@ class ResultPanel(check_result.ResultPanel):
             text = translate("Panels", "The envelope has changed since the check: check again.")
             widgets.show_message(self.message, text)
 
+    def standing_rows(self):
+        rows = self.report["neighbours"]
+        pairs = clearance.Plan.of(self.obj).pairs_named([row["name"] for row in rows])
+        return [(pair, row) for pair, row in zip(pairs, rows) if pair is not None]
+
     def leave(self):
+        super().leave()
         if self.obj is not None and widgets.alive(self.obj):
             self.coloured.setChecked(False)
             self._view().clear()

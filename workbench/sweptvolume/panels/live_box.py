@@ -14,7 +14,7 @@ from ..texts import translate
 from ..trajectory.poses import shift_to
 from ..views.live_distance import LiveDistance
 from . import shades, widgets
-from .live_clearance import LiveClearance
+from .live_clearance import LiveClearance, VisibleScene
 from .widgets import QtWidgets
 
 
@@ -94,9 +94,8 @@ class LiveBox(QtCore.QObject):
         if self.live is None and self.pair is not None and not self.failed:
             frame = matrix_of(self.body.placement.multiply(self.middle).inverse())
             try:
-                self.live = LiveClearance(
-                    self.document, self.pair, frame, self._answered, self._failed
-                )
+                scene = VisibleScene(self.document, self.pair, frame)
+                self.live = LiveClearance(self.document, scene, self._answered, self._failed)
             except InputProblem as problem:  # no neighbour
                 self._failed(str(problem))
         return self.live is not None

@@ -27,28 +27,43 @@ class Answer:
         self.points = points
 
 
-class _Scene:
-    """What stands there, read in the window's thread; made ready for questions when the first is asked."""
+class Scene:
+    """What is asked about, read in the window's thread; made ready for questions when the first is asked.
+    chord: mm; nearer than this cannot be told from contact. Subclasses give make()."""
+
+    def __init__(self, chord):
+        self.chord = chord
+        self.live, self.names, self._lock = None, [], threading.Lock()
+
+    def make(self, control):
+        """Any thread: (what core_paths.live_clearance() gives, names of the neighbours). Raises CoreError,
+        InputProblem."""
+        raise NotImplementedError
+
+    def ready(self, control):
+        """Any thread. Raises CoreError, InputProblem."""
+        with self._lock:
+            if self.live is None:
+                self.live, self.names = self.make(control)
+        return self.live
+
+
+class VisibleScene(Scene):
+    """A part and all that is seen round it. matrix: 4x4 from the world to the coordinates that the wishes
+    place."""
 
     def __init__(self, document, pair, matrix):
         body = convert.body_from([pair], DEFLECTION)
         self.body = Seen(body, matrix)
         still, notes, _ = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
         self.beside = clearance_plan.Request(None, still, True, {}, None, notes)
-        #: Nearer than this cannot be told from contact.
-        self.chord = still_parts.chord_of([pair], DEFLECTION) + max(n.chord for n in still)
-        self.live, self.names, self._lock = None, [], threading.Lock()
+        super().__init__(still_parts.chord_of([pair], DEFLECTION) + max(n.chord for n in still))
 
-    def ready(self, control):
-        """Any thread. Raises CoreError, InputProblem."""
-        with self._lock:
-            if self.live is None:
-                rows = self.beside.rows()
-                self.names = [row[0] for row in rows]
-                self.live = core_paths.live_clearance(
-                    self.body.vertices, self.body.triangles, [row[:3] for row in rows], control
-                )
-        return self.live
+    def make(self, control):
+        rows = self.beside.rows()
+        body = self.body.vertices, self.body.triangles
+        made = core_paths.live_clearance(*body, [row[:3] for row in rows], control)
+        return made, [row[0] for row in rows]
 
 
 class _LiveTask(NewestTask):
@@ -69,13 +84,11 @@ class _LiveTask(NewestTask):
 
 
 class LiveClearance:
-    """Keeps at most one run under way. show(answer) and report(text) are called in the window's thread.
+    """Keeps at most one run under way. show(answer) and report(text) are called in the window's thread."""
 
-    matrix: 4x4 from the world to the coordinates that the wishes place."""
-
-    def __init__(self, document, pair, matrix, show, report):
+    def __init__(self, document, scene, show, report):
         self.document, self.show, self.report = document, show, report
-        self.scene = _Scene(document, pair, matrix)
+        self.scene = scene
         self.run, self.again, self.number, self.answers = None, None, 0, 0
         self.looks = QtCore.QTimer()
         self.looks.timeout.connect(self.take)

@@ -3,18 +3,15 @@
 table its two parts when they are nearest, with the line between them."""
 import numpy as np
 
-from .. import quantities, runner
-from ..features import mechanism, mechanism_table
-from ..texts import mark, translate
+from .. import convert
+from ..features import mechanism, mechanism_table, shared
+from ..texts import mark
 from ..views.clearance_view import zoom_to
-from ..views.ghost import MOVING_TRIANGLES, MovingParts
-from ..views.live_distance import LiveDistance
-from . import check_result, guard, widgets
-from .player import Player
-from .tasks import ShapesTask
+from . import guard, played_result
+from .played_result import RowScene, gone
 
 
-class ResultPanel(check_result.ResultPanel):
+class ResultPanel(played_result.PlayedPanel):
     """`obj`, `document`, `message` are the panel's."""
 
     NAME = mark("Panels", "Pair")
@@ -27,113 +24,94 @@ class ResultPanel(check_result.ResultPanel):
         return mechanism_table.as_rows(report)
 
     def build_more(self, rows):
-        self.shapes, self.ghosts, self.line, self.courses = None, None, None, []
         self.wanted = None  # what is to be shown once the parts are read: a row, or nothing
-        self.player = Player()
-        self.player.moved.connect(self._moved)
-        rows.addWidget(self.player)
+        self.build_played(rows)
         self.table.itemDoubleClicked.connect(lambda *ignored: self._look())
 
     def shown(self):
         self.clear_view()
         times = {row["time_seconds"] for row in self.report["neighbours"]}
-        ends = {self.whole["from_seconds"], self.whole["to_seconds"]}
-        self.player.blockSignals(True)  # nothing is drawn before somebody asks for it
-        self.player.set_times(sorted(times | ends))
-        self.player.blockSignals(False)
+        self.set_span(times | {self.whole["from_seconds"], self.whole["to_seconds"]})
+
+    def plan_shown(self):
+        plan = mechanism.Plan.of(self.obj)
+        names = plan.names()
+        self.names = [names[pair] for pair in plan.pairs]
+        return plan
 
     def show_row(self, index):
         """All parts at the time of a row, its two in another colour, and the line."""
         self.wanted = index
+        self.show_buttons(index)
         if index is None:
             if self.line is not None:
                 self.line.hide()
             return
-        if self._ready():
+        if self.ready():
             self._draw_row(index)
 
     def _draw_row(self, index):
-        pair = self.whole["pairs"][index]
-        row = pair["clearance"]
-        self.player.go_to(row["time_seconds"])
-        self.wanted = index  # go_to() forgot it
-        self._place(row["time_seconds"], (pair["first"], pair["second"]))
-        ends = row["point_on_body"], row["point_on_neighbour"]
-        deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
-        if deep:
-            ends = deep["point"], deep["surface"]
-        length = quantities.quantity(deep.get("depth", row["distance"]), quantities.TABLE_DIGITS)
-        text = translate("Panels", "{0} deep").format(length) if deep else length
-        middle = [(a + b) / 2.0 for a, b in zip(*ends)]
-        self.line.show(middle, [text], ends, bool(deep))
+        row = self.whole["pairs"][index]["clearance"]
+        self.go_to(row["time_seconds"])
+        self.place(row["time_seconds"], self.marked(index))
+        self.draw_line(*self.ends_of(row))
 
     @guard.told
     def _look(self):
         """The camera goes to the row."""
-        items = self.table.selectedItems()
-        if items and self.wanted is not None and self.ghosts is not None:
-            row = self.report["neighbours"][self.wanted]
-            pair = self.whole["pairs"][self.wanted]
-            marked = self._numbers((pair["first"], pair["second"]))
-            zoom_to(np.vstack([self.points[k] for k in marked]), row)
+        if self.chosen_row() >= 0 and self.wanted is not None and self.ghosts is not None:
+            marked = self.marked(self.wanted)
+            points = np.vstack([self.points[k] for k in marked])
+            zoom_to(points, self.report["neighbours"][self.wanted])
 
-    def _numbers(self, names):
-        """Which of the moving parts have these names."""
-        return [k for k, name in enumerate(self.names) if name in names]
+    def marked(self, index):
+        pair = self.whole["pairs"][index]
+        return [k for k, name in enumerate(self.names) if name in (pair["first"], pair["second"])]
 
-    @guard.told
-    def _moved(self):
-        """The player stands at another time."""
-        if getattr(self, "report", None) is None or not self.result.isVisible():
-            return
+    def left_row(self):
         self.wanted = None
-        if self.line is not None:
-            self.line.hide()
-        if self.player.times and self._ready():
-            self._place(self.player.now())
 
-    def _place(self, time, names=()):
-        self.ghosts.show([course(time) for course in self.courses], self._numbers(names))
-
-    # --- the parts, read beside the window
-
-    def _ready(self):
-        """Whether the parts are drawn; else they are read, and what is wanted follows."""
-        if self.ghosts is not None:
-            return True
-        if self.shapes is None and self.obj is not None:
-            plan = mechanism.Plan.of(self.obj)
-            names = plan.names()
-            self.names = [names[pair] for pair in plan.pairs]
-            self.shapes = runner.start(ShapesTask(plan, MOVING_TRIANGLES))
-            self.shapes.ended.connect(self._read)
-        return False
-
-    @guard.told
-    def _read(self, run):
-        self.shapes = None
-        if run.state != "ok" or not widgets.alive(self.document):
-            return
-        self.courses = [course for _, _, course in run.task.found]
-        self.points = [np.asarray(drawn[0], dtype=float) for drawn, _, _ in run.task.found]
-        self.ghosts = MovingParts(self.document, [found[:2] for found in run.task.found])
-        self.line = LiveDistance(self.document)
+    def parts_read(self):
         if self.wanted is not None:
             self._draw_row(self.wanted)
         else:
-            self._place(self.player.now())
+            super().parts_read()
 
-    def clear_view(self):
-        """Nothing is drawn any more; the parts are read again when they are wanted."""
-        self.player.stop()
-        if self.shapes is not None:
-            self.shapes.ended.disconnect(self._read)
-            self.shapes.cancel()
-        if widgets.alive(self.document):
-            for drawn in (self.ghosts, self.line):
-                if drawn is not None:
-                    drawn.remove()
-        self.shapes, self.ghosts, self.line, self.courses = None, None, None, []
+    # --- the two parts of a row
 
-    def leave(self):
-        self.clear_view()
+    def _two(self, plan, index):
+        """((root, sub) of both, the motions of both). Raises InputProblem."""
+        parts = {name: pair for pair, name in plan.names().items()}
+        sides = [parts.get(self.whole["pairs"][index][side]) for side in ("first", "second")]
+        if None in sides:
+            raise gone()
+        motions = dict(zip(plan.pairs, plan.motions))
+        return sides, [motions.get(pair) for pair in sides]
+
+    def row_scene(self, index):
+        plan = mechanism.Plan.of(self.obj)
+        seen, deflection = dict(zip(plan.pairs, plan.seen())), plan.seen_deflection()
+        found = [
+            seen[pair] if pair in seen else (convert.body_from([pair], deflection), None)
+            for pair in self._two(plan, index)[0]
+        ]
+        bodies, courses = zip(*found)
+        return RowScene(*bodies, courses, deflection)
+
+    def clash_plan(self, index):
+        plan = mechanism.Plan.of(self.obj)
+        time = self.report["neighbours"][index]["time_seconds"]
+        (first, second), motions = self._two(plan, index)
+        return shared.Plan(
+            self.document, [first], [second], motions, time, plan.values["Deflection"]
+        )
+
+    def standing_rows(self):
+        plan = mechanism.Plan.of(self.obj)
+        parts = {name: pair for pair, name in plan.names().items() if pair not in plan.pairs}
+        return [
+            (parts[name], pair["clearance"])
+            for pair in self.whole["pairs"]
+            for name in (pair["first"], pair["second"])
+            if name in parts
+        ]

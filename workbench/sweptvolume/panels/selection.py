@@ -9,6 +9,7 @@ from ..features.clearance import is_clearance
 from ..features.envelope import Envelope, is_envelope
 from ..features.mechanism import is_mechanism
 from ..features.motion import Motion, is_motion, parts_of
+from ..features.shared import is_shared
 from ..features.solid import can_be_source, is_solid
 from ..features.study import is_study
 from ..features.study_plan import can_run
@@ -33,16 +34,33 @@ def _target(pair):
 
 
 def _ours(obj):
-    tests = (is_envelope, is_motion, is_solid, is_clearance, is_mechanism, is_study)
+    tests = (
+        is_envelope,
+        is_motion,
+        is_solid,
+        is_clearance,
+        is_mechanism,
+        is_shared,
+        is_study,
+    )
     return any(test(obj) for test in tests)
 
 
 def parts():
     """Selected solids and meshes that can move."""
+    return _with_geometry(lambda target: not _ours(target))
+
+
+def spaces():
+    """Selected solids and meshes, those of ours as well."""
+    return _with_geometry(lambda target: True)
+
+
+def _with_geometry(test):
     found = []
     for pair in paths():
         target = _target(pair)
-        if target is None or _ours(target):
+        if target is None or not test(target):
             continue
         try:
             if leaves(*pair):
@@ -81,6 +99,11 @@ def envelope():
 
 def solid():
     return _first(is_solid)
+
+
+def shared():
+    """The selected shared volume, or None."""
+    return _first(is_shared)
 
 
 def clearance():

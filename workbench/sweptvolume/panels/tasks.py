@@ -8,7 +8,7 @@ import tempfile
 import FreeCAD as App
 
 from .. import contents, core, export, quantities
-from ..features import clearance, envelope, mechanism, solid
+from ..features import clearance, envelope, mechanism, overlap_plan, shared, solid
 from ..runner import Task
 from ..texts import mark, translate
 from ..views import surface
@@ -162,6 +162,37 @@ class MechanismTask(PlanTask):
 
     def summary(self, value):
         return self.obj.Summary
+
+
+class SharedTask(PlanTask):
+    """Computes a shared volume."""
+
+    TITLE = mark("Messages", "Shared volume")
+    FEATURE = shared
+
+    def make(self):
+        return shared.make_shared(self.document, label=" & ".join(self.plan.names()))
+
+    def summary(self, value):
+        return quantities.volume(value.row["volume"])
+
+
+class OverlapTask(Task):
+    """Compares what stands still. found: (report, what is drawn of each pair's shared volume or None)."""
+
+    writes = False
+
+    def __init__(self, plan):
+        self.title, self.document = translate("Messages", "Check reserved spaces"), plan.document
+        self.plan, self.request, self.found = plan, plan.request(), None
+        self.watched = [root for root, _ in plan.pairs]
+
+    def work(self, control):
+        report, meshes = overlap_plan.work(self.request, control)
+        return report, [surface.drawn(*mesh) if len(mesh[1]) else None for mesh in meshes]
+
+    def finish(self, found):
+        self.found = found
 
 
 class PairContactsTask(Task):

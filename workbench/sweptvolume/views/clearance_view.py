@@ -3,6 +3,7 @@
 line, and the distances as colours on the envelope."""
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 
 from .. import convert
 from ..features import clearance
@@ -119,7 +120,6 @@ class ClearanceView(View):
 
 def _surface(points, triangles, colours, which, transparency):
     """A surface in one colour, or with one of `colours` at each point."""
-    import numpy as np
     from pivy import coin
 
     group = coin.SoSeparator()
@@ -167,18 +167,32 @@ def _line(a, b):
 
 def zoom_to(points, found):
     """Looks at the shortest line, with about the body's size round it."""
+    middle = [(p + q) / 2.0 for p, q in zip(found["point_on_body"], found["point_on_neighbour"])]
+    size = max(float((points.max(axis=0) - points.min(axis=0)).max()) * 1.8, 4 * found["distance"])
+    _look_at(middle, size)
+    App.Console.PrintLog("clearance: looking at {}\n".format(found["name"]))
+
+
+def zoom_to_box(points):
+    """Looks at the box of some points (k,3), with as much round it."""
+    points = np.asarray(points, dtype=float)
+    low, high = points.min(axis=0), points.max(axis=0)
+    _look_at(0.5 * (low + high), max(2.5 * float((high - low).max()), 1e-3))
+
+
+def _look_at(middle, size):
+    """Puts the camera before a point, so that `size` (mm) is seen of what is round it."""
     from pivy import coin
 
     document = Gui.ActiveDocument
     view = document.ActiveView if document is not None else None
     if view is None or not hasattr(view, "getCameraNode"):
         return
-    middle = [(p + q) / 2.0 for p, q in zip(found["point_on_body"], found["point_on_neighbour"])]
-    size = max(float((points.max(axis=0) - points.min(axis=0)).max()) * 1.8, 4 * found["distance"])
     camera = view.getCameraNode()
     forward = view.getViewDirection()
-    camera.position.setValue(coin.SbVec3f(*[m - 2 * size * f for m, f in zip(middle, forward)]))
+    camera.position.setValue(
+        coin.SbVec3f(*[float(m - 2 * size * f) for m, f in zip(middle, forward)])
+    )
     camera.focalDistance.setValue(2 * size)
     if camera.isOfType(coin.SoOrthographicCamera.getClassTypeId()):
         camera.height.setValue(size)
-    App.Console.PrintLog("clearance: looking at {}\n".format(found["name"]))

@@ -1,0 +1,38 @@
+// The solid that two solids share, or their union, as a mesh.
+// In:    two closed meshes, turned outward. Out: a closed mesh, turned outward; empty where they
+//        share nothing.
+// Units: mm. Cost: O(n log n); two meshes of 70,000 triangles take half a second.
+// Method: J. M. Smith, Towards robust inexact geometric computation (2009): which edges go through
+//         which triangles is decided exactly, with no two things on each other (lattice.h). Of
+//         every triangle the piece inside the other solid has for its border pieces of the
+//         triangle's edges, which its neighbour has the other way round, and segments along which
+//         it meets triangles of the other mesh, which these have the other way round. So the pieces
+//         of all triangles of both close, whatever rounding does to the points.
+// Promise: closed, every edge passed as often one way as the other; the volume is right to within
+//         rounding. Where faces of both lie on each other, triangles without area may hang on it.
+//         The same bytes for any number of threads.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "swept/run_context.h"
+#include "swept/types.h"
+
+namespace swept::overlap {
+
+struct Combined {
+  TriMesh mesh;
+  double volume = 0;  ///< mm^3
+  double area = 0;    ///< mm^2; a ball of the radius volume / area fits into it
+};
+
+/// What is kept of each mesh: what lies inside the other, or outside it (their union).
+enum class Keep { Inside, Outside };
+
+/// Of two solids as solidOf() gives them. Throws Error(InvalidInput, "OverlappingShells") where one
+/// lies in itself all the same; Error(Cancelled).
+Combined combine(Keep keep, const TriMesh& first, const std::string& firstName,
+                 const TriMesh& second, const std::string& secondName, RunContext& run);
+
+}  // namespace swept::overlap

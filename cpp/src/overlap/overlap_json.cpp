@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "clearance/row_json.h"
+#include "swept/overlap.h"
+
+namespace swept {
+namespace {
+
+Json pairJson(const OverlapReport& report, const PairOverlap& pair) {
+  Json json{{"first", report.names[pair.parts.first]}, {"second", report.names[pair.parts.second]}};
+  if (pair.volume) json["volume"] = *pair.volume;
+  json["clearance"] = clearance::rowJson(pair.clearance);
+  return json;
+}
+
+}  // namespace
+
+std::string toJson(const OverlapReport& report) {
+  Json json = reportHead("overlap", report.status, report.code, report.message);
+  if (report.status == Status::Ok) {
+    json["summary"] = report.summary;
+    json["parts"] = report.names;
+    json["required"] = report.required;
+    json["tolerance"] = report.tolerance;
+    json["triangles"] = report.triangles;
+    json["threads"] = report.threads;
+  }
+  if (report.smallest >= 0) json["smallest"] = report.smallest;
+  Json pairs = Json::array();
+  for (const PairOverlap& pair : report.pairs) pairs.push_back(pairJson(report, pair));
+  json["pairs"] = std::move(pairs);
+  json["seconds"] = secondsJson(report.seconds);
+  json["warnings"] = findingsJson(report.warnings);
+  return jsonText(json);
+}
+
+}  // namespace swept

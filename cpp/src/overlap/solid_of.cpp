@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "overlap/solid_of.h"
+
+#include <array>
+#include <vector>
+
+#include "geometry/half_edges.h"
+#include "geometry/shells.h"
+#include "input/body_check.h"
+#include "overlap/combine.h"
+#include "overlap/meetings.h"
+
+namespace swept::overlap {
+namespace {
+
+/// The union of solids [begin, end), two halves at a time.
+TriMesh unionOf(const std::vector<TriMesh>& solids, std::size_t begin, std::size_t end,
+                const std::string& name, RunContext& run) {
+  if (end - begin == 1) return solids[begin];
+  const std::size_t middle = begin + (end - begin) / 2;
+  const TriMesh first = unionOf(solids, begin, middle, name, run);
+  const TriMesh second = unionOf(solids, middle, end, name, run);
+  return combine(Keep::Outside, first, name, second, name, run).mesh;
+}
+
+/// Which shells are one solid: each that bounds material, with the cavities in it. Number of
+/// solids.
+std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
+                         const std::vector<ShellExtent>& extents,
+                         std::vector<std::int32_t>& solidOfShell) {
+  solidOfShell.assign(shells.count, -1);
+  std::size_t count = 0;
+  for (std::int32_t s = 0; s < shells.count; ++s)
+    if (extents[s].volume > 0) solidOfShell[s] = static_cast<std::int32_t>(count++);
+  const RayColumns columns(mesh);
+  const ShellNesting nesting(mesh, shells, columns);
+  for (std::int32_t s = 0; s < shells.count; ++s) {
+    if (extents[s].volume > 0) continue;
+    std::int32_t home = -1;  // the smallest one round it
+    for (const std::int32_t round : nesting.shellsAround(extents[s].first))
+      if (extents[round].volume > 0 && (home < 0 || extents[round].volume < extents[home].volume))
+        home = round;
+    if (home >= 0) solidOfShell[s] = solidOfShell[home];
+  }
+  return count;
+}
+
+/// Solids, each with vertices of its own; a shell of none is left out.
+std::vector<TriMesh> split(const TriMesh& mesh, const Shells& shells,
+                           const std::vector<std::int32_t>& solidOfShell, std::size_t count) {
+  std::vector<TriMesh> solids(count);
+  std::vector<std::vector<std::int32_t>> trianglesOf(count);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (const std::int32_t solid = solidOfShell[shells.ofTriangle[t]]; solid >= 0)
+      trianglesOf[solid].push_back(static_cast<std::int32_t>(t));
+  std::vector<std::int32_t> number(mesh.vertices.size());
+  for (std::size_t solid = 0; solid < count; ++solid) {
+    for (const std::int32_t t : trianglesOf[solid])
+      for (const std::int32_t corner : mesh.triangles[t]) number[corner] = -1;
+    for (const std::int32_t t : trianglesOf[solid]) {
+      std::array<std::int32_t, 3> tri = mesh.triangles[t];
+      for (std::int32_t& corner : tri) {
+        if (number[corner] < 0) {
+          number[corner] = static_cast<std::int32_t>(solids[solid].vertices.size());
+          solids[solid].vertices.push_back(mesh.vertices[corner]);
+        }
+        corner = number[corner];
+      }
+      solids[solid].triangles.push_back(tri);
+    }
+  }
+  return solids;
+}
+
+/// Do the boxes of two shells overlap that bound material?
+bool mayOverlap(const std::vector<ShellExtent>& shells) {
+  for (std::size_t i = 0; i < shells.size(); ++i)
+    for (std::size_t j = i + 1; j < shells.size(); ++j)
+      if (shells[i].volume > 0 && shells[j].volume > 0 && shells[i].box.intersects(shells[j].box))
+        return true;
+  return false;
+}
+
+}  // namespace
+
+TriMesh solidOf(const TriMesh& mesh, const std::string& name, RunContext& run) {
+  CheckedBody body;
+  try {
+    body = checkBody(mesh, Options{}, run);
+  } catch (const Error& e) {
+    throw Error(e.status(), e.code(), name + ": " + e.what());
+  }
+  closedMesh(body.mesh, name);
+  const Shells shells = shellsByEdges(findAdjacency(body.mesh).across);
+  const std::vector<ShellExtent> extents = measureShells(body.mesh, shells);
+  if (!mayOverlap(extents)) return std::move(body.mesh);
+  std::vector<std::int32_t> solidOfShell;
+  const std::size_t count = numberSolids(body.mesh, shells, extents, solidOfShell);
+  const std::vector<TriMesh> solids = split(body.mesh, shells, solidOfShell, count);
+  return unionOf(solids, 0, solids.size(), name, run);
+}
+
+}  // namespace swept::overlap

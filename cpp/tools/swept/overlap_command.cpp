@@ -1,0 +1,152 @@
+// swept overlap PART PART ...: distances, depths and shared volumes of parts that stand still.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifdef HAVE_SWEPT_CLEARANCE
+#include <algorithm>
+#include <cstdio>
+#include <locale>
+#include <memory>
+#include <sstream>
+
+#include "commands.h"
+#include "neighbours.h"
+#include "reported_run.h"
+#include "swept/io.h"
+#include "swept/overlap.h"
+
+namespace swept::cli {
+namespace {
+
+struct OverlapJob {
+  NeighbourFiles files;
+  std::string csvPath, sharedPath;
+  OverlapOptions options;
+  CommonOptions common;
+};
+
+void addOptions(CLI::App& app, OverlapJob& job) {
+  app.add_option("PART", job.files.paths,
+                 "two or more: ply, stl, obj, off, step, stp, brep, brp; every solid of a file is "
+                 "a part")
+      ->type_name("FILE")
+      ->required();
+  addUnit(app, "--unit", job.files.millimetresPerUnit,
+          "unit of parts that are meshes (default mm)");
+  addNumber(app, "--chord", "MM", job.files.chordError,
+            "how far the triangles of parts given as meshes leave their exact surfaces "
+            "(default 0)");
+  addNumber(app, "--deflection", "MM", job.files.deflection,
+            "chord error to which solids are tessellated (default 0.05)");
+  addDistanceOptions(app, job.options);
+  addText(app, "--shared", "FILE", job.sharedPath,
+          "write the shared volumes of all pairs as one mesh (ply, stl, obj, off)");
+  addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+  addCommonOptions(app, job.common);
+  app.footer(
+      "Exit status 0 if all pairs are apart, 3 if two parts come too near, touch or clash.\n\n"
+      "Examples:\n"
+      "  swept overlap envelope_left.ply envelope_right.ply --shared shared.ply\n"
+      "  swept overlap reserved.step frame.step --required 5 --csv -");
+}
+
+void writeCsv(const OverlapReport& report, const std::string& path) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "first,second,verdict,distance_mm,guaranteed_mm,depth_mm,depth_bound_mm,volume_mm3,"
+          "first_x,first_y,first_z,second_x,second_y,second_z\n";
+  text.precision(12);
+  for (const PairOverlap& pair : report.pairs) {
+    const NeighbourClearance& row = pair.clearance;
+    text << quoted(report.names[pair.parts.first]) << ',' << quoted(report.names[pair.parts.second])
+         << ',' << clearanceVerdictName(row.verdict) << ',' << row.distance << ',' << row.guaranteed
+         << ',' << row.penetration.depth << ',' << row.penetration.depthBound << ',';
+    if (pair.volume) text << *pair.volume;
+    for (const Eigen::Vector3d& x : {row.pointOnBody, row.pointOnNeighbour})
+      text << ',' << x[0] << ',' << x[1] << ',' << x[2];
+    text << '\n';
+  }
+  writeText(text.str(), path);
+}
+
+void printTable(const OverlapReport& report) {
+  for (const PairOverlap& pair : report.pairs) {
+    const NeighbourClearance& row = pair.clearance;
+    std::printf("%-36s %-8s %12.6g mm", row.name.c_str(), clearanceVerdictName(row.verdict),
+                row.distance);
+    if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
+      std::printf(", depth %.4g to %.4g mm", row.penetration.depth, row.penetration.depthBound);
+    if (!pair.volume)
+      std::printf(", volume not known");
+    else if (*pair.volume > 0)
+      std::printf(", %.6g mm^3 shared", *pair.volume);
+    std::printf("\n");
+  }
+  std::printf("%s; %.2f s\n", report.summary.c_str(),
+              report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
+}
+
+/// All shared volumes in one mesh.
+TriMesh joined(const OverlapReport& report) {
+  TriMesh all;
+  for (const PairOverlap& pair : report.pairs) {
+    const auto first = static_cast<std::int32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), pair.shared.vertices.begin(),
+                        pair.shared.vertices.end());
+    for (const auto& tri : pair.shared.triangles)
+      all.triangles.push_back({tri[0] + first, tri[1] + first, tri[2] + first});
+  }
+  return all;
+}
+
+void writeShared(const OverlapReport& report, const std::string& path) {
+  const TriMesh all = joined(report);
+  if (all.triangles.empty())
+    throw Error(
+        Status::ExportFailed, "NothingShared",
+        "'" + path + "' is not written: no two of the parts share space (" + report.summary + ")");
+  writeMesh(all, path);
+}
+
+OverlapReport compute(const OverlapJob& job, RunContext& run) {
+  std::vector<ClearanceNeighbour> read = readNeighbours(job.files, run);
+  makeNamesUnique(read);
+  std::vector<OverlapPart> parts;
+  for (ClearanceNeighbour& part : read)
+    parts.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
+  return checkOverlaps(parts, job.options, run);
+}
+
+int runOverlap(const OverlapJob& job) {
+  const CommonOptions& common = job.common;
+  std::vector<RoledFile> inputs;
+  for (const std::string& path : job.files.paths) inputs.push_back({"a part", path});
+  const std::vector<RoledFile> outputs{
+      {"--csv", job.csvPath}, {"--report", common.report}, {"--shared", job.sharedPath}};
+  const auto report = runReported<OverlapReport>(
+      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); });
+  if (report.status != Status::Ok) return exitStatus(report.status);
+  if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
+  const bool isTaken = common.report == "-" || job.csvPath == "-";
+  if (!common.quiet && !isTaken) printTable(report);
+  if (!job.sharedPath.empty()) writeShared(report, job.sharedPath);
+  return finishReported(report, common,
+                        std::all_of(report.pairs.begin(), report.pairs.end(),
+                                    [](const auto& pair) { return pair.clearance.meetsRule(); }));
+}
+
+}  // namespace
+
+Run addOverlapCommand(CLI::App& program) {
+  const auto job = std::make_shared<OverlapJob>();
+  CLI::App& app = *program.add_subcommand(
+      "overlap",
+      "Parts that stand still, in pairs: smallest distance, or how deep they lie in each other "
+      "and the volume that they share.");
+  addOptions(app, *job);
+  return [job] {
+    checkNeighbourOptions(job->files);
+    return runOverlap(*job);
+  };
+}
+
+}  // namespace swept::cli
+#endif  // HAVE_SWEPT_CLEARANCE

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts that stand still against each other: distances, depths and shared solids."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._calls import RunContext, _log
+from ._values import Mesh, MeshLike, mesh_of
+
+OverlapPart = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, float]]
+
+
+def _part(item: OverlapPart) -> Tuple[Any, ...]:
+    parts: Sequence[Any] = item if isinstance(item, (tuple, list)) else ()
+    if len(parts) not in (2, 3):
+        raise TypeError("a part is (name, mesh) or (name, mesh, chord error in mm)")
+    mesh = mesh_of(parts[1])
+    chord = float(parts[2]) if len(parts) == 3 else mesh.chord_error
+    return parts[0], mesh.vertices, mesh.triangles, chord
+
+
+def overlap(
+    parts: Iterable[OverlapPart],
+    *,
+    required: float = 0.0,
+    tolerance: float = 0.01,
+    shared: bool = True,
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], List[Optional[Mesh]]]:
+    """Each two of some parts that stand still: the smallest distance, or how deep they lie in each other,
+    and the solid that they share. parts: (name, mesh) or (name, mesh, chord error in mm), such as envelopes
+    and other reserved spaces. Lengths in mm, volumes in mm^3. Returns the report, as docs/overlap.md says,
+    and for each of its pairs the shared solid, None where there is none or shared=False. Raises InvalidInput
+    (NoParts, PartTwice), Cancelled.
+    """
+    report, found = _core.overlap([_part(item) for item in parts], required, tolerance, shared, run)
+    _log(report["warnings"])
+    return report, [Mesh(*arrays) if len(arrays[1]) else None for arrays in found]

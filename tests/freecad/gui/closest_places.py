@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The player of a clearance check: the moving part, the shortest line that follows it, the section through
+that place, and clashes as bodies; nothing is left in the view when the panel is closed."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Close,
+    Gaps,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    line_of,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    say,
+    select,
+    shot,
+)
+
+
+def scene(doc):
+    """A slide that goes 100 mm along x, past a block with a bore of 30 mm in which a bolt stands (clash), and
+    a wall 2 mm beside its way."""
+    from sweptvolume.features import envelope, motion
+
+    slide = doc.addObject("Part::Box", "Slide")
+    slide.Length = slide.Width = slide.Height = 10
+    places = [App.Placement(App.Vector(x, 0, 0), App.Rotation()) for x in (0, 100)]
+    path = motion.motion_from_poses(doc, [0, 2], places)
+    path.ViewObject.Visibility = False
+    bolt = doc.addObject("Part::Cylinder", "Bolt")
+    bolt.Radius, bolt.Height = 6, 30
+    bolt.Placement.Base = App.Vector(50, 13, -10)
+    wall = doc.addObject("Part::Box", "Wall")
+    wall.Length, wall.Width, wall.Height = 20, 5, 20
+    wall.Placement.Base = App.Vector(70, -7, -5)
+    doc.recompute()
+    swept = envelope.make_envelope(doc, [slide], path, Resolution=64)
+    doc.recompute()
+    envelope.compute(swept)
+    return slide, path, swept
+
+
+def planes_of(graph):
+    from pivy import coin
+
+    return [
+        graph.getChild(k)
+        for k in range(graph.getNumChildren())
+        if graph.getChild(k).isOfType(coin.SoClipPlane.getClassTypeId())
+    ]
+
+
+def scenario():
+    from sweptvolume.features import shared
+
+    open_workbench()
+    yield
+    doc = new_document("Closest")
+    slide, path, swept = scene(doc)
+    view = Gui.activeDocument().activeView()
+    view.viewTop()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 0.3
+    graph = view.getSceneGraph()
+    drawn = graph.getNumChildren()
+    select(swept)
+    Gui.runCommand("SweptVolume_Clearance")
+    yield 0.5
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
+    yield lambda: doc.getObject("Clearance") is not None
+    yield 0.5
+    swept.ViewObject.Visibility = False
+    table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+    rows = {table.item(r, 0).text(): r for r in range(table.rowCount())}
+    keep = find(QtWidgets.QPushButton, "SweptVolumeKeepClash")
+    cut = find(QtWidgets.QPushButton, "SweptVolumeKeepCut")
+    assert not keep.isEnabled() and not cut.isEnabled()
+    # The player with a row: the line goes to that row's part, at every time.
+    table.selectRow(rows["Wall"])
+    yield 0.3
+    assert not keep.isEnabled()
+    slider = find(QtWidgets.QSlider, "SweptVolumeTime")
+    gaps = Gaps()
+    for value, x in ((100, 10.0), (500, 50.0)):
+        slider.setValue(value)
+        # The slide's corner at x + 10 to the wall's at x = 70.
+        yield lambda x=x: (
+            line_of(graph) is not None and abs(line_of(graph)[0][0] - (x + 10)) < 0.2
+        )
+        ends = line_of(graph)
+        assert abs(ends[1][0] - 70) < 1e-3 and abs(ends[1][1] + 2) < 1e-3, ends
+    say("played: the window stood still for " + gaps.stop())
+    yield 0.3
+    shot("93_closest_line")
+    yield 1.0
+    section = find(QtWidgets.QCheckBox, "SweptVolumeSection")
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    click(section)
+    yield 0.3
+    assert len(planes_of(graph)) == 1
+    before = planes_of(graph)[0].plane.getValue().getDistanceFromOrigin()
+    slider.setValue(600)
+    yield lambda: planes_of(graph)[0].plane.getValue().getDistanceFromOrigin() != before
+    # The worst place: a clash; as a body, and what is to be cut away along the whole way.
+    table.selectRow(rows["Bolt"])
+    yield 0.5
+    Gui.SendMsgToActiveView("ViewFit")
+    shot("94_section")
+    yield 1.0
+    click(section)
+    yield 0.2
+    assert not planes_of(graph)
+    undo = doc.UndoCount
+    for button, name, least in ((keep, "SharedVolume", 50), (cut, "SharedVolume001", 60)):
+        assert button.isEnabled()
+        click(button)
+        yield lambda name=name: doc.getObject(name) is not None
+        yield 0.3
+        body = doc.getObject(name)
+        assert body.Status == shared.UP_TO_DATE, (body.Status, body.Message)
+        assert body.Volume.Value > least, body.Volume
+    assert doc.UndoCount == undo + 2, doc.UndoNames
+    # Segments of a circle of 6 mm: 3 mm of it lie in the way of the slide, 10 mm high.
+    import math
+
+    angle = 2 * math.acos(3 / 6)
+    segment = 0.5 * 36 * (angle - math.sin(angle)) * 10
+    whole = doc.getObject("SharedVolume001").Volume.Value
+    assert abs(whole / segment - 1) < 0.03, (whole, segment)
+    at_once = doc.getObject("SharedVolume").Volume.Value
+    assert at_once <= whole * 1.001, (at_once, whole)
+    click(panel_button(Close))
+    yield no_panel
+    yield 0.2
+    shot("95_clash_bodies")
+    yield 1.0
+    doc.undo()
+    doc.undo()
+    assert doc.getObject("SharedVolume") is None
+    assert graph.getNumChildren() <= drawn + 1, (graph.getNumChildren(), drawn)
+    yield from two_that_move()
+
+
+def two_that_move():
+    """Two cubes that pass through each other, 3 mm deep: the line and the clash volume of both at a time."""
+    from sweptvolume.features import mechanism, motion, shared
+
+    doc = new_document("Passing")
+    cubes, paths = [], []
+    for name, y, ends in (("One", 0, (0, 30)), ("Other", 7, (30, 0))):
+        cube = doc.addObject("Part::Box", name)
+        cube.Placement.Base = App.Vector(ends[0], y, 0)
+        places = [App.Placement(App.Vector(x, y, 0), App.Rotation()) for x in ends]
+        path = motion.motion_from_poses(doc, [0, 1], places)
+        path.ViewObject.Visibility = False
+        cubes.append(cube)
+        paths.append(path)
+    doc.recompute()
+    obj = mechanism.make_mechanism(doc, Generators=[(c, "") for c in cubes], Motions=paths)
+    doc.recompute()
+    mechanism.compute(obj)
+    view = Gui.activeDocument().activeView()
+    view.viewTop()
+    Gui.SendMsgToActiveView("ViewFit")
+    graph = view.getSceneGraph()
+    select(obj)
+    Gui.runCommand("SweptVolume_Mechanism")
+    yield 0.5
+    table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+    assert table.item(0, 1).text() == "Clash", table.item(0, 1).text()
+    click(find(QtWidgets.QPushButton, "SweptVolumeNextWorst"))
+    yield 0.5
+    find(QtWidgets.QSlider, "SweptVolumeTime").setValue(
+        100
+    )  # one ends at 13, the other begins at 27
+    yield lambda: line_of(graph) is not None and abs(line_of(graph)[0][0] - 13) < 0.1
+    assert abs(line_of(graph)[1][0] - 27) < 0.1, line_of(graph)
+    click(find(QtWidgets.QPushButton, "SweptVolumeKeepClash"))
+    yield lambda: doc.getObject("SharedVolume") is not None
+    yield 0.3
+    body = doc.getObject("SharedVolume")
+    assert body.Status == shared.UP_TO_DATE, body.Message
+    assert (body.Motion, body.NeighbourMotion) == tuple(paths)
+    along = 10 - abs(30 * body.Time - (30 - 30 * body.Time))
+    assert along > 3 and abs(body.Volume.Value - along * 3 * 10) < 0.01, (body.Time, body.Volume)
+    click(panel_button(Close))
+    yield no_panel
+
+
+run(scenario)

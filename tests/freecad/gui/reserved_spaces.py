@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reserved spaces by real commands: two envelopes and a part, the table, the shared volume seen and kept,
+stale and computed again, undo; large ones with the window going on, stopped."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from driver import (  # noqa: E402
+    App,
+    Close,
+    Gaps,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    read_verdicts,
+    run,
+    say,
+    select,
+    shot,
+)
+
+
+def box(doc, name, size, place):
+    made = doc.addObject("Part::Box", name)
+    made.Length, made.Width, made.Height = size
+    made.Placement.Base = App.Vector(*place)
+    return made
+
+
+def envelopes(doc):
+    """Two that cross: 10 x 10 mm along x, and along y, 4 mm higher; and a post that stands 2 mm off."""
+    from sweptvolume.features import envelope, motion
+
+    found = []
+    for name, place, end in (
+        ("First", (0, 0, 0), (60, 0, 0)),
+        ("Second", (30, -30, 4), (0, 60, 0)),
+    ):
+        part = box(doc, name + "Part", (10, 10, 10), place)
+        ends = [App.Placement(), App.Placement(App.Vector(*end), App.Rotation())]
+        standing = [end.multiply(part.Placement) for end in ends]
+        path = motion.motion_from_poses(doc, [0, 1], standing)
+        path.ViewObject.Visibility = False
+        doc.recompute()
+        swept = envelope.make_envelope(doc, [part], path, Resolution=64)
+        swept.Label = name
+        doc.recompute()
+        envelope.compute(swept)
+        found.append(swept)
+    return found
+
+
+def names_of(table):
+    return [table.item(r, 0).text() for r in range(table.rowCount())]
+
+
+def scenario():
+    from sweptvolume.features import shared
+
+    open_workbench()
+    yield
+    doc = new_document("Spaces")
+    first, second = envelopes(doc)
+    post = box(doc, "Post", (4, 4, 30), (72, 3, -10))
+    doc.recompute()
+    view = Gui.activeDocument().activeView()
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield
+    graph = view.getSceneGraph()
+    drawn, undo = graph.getNumChildren(), doc.UndoCount
+    select(first, second, post)
+    Gui.runCommand("SweptVolume_Overlap")
+    yield 0.3
+    assert find(QtWidgets.QLabel, "SweptVolumeSpaces").text().startswith("3 chosen")
+    find(QtWidgets.QWidget, "SweptVolumeSpacesRequired").setProperty("rawValue", 5.0)
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces"))
+    yield lambda: any(
+        t.isVisible() and t.rowCount() == 3
+        for t in Gui.getMainWindow().findChildren(QtWidgets.QTableWidget, "SweptVolumeSpacesTable")
+    )
+    yield 0.3
+    table = find(QtWidgets.QTableWidget, "SweptVolumeSpacesTable")
+    assert names_of(table) == ["First - Second", "First - Post", "Second - Post"], names_of(table)
+    assert abs(float(table.item(0, 3).text()) - 10 * 10 * 6) < 0.5, table.item(0, 3).text()
+    assert [table.item(r, 1).text() for r in range(3)] == ["Clash", "Too near", "Clear"]
+    read_verdicts(table)
+    summary = find(QtWidgets.QLabel, "SweptVolumeSpacesSummary").text()
+    assert "checked: 3" in summary and "shared" in summary, summary
+    keep = find(QtWidgets.QPushButton, "SweptVolumeKeepShared")
+    assert not keep.isEnabled()
+    table.selectRow(1)
+    yield 0.2
+    assert not keep.isEnabled() and graph.getNumChildren() == drawn + 2
+    table.selectRow(0)
+    yield 0.3
+    shot("91_reserved_spaces")
+    yield 1.0
+    assert doc.UndoCount == undo, doc.UndoNames  # nothing was written so far
+    click(keep)
+    yield lambda: doc.getObject("SharedVolume") is not None
+    yield 0.5
+    kept = doc.getObject("SharedVolume")
+    assert kept.Status == shared.UP_TO_DATE and kept.Label == "First & Second", kept.Label
+    assert abs(kept.Volume.Value - 600) < 0.5 and doc.UndoCount == undo + 1, kept.Volume
+    click(panel_button(Close))
+    yield no_panel
+    assert graph.getNumChildren() <= drawn + 1  # the object's own
+    first.ViewObject.Transparency = second.ViewObject.Transparency = 70
+    yield 0.3
+    shot("92_shared_volume")
+    yield 1.0
+    doc.getObject("SecondPart").Height = 8
+    doc.recompute()
+    assert kept.Status == shared.STALE, kept.Status
+    doc.getObject("SecondPart").Height = 10
+    doc.recompute()
+    assert kept.Status == shared.UP_TO_DATE, kept.Status
+    kept.Deflection = 0.02
+    doc.recompute()
+    assert kept.Status == shared.STALE, kept.Status
+    select(kept)
+    Gui.runCommand("SweptVolume_Overlap")
+    yield lambda: kept.Status == shared.UP_TO_DATE
+    yield no_panel
+    yield from large(doc)
+
+
+def large(doc):
+    """Rings of 500,000 triangles: the window goes on, and a run is stopped at once."""
+    import Mesh
+
+    rings = []
+    for k in range(2):
+        ring = doc.addObject("Mesh::Feature", "Ring{}".format(k))
+        ring.Mesh = Mesh.createTorus(30.0, 10.0, 500)
+        ring.Placement.Base = App.Vector(200, 25 * k, 0.1)
+        rings.append(ring)
+    yield 0.5
+    select(*rings)
+    Gui.runCommand("SweptVolume_Overlap")
+    yield 0.5
+    gaps = Gaps()
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces"))
+    yield lambda: any(
+        b.isVisible()
+        for b in Gui.getMainWindow().findChildren(QtWidgets.QPushButton, "SweptVolumeStop")
+    )
+    click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
+    yield lambda: find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces").isEnabled()
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces"))
+    yield 0.3
+    yield lambda: find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces").isEnabled()
+    yield 0.3
+    table = find(QtWidgets.QTableWidget, "SweptVolumeSpacesTable")
+    assert table.rowCount() == 1 and table.item(0, 1).text() == "Clash"
+    table.selectRow(0)
+    yield 0.3
+    say("large: the window stood still for " + gaps.stop())
+    click(panel_button(Close))
+    yield no_panel
+
+
+run(scenario)

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Check reserved spaces: parts and envelopes that stand still against each other."""
+from ..texts import mark
+from .base import BaseCommand
+
+
+class Command(BaseCommand):
+    NAME = "SweptVolume_Overlap"
+    TEXT = mark("Commands", "Check reserved spaces")
+    TIP = mark(
+        "Commands",
+        "How near envelopes, their solids or parts are to each other as they stand, and the space that two "
+        "of them share. Select two or more; of a selected shared volume: computes it again",
+    )
+
+    def run(self, document):
+        from ..features.shared import Plan
+        from ..panels import overlap_panel, run_panel, selection, tasks
+
+        obj = selection.shared()
+        if obj is not None:
+            run_panel.show(tasks.SharedTask(document, Plan.of(obj), obj), self.NAME)
+        else:
+            overlap_panel.show(document, selection.spaces())

@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shared volume: the space that two sides have in common, as a mesh in the document. A side is any number of
+parts, envelopes or their solids; a motion may put it where it is at a time (core: docs/overlap.md).
+
+As with the envelope, `execute` only marks; a run is Plan.request() - work() - apply().
+"""
+import hashlib
+import json
+
+from .. import contents, convert, core, core_overlap
+from ..convert import InputProblem
+from ..quantities import TABLE_DIGITS, quantity
+from ..texts import translate
+from . import containers, missing, status
+from .base import (  # noqa: F401 (the states are read from here as well)
+    NOT_COMPUTED,
+    STALE,
+    UP_TO_DATE,
+    Feature,
+    attach_view,
+    kind_of,
+    quietly,
+    set_changed,
+)
+from .moving import Moving, Seen
+from .shared_properties import PROPERTIES
+from .still_parts import chord_of
+
+TYPE = "Mesh::FeaturePython"
+#: mm; nearer than this counts as contact.
+TOLERANCE = 0.01
+
+containers.watch()
+missing.watch()
+
+
+class Shared(Feature):
+    """Proxy of the shared volume."""
+
+    KIND = "SweptVolume::Shared"
+
+    def properties(self):
+        return PROPERTIES
+
+    def __init__(self, obj):
+        super().__init__(obj)
+        obj.Status = NOT_COMPUTED
+
+    def execute(self, obj):
+        """Marks the result stale or current; keeps the mesh."""
+        update_status(obj)
+
+    look = execute
+
+    def onChanged(self, obj, name):
+        missing.changed(obj, name)
+
+    def onDocumentRestored(self, obj):
+        with quietly(obj):
+            super().onDocumentRestored(obj)
+
+
+def is_shared(obj):
+    return kind_of(obj) == Shared.KIND
+
+
+class Request:
+    """Input of one run: two sides (name, body, chord error in mm), no document behind them."""
+
+    def __init__(self, first, second):
+        self.first, self.second = first, second
+
+    def rows(self):
+        """Any thread: as core_overlap.shared() takes them. Raises InputProblem."""
+        return [
+            (name, body.vertices, body.triangles, chord)
+            for name, body, chord in (self.first, self.second)
+        ]
+
+
+class Plan:
+    """What is to be compared. Reads documents only in the thread of the GUI. motions: of both sides, None
+    where one stands."""
+
+    def __init__(self, document, first, second, motions=(None, None), time=0.0, deflection=0.05):
+        self.document = document
+        self.sides = list(first), list(second)
+        self.motions = tuple(motions)
+        self.time, self.deflection = float(time), float(deflection)
+        self.lost = ""  # what was deleted that the object needs
+        self._words = None
+
+    @classmethod
+    def of(cls, obj):
+        sides = convert.pairs_of(obj.Generators), convert.pairs_of(obj.Neighbours)
+        motions = obj.Motion, obj.NeighbourMotion
+        plan = cls(obj.Document, *sides, motions, obj.Time, obj.Deflection.Value)
+        plan.lost = missing.text(obj)
+        return plan
+
+    def write(self, obj):
+        """Puts the plan into an object."""
+        missing.forget(obj)
+        containers.set_pairs(obj, "Generators", self.sides[0])
+        containers.set_pairs(obj, "Neighbours", self.sides[1])
+        set_changed(obj, "Motion", self.motions[0])
+        set_changed(obj, "NeighbourMotion", self.motions[1])
+        set_changed(obj, "Time", self.time)
+        set_changed(obj, "Deflection", self.deflection)
+
+    def pairs(self):
+        """(root, sub) of both sides."""
+        return self.sides[0] + self.sides[1]
+
+    def objects(self):
+        """Document objects that a run needs to its end."""
+        return [root for root, _ in self.pairs()] + [
+            motion for motion in self.motions if motion is not None
+        ]
+
+    def names(self):
+        """What the tree calls both sides."""
+        return [", ".join(convert.label_of(*pair) for pair in side) for side in self.sides]
+
+    def hash(self):
+        """Short text that stands for all the result depends on; "" while inputs are unusable."""
+        return status.hash_or_problem(self.checked_hash)[0]
+
+    def words(self):
+        """As clearance_plan.Plan.words()."""
+        if self._words is None:
+            self._check()
+            words = []
+            for side, motion in zip(self.sides, self.motions):
+                moves = motion is not None
+                words += Moving(side, motion).words() if moves else contents.words(side)
+                words.append("|")
+            settings = {"Time": self.time, "Deflection": self.deflection}
+            words.append(json.dumps(contents.steady(settings), sort_keys=True))
+            self._words = words
+        return self._words
+
+    def checked_hash(self):
+        """As clearance_plan.Plan.checked_hash()."""
+        text = "\n".join(contents.texts(self.words()))
+        return status.VERSION + hashlib.sha256(text.encode()).hexdigest()[:32]
+
+    def _check(self):
+        if self.lost:
+            raise InputProblem(self.lost)
+        if not all(self.sides):
+            raise InputProblem(
+                translate("Messages", "two sides are needed: choose two parts or envelopes.")
+            )
+        for pair in self.sides[0]:
+            if pair in self.sides[1]:
+                text = translate(
+                    "Messages", '"{0}" is on both sides: it shares all of itself with itself.'
+                )
+                raise InputProblem(text.format(convert.label_of(*pair)))
+
+    def request(self):
+        """Both sides as plain values. Raises InputProblem."""
+        self._check()
+        names = self.names()
+        if names[0] == names[1]:  # two parts of one name
+            names[1] += " (2)"
+        deflection = max(self.deflection, 1e-4)
+        found = []
+        for name, side, motion in zip(names, self.sides, self.motions):
+            body = convert.body_from(side, deflection)
+            if motion is not None:
+                moving = Moving(side, motion)
+                there = convert.matrix_of(moving.course()(self.time))
+                body = Seen(body, there @ moving.into_base(), motion)
+            found.append((name, body, chord_of(side, deflection)))
+        return Request(*found)
+
+
+class Outcome:
+    """row: what the core says of the pair (dict); what both share, as arrays."""
+
+    def __init__(self, row, vertices, triangles):
+        self.row, self.vertices, self.triangles = row, vertices, triangles
+        self.mesh = convert.mesh_from_arrays(vertices, triangles) if len(triangles) else None
+
+
+def work(request, control):
+    """Any thread: the run itself. Raises core.CoreError, InputProblem."""
+    return Outcome(*core_overlap.shared(*request.rows(), {"tolerance": TOLERANCE}, control))
+
+
+def apply(obj, outcome, hash_at_start):
+    """Writes the result of a run."""
+    import Mesh
+
+    mesh = outcome.mesh or Mesh.Mesh()
+    mesh.Placement = status.outer_inverse(obj).multiply(mesh.Placement)
+    obj.Mesh = mesh
+    status.remember_place(obj)
+    row = outcome.row["clearance"]
+    obj.Volume = outcome.row["volume"]
+    obj.Distance = row["distance"]
+    obj.Depth = row.get("penetration", {}).get("depth", 0.0)
+    obj.InputHash, obj.TriedHash = hash_at_start, ""
+    update_status(obj)
+    status.tell_users(obj)
+
+
+def notes_of(obj):
+    """What is to be said of the stored result."""
+    if not obj.InputHash or obj.Mesh.CountFacets:
+        return ""
+    text = translate("Messages", "They share no space; the smallest distance is {0}.")
+    return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
+
+
+def update_status(obj):
+    """Compares inputs and stored result."""
+    plan = Plan.of(obj)
+    now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
+    if waits:
+        return
+    if now and status.is_displaced(obj):
+        now += " moved"
+    used = plan.objects() + convert.targets(plan.pairs())
+    status.judge(obj, now, problem, any(map(status.is_behind, used)), notes_of(obj))
+
+
+def fail(obj, text, tried, cancelled=False):
+    """Remembers a run that gave nothing; the stored mesh stays. tried: hash of its inputs."""
+    status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
+    status.tell_users(obj)
+
+
+def compute(obj, control=None):
+    """Computes in this thread (scripts, no GUI): one undo step; returns the outcome. Raises
+    core.CoreError, InputProblem."""
+    plan = Plan.of(obj)
+    hash_at_start = plan.hash()
+    try:
+        outcome = work(plan.request(), control or core.Control())
+    except (core.CoreError, InputProblem) as error:
+        fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
+        raise
+    obj.Document.openTransaction(translate("Messages", "Shared volume"))
+    apply(obj, outcome, hash_at_start)
+    obj.purgeTouched()
+    obj.Document.commitTransaction()
+    return outcome
+
+
+def make_shared(document, first=(), second=(), label=None, **settings):
+    """A shared volume, not yet computed. first, second: (root, sub) pairs; `settings` are property names
+    with values."""
+    obj = document.addObject(TYPE, "SharedVolume")
+    Shared(obj)
+    obj.Label = label or translate("Messages", "Shared volume")
+    containers.set_pairs(obj, "Generators", list(first))
+    containers.set_pairs(obj, "Neighbours", list(second))
+    for name, value in settings.items():
+        setattr(obj, name, value)
+    attach_view(obj, "sweptvolume.views.shared_view:SharedView")
+    return obj

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a shared volume, as Feature.properties() takes them: type, name, group, help, default,
+mode."""
+from ..texts import mark
+from . import missing
+from .base import HIDDEN, READ_ONLY
+from .envelope_properties import PLACED
+
+INPUT = [
+    (
+        "App::PropertyLinkSubListGlobal",
+        "Generators",
+        "Input",
+        mark("Properties", "Parts, envelopes or other reserved spaces: the one side"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkSubListGlobal",
+        "Neighbours",
+        "Input",
+        mark("Properties", "Parts, envelopes or other reserved spaces: the other side"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkGlobal",
+        "Motion",
+        "Input",
+        mark("Properties", "Motion that puts the one side where it is at Time; none: it stands"),
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLinkGlobal",
+        "NeighbourMotion",
+        "Input",
+        mark("Properties", "Motion that puts the other side where it is at Time; none: it stands"),
+        None,
+        0,
+    ),
+    ("App::PropertyFloat", "Time", "Input", mark("Properties", "Time of the motions (s)"), 0.0, 0),
+    (
+        "App::PropertyLength",
+        "Deflection",
+        "Input",
+        mark("Properties", "How far the triangles of solids may leave them"),
+        0.05,
+        0,
+    ),
+]
+RESULT = [
+    (kind, name, "Result", text, None, READ_ONLY)
+    for kind, name, text in (
+        ("App::PropertyString", "Status", mark("Properties", "Whether the result is current")),
+        ("App::PropertyString", "Message", mark("Properties", "What is to be said of the result")),
+        ("App::PropertyVolume", "Volume", mark("Properties", "Volume that both share")),
+        (
+            "App::PropertyLength",
+            "Distance",
+            mark("Properties", "Smallest distance where they share nothing"),
+        ),
+        (
+            "App::PropertyLength",
+            "Depth",
+            mark("Properties", "How deep a point of one lies inside the other"),
+        ),
+    )
+] + [
+    ("App::PropertyString", name, "Result", text, None, HIDDEN)
+    for name, text in (
+        ("InputHash", mark("Properties", "Inputs of the stored result")),
+        ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
+        (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
+    )
+]
+PROPERTIES = INPUT + RESULT + [PLACED]

@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel "Reserved spaces": envelopes, solids and parts that stand still, each with each. A row shows
+what its two share; the document is changed only where somebody keeps that."""
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import quantities
+from ..convert import label_of
+from ..features import clearance, clearance_table, shared
+from ..features.overlap_plan import Plan
+from ..texts import translate
+from ..views.clearance_view import BANDS, zoom_to_box
+from ..views.live_distance import LiveDistance
+from ..views.shared_view import SharedBody
+from . import focus, guard, selection, widgets
+from .run_panel import StayingPanel
+from .shades import ShadedCells
+from .tasks import OverlapTask, SharedTask
+from .widgets import QtWidgets
+
+DEFAULTS = {"Required": 0.0, "Deflection": 0.05}
+
+
+class OverlapPanel(StayingPanel):
+    """Compares what is chosen."""
+
+    def __init__(self, document, pairs=()):
+        self.document, self.run, self.pairs = document, None, list(pairs)
+        self.report, self.drawn, self.plan, self.body, self.line = None, [], None, None, None
+        title = translate("Panels", "Reserved spaces")
+        self.form, self.layout = widgets.window(title, "SweptVolume_Overlap")
+        self.box, self.message = widgets.RunBox(), widgets.message_label()
+        self.layout.addWidget(self.box)
+        self.layout.addWidget(self.message)
+        self._build_inputs()
+        self._build_result()
+        self.layout.addStretch(1)
+        self._show_chosen()
+        self.watch = widgets.DocumentWatch(document, self.reject)
+
+    # --- building
+
+    def _build_inputs(self):
+        rows = widgets.group(translate("Panels", "Check"), self.layout)
+        self.chosen = QtWidgets.QLabel()
+        self.chosen.setWordWrap(True)
+        self.chosen.setObjectName("SweptVolumeSpaces")
+        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected"))
+        self.take.setObjectName("SweptVolumeTakeSpaces")
+        self.required = widgets.length(DEFAULTS["Required"], 0.0, 0.5)
+        self.required.setObjectName("SweptVolumeSpacesRequired")
+        self.deflection = widgets.length(DEFAULTS["Deflection"], 1e-4, 0.01)
+        self.deflection.setObjectName("SweptVolumeSpacesDeflection")
+        self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
+        self.check.setObjectName("SweptVolumeCheckSpaces")
+        self.check.setDefault(True)  # Enter
+        for widget in (self.chosen, self.take):
+            rows.addRow(widget)
+        rows.addRow(translate("Panels", "Required distance"), self.required)
+        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
+        rows.addRow(self.check)
+        self.take.clicked.connect(lambda *ignored: self._take())
+        self.check.clicked.connect(lambda *ignored: self.start())
+
+    def _build_result(self):
+        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
+        rows = QtWidgets.QVBoxLayout(self.result)
+        self.summary = QtWidgets.QLabel()
+        self.summary.setWordWrap(True)
+        self.summary.setObjectName("SweptVolumeSpacesSummary")
+        self.table = QtWidgets.QTableWidget(0, 4)
+        self.table.setObjectName("SweptVolumeSpacesTable")
+        self.unit = quantities.length_unit()[1]
+        heads = (
+            translate("Panels", "Pair"),
+            translate("Panels", "Verdict"),
+            self.unit,
+            "{}\n{}^3".format(translate("Panels", "shared"), self.unit),
+        )
+        self.table.setHorizontalHeaderLabels(heads)
+        self.shades = ShadedCells()  # the table does not keep it
+        self.table.setItemDelegateForColumn(1, self.shades)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.verticalHeader().hide()
+        self.table.setTabKeyNavigation(False)  # Tab leaves the table
+        self.table.setMinimumHeight(140)
+        header = self.table.horizontalHeader()
+        for column in range(4):
+            mode = QtWidgets.QHeaderView.ResizeToContents
+            header.setSectionResizeMode(column, mode if column else QtWidgets.QHeaderView.Stretch)
+        self.keep = widgets.hint(
+            QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
+            translate(
+                "Panels", "Makes an object of what the two share, which tells when they change"
+            ),
+        )
+        self.keep.setObjectName("SweptVolumeKeepShared")
+        for widget in (self.summary, self.table, self.keep):
+            rows.addWidget(widget)
+        self.table.itemSelectionChanged.connect(self._row_chosen)
+        self.table.itemDoubleClicked.connect(lambda *ignored: self._look())
+        self.keep.clicked.connect(lambda *ignored: self.keep_shared())
+        self.layout.addWidget(self.result)
+        self.result.hide()
+
+    # --- inputs
+
+    @guard.told
+    def _take(self):
+        self.pairs = selection.spaces()
+        self._show_chosen()
+
+    def _show_chosen(self):
+        names = [label_of(*pair) for pair in self.pairs]
+        text = translate("Panels", "{0} chosen: {1}")
+        self.chosen.setText(text.format(len(names), ", ".join(names) or "-"))
+
+    def new_plan(self):
+        required = float(self.required.property("rawValue"))
+        deflection = float(self.deflection.property("rawValue"))
+        return Plan(self.document, self.pairs, required, deflection)
+
+    # --- run
+
+    def start(self):
+        if self.begin(
+            lambda: OverlapTask(self.new_plan()),
+            self.ended,
+            lambda: self.new_plan().words(),
+            self.start,
+        ):
+            self._enable(False)
+
+    def keep_shared(self):
+        """An object of what the chosen two share."""
+        row = self.chosen_row()
+        if row < 0:
+            return
+        sides = [[pair] for pair in self.two_of(row)]
+        plan = shared.Plan(self.document, *sides, deflection=self.plan.deflection)
+        if self.begin(lambda: SharedTask(self.document, plan), self.ended):
+            self._enable(False)
+
+    def _enable(self, on):
+        self.check.setEnabled(on)
+        self.keep.setEnabled(on and self._can_keep())
+
+    def ended(self, run):
+        self.run = None
+        if not widgets.alive(self.document):
+            return
+        if run.state != "ok":
+            self.box.leave(self.form)
+            widgets.show_failure(self.message, run)
+        elif isinstance(run.task, OverlapTask):
+            self.box.leave(self.table)
+            self.plan, (self.report, self.drawn) = run.task.plan, run.task.found
+            self.show_result()
+        else:
+            self.box.leave(self.table)
+            self._clear_view()  # the object is seen now
+        self._enable(True)
+
+    # --- result
+
+    def two_of(self, row):
+        """(root, sub) of both parts of a row."""
+        pair, names = self.report["pairs"][row], self.plan.names()
+        return [self.plan.pairs[names.index(pair[side])] for side in ("first", "second")]
+
+    def show_result(self):
+        pairs = self.report["pairs"]
+        self._clear_view()
+        self.result.show()
+        self.summary.setText("<b>{}</b>".format(self._summary().replace("<", "&lt;")))
+        warnings = [w["text"] for w in self.report["warnings"]]
+        widgets.show_message(self.message, "\n".join(warnings))
+        rows = [pair["clearance"] for pair in pairs]
+        order = clearance_table.worst_first(dict(self.report, neighbours=rows))
+        self.table.setRowCount(len(pairs))
+        for r, index in enumerate(order):
+            for c, cell in enumerate(self._cells(pairs[index])):
+                cell.setData(QtCore.Qt.UserRole, index)
+                self.table.setItem(r, c, cell)
+        self.table.clearSelection()
+        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
+
+    def _summary(self):
+        count = len(self.report["pairs"])
+        total = sum(pair.get("volume", 0.0) for pair in self.report["pairs"])
+        if total > 0:
+            text = translate("Panels", "Pairs checked: {0}, shared: {1}")
+            return text.format(count, quantities.volume(total))
+        least = min(pair["clearance"]["distance"] for pair in self.report["pairs"])
+        text = translate("Panels", "Pairs checked: {0}, no space is shared, smallest distance: {1}")
+        return text.format(count, quantities.quantity(least, quantities.TABLE_DIGITS))
+
+    def _cells(self, pair):
+        row, one = pair["clearance"], quantities.length_unit()[0]
+        verdict = clearance_table.judged(row)
+        cells = [
+            QtWidgets.QTableWidgetItem(text)
+            for text in (
+                "{} - {}".format(pair["first"], pair["second"]),
+                translate("Messages", clearance.VERDICTS[row["verdict"]]),
+                quantities.number(round(row["distance"], 9) / one, quantities.TABLE_DIGITS),
+                self._volume(pair, one),
+            )
+        ]
+        rank = clearance_table.WORST_FIRST.index(verdict)
+        cells[1].setBackground(QtGui.QColor.fromRgbF(*BANDS[rank]))
+        cells[0].setToolTip(cells[0].text())
+        return cells
+
+    def _volume(self, pair, one):
+        if "volume" not in pair:
+            return translate("Panels", "not known")
+        if not pair["volume"]:
+            return ""
+        return quantities.number(pair["volume"] / one**3, quantities.TABLE_DIGITS)
+
+    def chosen_row(self):
+        """Index of the chosen pair in the report; -1: none."""
+        items = self.table.selectedItems()
+        return items[0].data(QtCore.Qt.UserRole) if items else -1
+
+    def _can_keep(self):
+        row = self.chosen_row()
+        return row >= 0 and self.report["pairs"][row].get("volume", 0.0) > 0
+
+    @guard.told
+    def _row_chosen(self):
+        row = self.chosen_row()
+        self.keep.setEnabled(self._can_keep() and self.run is None)
+        if row < 0:
+            return
+        if self.body is None:
+            self.body, self.line = SharedBody(self.document), LiveDistance(self.document)
+        self.body.show(self.drawn[row])
+        found = self.report["pairs"][row]["clearance"]
+        deep = found.get("penetration", {}) if found["verdict"] == "clash" else {}
+        ends = found["point_on_body"], found["point_on_neighbour"]
+        length = deep.get("depth", found["distance"])
+        if deep:
+            ends = deep["point"], deep["surface"]
+        text = quantities.quantity(length, quantities.TABLE_DIGITS)
+        text = translate("Panels", "{0} deep").format(text) if deep else text
+        middle = [(a + b) / 2.0 for a, b in zip(*ends)]
+        self.line.show(middle, [text], ends, bool(deep))
+
+    @guard.told
+    def _look(self):
+        """The camera goes to the row."""
+        row = self.chosen_row()
+        if row < 0:
+            return
+        found, drawn = self.report["pairs"][row]["clearance"], self.drawn[row]
+        ends = [found["point_on_body"], found["point_on_neighbour"]]
+        zoom_to_box(drawn[0] if drawn is not None else ends)
+
+    def _clear_view(self):
+        if widgets.alive(self.document):
+            for drawn in (self.body, self.line):
+                if drawn is not None:
+                    drawn.remove()
+        self.body, self.line = None, None
+
+    def leave(self):
+        self._clear_view()
+
+
+def show(document, pairs=()):
+    panel = OverlapPanel(document, pairs)
+    Gui.Selection.clearSelection()
+    focus.show(panel)
+    return panel

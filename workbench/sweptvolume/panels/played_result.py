@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the result of a check shows of its motion: a player moves the parts, the shortest line between the two
+parts of a row follows it, and so does a section through that place; a clash is kept as a body."""
+import numpy as np
+
+from .. import convert, core_paths, quantities, runner
+from ..convert import InputProblem
+from ..texts import translate
+from ..views.ghost import MOVING_TRIANGLES, MovingParts
+from ..views.live_distance import LiveDistance
+from ..views.section import SectionPlane
+from . import check_result, guard, widgets
+from .live_clearance import LiveClearance, Scene
+from .player import Player
+from .tasks import ShapesTask, SharedTask
+from .widgets import QtWidgets
+
+
+class RowScene(Scene):
+    """The two parts of a row. first, second: bodies in the frames that their courses place (Placement at a
+    time; None: it stands where it is)."""
+
+    def __init__(self, first, second, courses, chord):
+        super().__init__(chord)
+        self.first, self.second, self.courses = first, second, courses
+
+    def at(self, time):
+        """(4x4 of the first part as seen from the second one's frame, 4x4 of that frame in the world)."""
+        first, second = (
+            np.eye(4) if course is None else convert.matrix_of(course(time))
+            for course in self.courses
+        )
+        return np.linalg.inv(second) @ first, second
+
+    def make(self, control):
+        body = self.first.vertices, self.first.triangles
+        rows = [("", self.second.vertices, self.second.triangles)]
+        return core_paths.live_clearance(*body, rows, control), [""]
+
+
+class PlayedPanel(check_result.ResultPanel):
+    """Subclasses say what moves and what a row's two parts are."""
+
+    def plan_shown(self):
+        """The plan of `obj`; its seen() is drawn."""
+        raise NotImplementedError
+
+    def row_scene(self, index):
+        """RowScene of a row. Raises InputProblem."""
+        raise NotImplementedError
+
+    def clash_plan(self, index):
+        """shared.Plan of what the two parts of a row share at its time. Raises InputProblem."""
+        raise NotImplementedError
+
+    def marked(self, index):
+        """Which of the moving parts a row is about."""
+        raise NotImplementedError
+
+    def build_played(self, rows):
+        self.shapes, self.ghosts, self.line, self.courses = None, None, None, []
+        self.live, self.followed, self.frames, self.cut = None, -1, {}, None
+        self.player = Player()
+        self.player.moved.connect(self._moved)
+        self.section = widgets.hint(
+            QtWidgets.QCheckBox(translate("Panels", "S&ection through the closest place")),
+            translate("Panels", "Hides what lies before the place; it follows rows and the player"),
+        )
+        self.section.setObjectName("SweptVolumeSection")
+        self.section.toggled.connect(lambda *ignored: self._cut_again())
+        self.clash = widgets.hint(
+            QtWidgets.QPushButton(translate("Panels", "Keep clas&h volume")),
+            translate("Panels", "Makes a body of what the two parts of the row share at its time"),
+        )
+        self.clash.setObjectName("SweptVolumeKeepClash")
+        self.clash.setEnabled(False)
+        self.clash.clicked.connect(lambda *ignored: self.keep(self.clash_plan))
+        self.ends = None  # of the line that is shown
+        for widget in (self.player, self.section, self.clash):
+            rows.addWidget(widget)
+
+    def set_span(self, times):
+        """The player goes through these times; nothing is drawn before somebody asks for it."""
+        self.player.blockSignals(True)
+        self.player.set_times(sorted(times))
+        self.player.blockSignals(False)
+
+    def go_to(self, time):
+        """The player stands there, and nothing follows from that."""
+        self.player.blockSignals(True)
+        self.player.go_to(time)
+        self.player.blockSignals(False)
+
+    # --- a row
+
+    def show_buttons(self, index):
+        """What can be kept of a row (None: none is chosen)."""
+        row = self.report["neighbours"][index] if index is not None else None
+        self.clash.setEnabled(row is not None and row["verdict"] == "clash")
+
+    def ends_of(self, row):
+        """(two points, text, whether they clash) of a row of the report."""
+        ends = row["point_on_body"], row["point_on_neighbour"]
+        deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
+        if deep:
+            ends = deep["point"], deep["surface"]
+        length = quantities.quantity(deep.get("depth", row["distance"]), quantities.TABLE_DIGITS)
+        text = translate("Panels", "{0} deep").format(length) if deep else length
+        return ends, text, bool(deep)
+
+    @guard.told
+    def keep(self, make):
+        """An object of the shared volume that make(index of the chosen row) tells."""
+        index = self.chosen_row()
+        if index >= 0 and self.run is None:
+            plan = make(index)
+            self.begin(lambda: SharedTask(self.document, plan), self.ended)
+
+    # --- the player
+
+    @guard.told
+    def _moved(self):
+        """The player stands at another time."""
+        if getattr(self, "report", None) is None or not self.result.isVisible():
+            return
+        self.left_row()
+        if self.player.times and self.ready():
+            self.place(self.player.now())
+            self._follow(self.player.now())
+
+    def left_row(self):
+        """What is seen is no longer the moment of a row; the line goes on to the next answer."""
+
+    def place(self, time, marked=()):
+        self.ghosts.show([course(time) for course in self.courses], marked)
+        self.graph.mark(time)
+
+    def _follow(self, time):
+        """The line between the parts of the chosen row, or of the worst one."""
+        index = self.chosen_row() if self.chosen_row() >= 0 else self.worst_first[0]
+        if index != self.followed:
+            self._stop_following()
+            self.scene, self.followed = self.row_scene(index), index
+            self.live = LiveClearance(self.document, self.scene, self._answered, self._failed)
+        if self.live is not None:
+            matrix, base = self.scene.at(time)
+            number = self.live.want(None, matrix)
+            self.frames = {n: b for n, b in self.frames.items() if n > number - 5}
+            self.frames[number] = base
+
+    def _answered(self, answer):
+        base = self.frames.get(answer.number)
+        if self.line is None or base is None or answer.number != self.live.number:
+            return
+        if answer.points[0] is None:
+            self.line.hide()
+            return
+        self.ends = [base[:3, :3] @ np.asarray(p) + base[:3, 3] for p in answer.points]
+        text = quantities.quantity(answer.distance, quantities.TABLE_DIGITS)
+        clash = answer.distance <= 0
+        text = translate("Panels", "clash") if clash else text
+        self.draw_line(self.ends, text, clash)
+
+    def draw_line(self, ends, text, clash):
+        """The line and the section through it."""
+        self.ends = ends
+        self.line.show([(a + b) / 2.0 for a, b in zip(*ends)], [text], ends, clash)
+        self._cut_again()
+
+    def _failed(self, text):
+        widgets.show_message(self.message, text)
+        self._stop_following()
+
+    def _stop_following(self):
+        if self.live is not None:
+            self.live.stop()
+        self.live, self.followed, self.frames = None, -1, {}
+
+    # --- the section
+
+    @guard.told
+    def _cut_again(self):
+        if not self.section.isChecked() or self.ends is None:
+            if self.cut is not None and widgets.alive(self.document):
+                self.cut.remove()
+            return
+        if self.cut is None:
+            self.cut = SectionPlane(self.document)
+        self.cut.show(self.ends)
+
+    # --- the parts, read beside the window
+
+    def ready(self):
+        """Whether the parts are drawn; else they are read, and shown() follows."""
+        if self.ghosts is not None:
+            return True
+        if self.shapes is None and self.obj is not None:
+            self.shapes = runner.start(ShapesTask(self.plan_shown(), MOVING_TRIANGLES))
+            self.shapes.ended.connect(self._shapes_read)
+        return False
+
+    @guard.told
+    def _shapes_read(self, run):
+        self.shapes = None
+        if run.state != "ok" or not widgets.alive(self.document):
+            return
+        self.courses = [course for _, _, course in run.task.found]
+        self.points = [np.asarray(drawn[0], dtype=float) for drawn, _, _ in run.task.found]
+        self.ghosts = MovingParts(self.document, [found[:2] for found in run.task.found])
+        self.line = LiveDistance(self.document)
+        self.parts_read()
+
+    def parts_read(self):
+        """The parts can be drawn now."""
+        self._moved()
+
+    def clear_view(self):
+        """Nothing is drawn any more; the parts are read again when they are wanted."""
+        self.player.stop()
+        self._stop_following()
+        if self.shapes is not None:
+            self.shapes.ended.disconnect(self._shapes_read)
+            self.shapes.cancel()
+        if widgets.alive(self.document):
+            for drawn in (self.ghosts, self.line, self.cut):
+                if drawn is not None:
+                    drawn.remove()
+        self.shapes, self.ghosts, self.line, self.cut, self.courses = None, None, None, None, []
+        self.ends = None
+
+    def leave(self):
+        super().leave()
+        self.clear_view()
+
+
+def gone():
+    """A part that a row of the report names does not stand there any more."""
+    return InputProblem(translate("Messages", "a part of this row is there no more: check again."))
