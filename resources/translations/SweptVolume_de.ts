@@ -1117,8 +1117,8 @@ Versucht:
    <translation>t = {0} s</translation>
   </message>
   <message>
-   <source>the mesh could not be written to the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
-   <translation>Das Netz ließ sich nicht in den Ordner {0} für vorübergehende Dateien schreiben: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
+   <source>there is no room in the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
+   <translation>im Ordner {0} für vorübergehende Dateien ist kein Platz mehr: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
    <source>the template "{0}" of the preferences is empty.</source>

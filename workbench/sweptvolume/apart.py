@@ -6,8 +6,9 @@ points and triangles; another geometry gives another text. What was read is kept
 shape's as long as the object holds the very same shape (wherever it is placed), a mesh's until FreeCAD says
 that it was changed.
 Cost: about 0.1 to 0.3 ms a face when a shape is new, 0.3 s for a new mesh of 1M triangles, else some
-microseconds. Where a window waits, a shape is copied first (0.05 ms a face): FreeCAD writes the triangles
-that it draws into the topology of its shapes, so no other thread may read those.
+microseconds. FreeCAD writes the triangles that it draws into the topology of its shapes, so no other thread
+may read those. Where a window waits, a shape is therefore taken down as the bytes of a binary file (0.01 ms a
+face; a copy by FreeCAD takes 0.05), and another thread makes a shape of its own of them (0.01 ms).
 """
 import collections
 import hashlib
@@ -18,6 +19,8 @@ import FreeCAD as App
 import numpy as np
 
 from . import meshes
+from .body import InputProblem
+from .safe_file import no_room_text, passing
 
 #: Points nearer than this (mm) are the same: ten times what FreeCAD takes for one point.
 SAME = 1e-6
@@ -40,7 +43,7 @@ class Apart:
         self.is_mesh = obj.isDerivedFrom("Mesh::Feature")
         self.shape = None if self.is_mesh else obj.Shape
         self._mesh = obj.Mesh if self.is_mesh else None
-        self._copy, self._kept, self._broken = None, {}, False
+        self._taken, self._copy, self._kept, self._broken = None, None, {}, False
         self._locks = collections.defaultdict(threading.Lock)  # one may be needed to read another
 
     def is_of(self, obj):
@@ -48,21 +51,27 @@ class Apart:
         return self.is_mesh or self.shape.isPartner(obj.Shape)
 
     def detached(self):
-        """A copy that no other thread changes; window's thread."""
-        if self._copy is None:
-            self._copy = self._copied()
-        return self._copy
+        """Makes copy() ready for any thread; window's thread. Gives itself."""
+        if not self.is_detached():
+            if self.is_mesh:
+                self._copy = self._mesh.copy()
+                self._copy.Placement = App.Placement()
+            elif self.shape.isNull():
+                self._copy = self.shape
+            else:
+                self._taken = _bytes_of(self.shape)
+        return self
 
     def is_detached(self):
-        return self._copy is not None
+        return self._taken is not None or self._copy is not None
 
-    def _copied(self):
-        if not self.is_mesh and self.shape.isNull():
-            return self.shape
-        # Geometry is never changed and stays shared.
-        given = self._mesh.copy() if self.is_mesh else self.shape.copy(False, False)
-        given.Placement = App.Placement()
-        return given
+    def copy(self):
+        """What no other thread changes: a mesh, or a shape without triangles, which the caller leaves as it
+        is; any thread, once detached."""
+        with self._locks["copy"]:
+            if self._copy is None:
+                self._copy, self._taken = _shape_of(self._taken), None
+            return self._copy
 
     def cost(self):
         """What is to be read before text() can tell, in faces of a shape; 0: nothing, or what could not be
@@ -93,7 +102,7 @@ class Apart:
 
     def _read(self):
         if not self.is_mesh:
-            return _read_shape(self.shape if self._copy is None else self._copy)
+            return _read_shape(self.copy() if self.is_detached() else self.shape)
         vertices, triangles = meshes.arrays_from_mesh(self._copy or self._mesh)
         self._copy = None  # may be large
         return digest(vertices) + digest(triangles)
@@ -105,11 +114,40 @@ class Apart:
     def _corners(self):
         if not self.is_mesh and self.shape.isNull():
             return None
-        box = (self._copied() if self.is_mesh else self.detached()).BoundBox
+        if self.is_mesh:
+            given = self._mesh.copy()
+            given.Placement = App.Placement()
+            box = given.BoundBox
+        else:
+            box = self.detached().copy().BoundBox  # of one that was drawn: of its triangles
         if not box.isValid():
             return None
         ranges = (box.XMin, box.XMax), (box.YMin, box.YMax), (box.ZMin, box.ZMax)
         return np.array(list(itertools.product(*ranges)))
+
+
+def _bytes_of(shape):
+    """A shape without its placement and triangles."""
+    local = _local(shape)
+    with passing(".bin") as path:
+        local.exportBinary(path)
+        with open(path, "rb") as file:
+            return file.read()
+
+
+def _shape_of(taken):
+    """The shape that bytes were taken of."""
+    import Part
+
+    shape = Part.Shape()
+    with passing(".bin") as path:
+        with open(path, "wb") as file:
+            file.write(taken)
+        try:
+            shape.importBinary(path)
+        except Exception:  # FreeCAD writes on where a folder is full, and names no reason here
+            raise InputProblem(no_room_text()) from None
+    return shape
 
 
 def of(obj):
@@ -173,12 +211,18 @@ def _face_points(face):
     return found + _poles(face.Surface)
 
 
-def _read_shape(shape):
+def _local(shape):
+    """The same topology without its placement."""
     import Part
 
     local = Part.Shape(shape)
     if not local.isNull():
         local.Placement = App.Placement()
+    return local
+
+
+def _read_shape(shape):
+    local = _local(shape)
     points, counts = [], [len(local.Solids), len(local.Shells), len(local.Faces)]
     for items, look in ((local.Faces, _face_points), (local.Edges, _edge_points)):
         for item in items:

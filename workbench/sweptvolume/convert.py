@@ -4,15 +4,13 @@
 Coordinates of a FreeCAD mesh are single precision, so bodies are taken in their own local frame and
 moved to the world in double precision.
 """
-import os
-import tempfile
-
 import FreeCAD as App
 import numpy as np
 
 from . import apart, core
 from .body import Body, InputProblem, transform  # noqa: F401 (read from here as well)
 from .meshes import arrays_from_mesh, mesh_from_arrays  # noqa: F401 (read from here as well)
+from .safe_file import passing
 from .texts import translate
 
 #: Angular deflection of meshed solids (rad); the linear one follows the cell.
@@ -62,16 +60,13 @@ def _read_by_core(shape, deflection):
     inside = sum(solid.countElement("Face") for solid in shape.Solids)
     if not (core.available() and core.has_solids()) or inside != shape.countElement("Face"):
         return None
-    handle, path = tempfile.mkstemp(suffix=".brep")
-    os.close(handle)
     try:
-        shape.exportBrep(path)
-        return core.read_solid(path, deflection, ANGULAR_DEFLECTION)
+        with passing(".brep") as path:
+            shape.exportBrep(path)
+            return core.read_solid(path, deflection, ANGULAR_DEFLECTION)
     except (core.CoreError, OSError) as problem:
         App.Console.PrintLog("Swept Volume: meshed by FreeCAD: {}\n".format(problem))
         return None
-    finally:
-        os.remove(path)
 
 
 def _shape_reader(part, deflection):
@@ -90,11 +85,12 @@ def _shape_reader(part, deflection):
     kept = part.detached()
 
     def read():
-        found = _read_by_core(kept, float(deflection))
+        own = kept.copy()
+        found = _read_by_core(own, float(deflection))
         if found is not None:
             return found
         # A copy: the triangulation is cached in the shape, a finer one would be reused for ever.
-        local = kept.copy()
+        local = own.copy()
         mesh = MeshPart.meshFromShape(
             Shape=local,
             LinearDeflection=float(deflection),

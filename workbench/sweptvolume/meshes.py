@@ -4,15 +4,13 @@
 Meshes go in and out as binary PLY, which was measured to be the quickest way.
 """
 import io
-import os
-import tempfile
 
 import FreeCAD as App
 import numpy as np
 
 from . import core
 from .body import InputProblem
-from .texts import translate
+from .safe_file import no_room_text, passing
 
 
 def _far_middle(vertices):
@@ -80,34 +78,22 @@ def mesh_from_arrays(vertices, triangles, beside=False):
     return mesh
 
 
-def _no_room_text():
-    return translate(
-        "Messages",
-        "the mesh could not be written to the temporary folder {0}: make room there, or set the "
-        "environment variable TMPDIR to another folder.",
-    ).format(tempfile.gettempdir())
-
-
 def arrays_from_mesh(mesh):
     """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
     local = mesh.copy()
     local.Placement = App.Placement()
-    handle, path = tempfile.mkstemp(suffix=".ply")
-    os.close(handle)
-    try:
+    with passing(".ply") as path:
         local.write(path)
         with open(path, "rb") as file:
             data = file.read()
-    finally:
-        os.remove(path)
     if b"end_header\n" not in data:
-        raise InputProblem(_no_room_text())
+        raise InputProblem(no_room_text())
     start = data.index(b"end_header\n") + len(b"end_header\n")
     head = data[:start].decode("ascii")
     points = int(head.split("element vertex ")[1].split()[0])
     facets = int(head.split("element face ")[1].split()[0])
     if len(data) < start + 12 * points + 13 * facets:
-        raise InputProblem(_no_room_text())
+        raise InputProblem(no_room_text())
     vertices = np.frombuffer(data, "<f4", points * 3, start).reshape(-1, 3).astype(float)
     kind = [("c", "u1"), ("i", "<i4", 3)]
     triangles = np.frombuffer(data, kind, facets, start + 12 * points)["i"].astype(np.int32)

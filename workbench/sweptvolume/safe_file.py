@@ -4,6 +4,9 @@ writers do the same by themselves.)"""
 import contextlib
 import os
 import secrets
+import tempfile
+
+from .texts import translate
 
 
 @contextlib.contextmanager
@@ -24,3 +27,22 @@ def written_beside(path):
     except BaseException:
         os.remove(beside)
         raise
+
+
+@contextlib.contextmanager
+def passing(suffix):
+    """Yields the path of an empty file in the temporary folder, which is gone after the block."""
+    handle, path = tempfile.mkstemp(suffix=suffix)
+    os.close(handle)
+    try:
+        yield path
+    finally:
+        os.remove(path)
+
+
+def no_room_text():
+    return translate(
+        "Messages",
+        "there is no room in the temporary folder {0}: make room there, or set the environment variable "
+        "TMPDIR to another folder.",
+    ).format(tempfile.gettempdir())
