@@ -14,6 +14,7 @@
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/mesh/half_edge.h"
+#include "solid/reread.h"
 #include "solid/solid_build.h"
 #include "solid/solid_findings.h"
 #include "solid/text/step_text.h"
@@ -26,29 +27,11 @@ namespace {
 using namespace step;
 
 void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOptions& options) {
-  const std::int64_t outer = countOuterShells(mesh.shellOwner);
-  const double allowed = mesh.area * std::max(options.planarTolerance, options.tolerance) +
-                         1e-6 * std::abs(mesh.volume);
-  std::string what;
-  if (!check.valid) {
-    what = check.complaint;
-  } else if (check.solids != outer || check.shells != std::ssize(mesh.shellOwner)) {
-    what = std::to_string(check.solids) + " solids with " + std::to_string(check.shells) +
-           " shells instead of " + std::to_string(outer) + " with " +
-           std::to_string(mesh.shellOwner.size());
-  } else if (!(std::abs(check.volume - mesh.volume) <= allowed)) {
-    what = "volume " + numberText(check.volume, 9) + " mm^3 instead of " +
-           numberText(mesh.volume, 9) + " mm^3 (allowed difference " + numberText(allowed, 3) + ")";
-  } else if (options.tolerance > 0 && options.recognise &&
-             check.edgeTolerance > options.tolerance) {
-    what = "an edge or vertex with a tolerance of " + numberText(check.edgeTolerance, 3) +
-           " mm, more than the solid's of " + numberText(options.tolerance, 3) + " mm";
-  }
-  if (!what.empty()) {
-    throw Error(Status::ExportFailed, "RereadDiffers",
-                "the file was written but reads back wrong: " + what +
-                    "; the target was left as it was. Export a mesh file or change the tolerance");
-  }
+  const std::string what = rereadComplaint(check, mesh, options);
+  if (what.empty()) return;
+  throw Error(Status::ExportFailed, "RereadDiffers",
+              "the file was written but reads back wrong: " + what +
+                  "; the target was left as it was. Export a mesh file or change the tolerance");
 }
 
 // A promise that is not kept must be seen.
