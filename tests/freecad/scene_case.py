@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What tests of several features share: a part with all that is computed of it."""
+import Part
+
+from case import Case, V, shift
+from sweptvolume import core
+from sweptvolume.features import clearance, envelope, solid
+
+
+def plate(hole):
+    """A plate with a round hole at x = hole: same counts, area, length, volume and box for any."""
+    return Part.makeBox(40, 20, 4).cut(Part.makeCylinder(3, 4, V(hole, 10, 0)))
+
+
+class Scene(Case):
+    """A box that moves, its envelope and solid, a check of all that is visible; all computed."""
+
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.doc.addObject("Part::Feature", "Plate")
+        self.part.Shape = plate(10)
+        self.path = self.line()
+        self.wall = self.box("Wall")
+        self.wall.Placement = shift(80)
+        self.swept = self.envelope([self.part], self.path, Resolution=24)
+        envelope.compute(self.swept)
+        self.body = solid.make_solid(self.doc, self.swept)
+        self.check = clearance.make_clearance(
+            self.doc, Generators=[(self.part, "")], Motion=self.path
+        )
+        self.doc.recompute()
+        if core.has_solids():
+            solid.compute(self.body)
+        clearance.compute(self.check)
+        self.doc.recompute()
+        self.assert_states(envelope.UP_TO_DATE, envelope.UP_TO_DATE, envelope.UP_TO_DATE)
+
+    def states(self):
+        return self.swept.Status, self.body.Status, self.check.Status
+
+    def assert_states(self, *wanted):
+        found = self.states()
+        if not core.has_solids():
+            found, wanted = found[::2], wanted[::2]
+        self.assertEqual(found, wanted)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motions that come as frames: of drivers and of simulations."""
+import math
+
+import FreeCAD as App
+
+from case import Case, V, shift
+from sweptvolume.features import clearance, envelope, motion
+from sweptvolume.trajectory import assembly
+from sweptvolume.trajectory.poses import Poses
+
+
+class Frames(Case):
+    """Motions of mechanisms come as frames: what lies between them is said or right."""
+
+    NEEDS_CORE = True
+
+    def hinge(self, count, **values):
+        """A bar that turns by 90 degrees about z at the origin, driven by a cell of a sheet."""
+        sheet = self.doc.addObject("Spreadsheet::Sheet", "Values")
+        sheet.set("A1", "0")
+        sheet.setAlias("A1", "angle")
+        self.doc.recompute()
+        self.bar = self.doc.addObject("Part::Box", "Bar")
+        self.bar.Length, self.bar.Width, self.bar.Height = 60, 5, 5
+        self.bar.setExpression("Placement.Rotation.Angle", "Values.angle")
+        self.doc.recompute()
+        path = motion.motion_from_source(
+            self.doc,
+            "Driven",
+            [sheet, self.bar],
+            property="angle",
+            start=0,
+            end=90,
+            count=count,
+            **values,
+        )
+        self.doc.recompute()
+        return path
+
+    def test_parts_that_turn_go_on_turning(self):
+        path = self.hinge(3)
+        self.assertEqual(path.Interpolation, "Screw")
+        obj = self.envelope([self.bar], path, Resolution=100)
+        envelope.compute(obj)
+        # A quarter of a disc, and the bar's own width before and behind it.
+        exact = 5 * (math.pi / 4 * (60**2 + 5**2) + 2 * 60 * 5 / 2)
+        self.assertAlmostEqual(obj.Volume.Value, exact, delta=0.01 * exact)
+        self.assertNotIn("far apart", obj.Message)
+
+    def test_frames_that_lie_far_apart_are_said(self):
+        path = self.hinge(4, interpolation="Linear")
+        path.Placements = [
+            App.Placement(V(9 * math.sin(k), 0, 0), p.Rotation)
+            for k, p in enumerate(path.Placements)
+        ]
+        obj = self.envelope([self.bar], path, CellSize=0.5)
+        envelope.compute(obj)
+        self.assertIn("far apart", obj.Message)
+        wall = self.box("Wall")
+        wall.Placement = shift(0, 90)
+        check = clearance.make_clearance(self.doc, Generators=[(self.bar, "")], Motion=path)
+        self.doc.recompute()
+        clearance.compute(check)
+        self.assertIn("far apart", check.Message)
+        path.SourceType = "Stored"  # keys are what they are
+        self.doc.recompute()
+        envelope.compute(obj)
+        self.assertNotIn("far apart", obj.Message)
+
+    def test_a_simulation_that_stops_early(self):
+        self.assertEqual(assembly.shortfall("S", 0, 1, 0.01, 101), "")
+        self.assertEqual(assembly.shortfall("S", 0.2, 1, 0.3, 3), "")
+        text = assembly.shortfall("S", 0, 1, 0.01, 58)
+        for word in ("58 of 101", "0.57 s of 1 s", "stopped early"):
+            self.assertIn(word, text)
+        path = self.line()
+        motion.store(path, Poses([0, 1], [shift(), shift(30)], note=text))
+        obj = self.envelope([self.box()], path)
+        envelope.compute(obj)
+        self.assertEqual(path.Message, text)
+        self.assertIn(text, obj.Message)

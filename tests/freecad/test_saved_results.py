@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results in documents that were saved: by this version, and as version 1 left them."""
+import os
+
+import FreeCAD as App
+
+from scene_case import Scene, plate
+from sweptvolume import core
+from sweptvolume.features import clearance, envelope, solid
+
+
+class Saved(Scene):
+    def test_numbers_of_many_digits_are_the_same_when_a_document_is_opened(self):
+        third = 1.0 / 3.0 / 10  # a quantity of seventeen digits
+        self.swept.Tolerance = self.swept.Offset = third
+        self.body.Tolerance = 2 * third
+        self.check.Required, self.check.Deflection = 100 * third, third
+        self.doc.recompute()
+        envelope.compute(self.swept)
+        if core.has_solids():
+            solid.compute(self.body)
+        clearance.compute(self.check)
+        self.doc.recompute()
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        names = [obj.Name for obj in (self.swept, self.check, self.body)]
+        path = os.path.join(self.folder, "digits.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        for obj in self.doc.Objects:
+            obj.enforceRecompute()  # as "Mark to recompute" in the tree does
+        self.doc.recompute(None, True)
+        self.swept, self.check, self.body = map(self.doc.getObject, names)
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+
+
+class OfBefore(Scene):
+    def test_results_of_before_are_known_again(self):
+        """A document as version 1 left it: hashes of sizes, none of the properties that came since."""
+        plans = [
+            (self.swept, envelope.Plan.of(self.swept)),
+            (self.check, clearance.Plan.of(self.check)),
+        ]
+        before = [(obj, plan.hash_of_before()) for obj, plan in plans]
+        before.append((self.body, solid.hash_of_before(self.body)))
+        names = [obj.Name for obj, _ in before]
+        for obj, text in before:
+            for name in ("Placed", "Missing", "Seen"):
+                if name in obj.PropertiesList:
+                    obj.removeProperty(name)
+            if obj is not self.body or core.has_solids():
+                obj.InputHash = text
+        self.body.removeProperty("TriedHash")
+        for obj, _ in before:
+            obj.purgeTouched()
+        path = os.path.join(self.folder, "before.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        self.assertEqual([o.Name for o in self.doc.Objects if "Touched" in o.State], [])
+        self.doc.recompute(None, True)
+        self.swept, self.check, self.body = map(self.doc.getObject, names)
+        self.assert_states(*[envelope.UP_TO_DATE] * 3)
+        self.doc.getObject("Plate").Shape = plate(30)
+        self.doc.recompute()
+        self.assert_states(*[envelope.STALE] * 3)
