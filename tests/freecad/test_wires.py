@@ -6,7 +6,7 @@ import math
 import numpy as np
 import Part
 
-from case import Case, V, turn
+from case import Case, V
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, motion

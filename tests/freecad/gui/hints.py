@@ -92,6 +92,8 @@ def scenario():
 
     open_workbench()
     yield 0.5
+    for name in ("checkShowReportViewOnError", "checkShowReportViewOnWarning"):
+        App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool(name, True)
     told = Told()
     # The check would find what it looks for.
     App.Console.PrintError("planted\n")
