@@ -4,9 +4,10 @@ import os
 
 import FreeCAD as App
 
+from case import Case, V, shift, turn
 from scene_case import Scene, plate
 from sweptvolume import core
-from sweptvolume.features import clearance, envelope, solid
+from sweptvolume.features import clearance, envelope, motion, solid
 
 
 class Saved(Scene):
@@ -64,3 +65,33 @@ class OfBefore(Scene):
         self.doc.getObject("Plate").Shape = plate(30)
         self.doc.recompute()
         self.assert_states(*[envelope.STALE] * 3)
+
+
+class BeforePivots(Case):
+    NEEDS_CORE = True
+
+    def test_a_motion_of_a_document_of_before_turns_about_the_origin_of_its_poses(self):
+        box = self.box()
+        box.Placement = shift(40)
+        places = [shift(40), turn(80, base=V(10, 50, 0))]
+        path = motion.motion_from_poses(self.doc, [0, 1], places)
+        path.Pivot = V()
+        hull = self.envelope([box], path, Resolution=32)
+        envelope.compute(hull)
+        names, volume = (path.Name, hull.Name), hull.Volume.Value
+        path.Pivot = V(5, 5, 5)
+        envelope.compute(hull)
+        self.assertNotAlmostEqual(hull.Volume.Value, volume, delta=1e-3 * volume)
+        path.Pivot = V()
+        envelope.compute(hull)
+        path.removeProperty("Pivot")
+        file = os.path.join(self.folder, "before.FCStd")
+        self.doc.saveAs(file)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(file)
+        path, hull = map(self.doc.getObject, names)
+        self.doc.recompute(None, True)
+        self.assertEqual(tuple(path.Pivot), (0, 0, 0))
+        self.assertEqual(hull.Status, envelope.UP_TO_DATE)
+        envelope.compute(hull)
+        self.assertAlmostEqual(hull.Volume.Value, volume, delta=1e-9 * volume)
