@@ -65,6 +65,8 @@ def scenario():
     to_3d_view()  # the spreadsheet lies before it
     view = Gui.activeDocument().activeView()
     view.viewIsometric()
+    from pivy import coin  # noqa: F401 (before it FreeCAD 1.1 gives no scene graph)
+
     graph = view.getSceneGraph()
     Gui.SendMsgToActiveView("ViewFit")
     yield
