@@ -111,6 +111,7 @@ class Table(Case):
 
     def changed(self, name):
         """A change, and its undo."""
+        shown = {obj.Name: obj.Visibility for obj in self.doc.Objects}
         self.doc.openTransaction(name)
         self.CHANGES[name](self.doc)
         self.doc.commitTransaction()
@@ -119,9 +120,8 @@ class Table(Case):
         if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
             self.doc.undo()
         # FreeCAD's undo leaves what is shown as it is, and what an expression has set.
-        self.doc.Wall.Visibility = self.doc.Envelope.Visibility = True
-        for obj in self.doc.findObjects(Label="Hidden"):
-            obj.Visibility = False
+        for obj in self.doc.Objects:
+            obj.Visibility = shown[obj.Name]
         self.doc.recompute()
         self.look(name + ", undone")
         if "expression" not in name:
