@@ -105,7 +105,7 @@ def _run(scenario, before=()):
             capture_output=True,
             encoding="utf-8",  # the locale of this process is FreeCAD's business
             errors="replace",
-            timeout=300,
+            timeout=900,  # ends what hangs, on a machine that is busy as well
         )
     print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
