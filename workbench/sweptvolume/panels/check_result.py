@@ -119,6 +119,9 @@ class ResultPanel(StayingPanel):
         self.page.setObjectName("SweptVolumeReport")
         rows.addWidget(self.page)
         self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
+        # The table's own: gone with it where the panel is closed at once.
+        self._fit = QtCore.QTimer(self.table, singleShot=True, interval=0)
+        self._fit.timeout.connect(self.table.resizeRowsToContents)
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.csv.clicked.connect(lambda *ignored: self.export_csv())
         self.sheet.clicked.connect(lambda *ignored: self.export_sheet())
@@ -226,7 +229,7 @@ class ResultPanel(StayingPanel):
         self.table.setColumnWidth(0, self.table.fontMetrics().averageCharWidth() * NAME_LETTERS)
         self.table.setSortingEnabled(True)
         self.table.sortItems(2)
-        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
+        self._fit.start()
 
     # --- choosing rows
 
