@@ -1117,10 +1117,6 @@ Versucht:
    <translation>t = {0} s</translation>
   </message>
   <message>
-   <source>there is no room in the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
-   <translation>im Ordner {0} für vorübergehende Dateien ist kein Platz mehr: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
-  </message>
-  <message>
    <source>the template "{0}" of the preferences is empty.</source>
    <translation>die Vorlage „{0}“ der Einstellungen ist leer.</translation>
   </message>
@@ -1361,6 +1357,10 @@ Versucht:
   <message>
    <source>Cancelled: the document or an object is gone.</source>
    <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
+  </message>
+  <message>
+   <source>there is no room in the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
+   <translation>im Ordner {0} für vorübergehende Dateien ist kein Platz mehr: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
   </message>
   <message>
    <source>studies need the Python package swept_volume beside the compiled core, and the folder {0} has none: install the workbench again, or build it with cmake --build build.</source>
