@@ -2,6 +2,7 @@
 #include "pipeline/rough_surface.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/timer.h"
 #include "crossings/hermite.h"
@@ -13,14 +14,24 @@ namespace swept {
 namespace {
 
 /// Faces of all placements together, and how many placements.
-constexpr double kRoughFaces = 2e6;
+constexpr double kRoughFaces = 1.5e6;
 constexpr std::size_t kFewest = 8, kMost = 192;
-/// A motion of no more than so many is taken whole, unless it is dense: its sampling is then known
-/// as well.
-constexpr double kWholeFaces = 12e6;
+/// A motion of no more than so many is taken whole: its sampling is then known as well.
 constexpr std::size_t kMostWhole = 384;
-/// About so many are contoured.
+/// Pieces cross the lattice about so often at most, or the grid is up to so many times coarser,
+/// with at least so many cells along its longest side.
+constexpr double kMostRecords = 4e6;
+constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
+/// About so many crossings are contoured.
 constexpr double kRoughCrossings = 1e5;
+
+/// The same room in larger cells; its outermost points stay outside.
+GridPlan coarser(GridPlan grid, std::int32_t times) {
+  grid.cell *= times;
+  for (std::int32_t& points : grid.points) points = (points - 2) / times + 2;
+  return grid;
+}
+
 /// The motion along `wanted` of its placements.
 Motion thinned(const Motion& motion, std::size_t wanted) {
   Motion part;
@@ -55,34 +66,60 @@ MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& ru
 RoughSurface roughSurface(const SamplerInput& whole, ComponentMethod components, bool probes,
                           RunContext& run) {
   SamplingCost cost;
-  const auto sampled = [&](const Motion& motion) {
-    return sampleCounted({whole.body, whole.topology, motion, whole.grid, whole.cull,
-                          whole.orientable, whole.clusters, nullptr, nullptr, whole.fillsHollows},
-                         cost, run);
+  const auto sampled = [&](const Motion& motion, const GridPlan& grid, PlacementRange only = {}) {
+    SamplerInput input{whole.body,       whole.topology, motion,  grid,    whole.cull,
+                       whole.orientable, whole.clusters, nullptr, nullptr, whole.fillsHollows};
+    input.only = only;
+    cost = {};
+    return sampleCounted(input, cost, run);
+  };
+  // The smallest cells that are affordable, from a few placements on the coarsest grid.
+  const auto coarseningFor = [&](const Motion& motion) {
+    const std::int32_t longest =
+        *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
+    const std::int32_t most = std::clamp(longest / kFewestCells, 1, kCoarsest);
+    if (most == 1) return 1;
+    const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
+    const std::size_t looks = std::min<std::size_t>(count, 2);
+    double records = 0;
+    for (std::size_t n = 0; n < looks; ++n) {
+      const std::size_t at = (2 * n + 1) * count / (2 * looks);
+      sampled(motion, coarser(whole.grid, most), {at, at + 1});
+      records +=
+          cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
+    }
+    return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(records / kMostRecords))), 1,
+                      most);
   };
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
-  const bool few = probes && all <= kMostWhole && static_cast<double>(all) * faces <= kWholeFaces;
+  const bool few = probes && all <= kMostWhole && static_cast<double>(all) * faces <= kRoughFaces;
   const std::size_t wanted =
       std::clamp(static_cast<std::size_t>(kRoughFaces / faces), kFewest, kMost);
   Motion part = thinned(whole.motion, few ? all : std::min(wanted, all));
-  MarkedEdges marked = sampled(part);
+  const std::int32_t times = coarseningFor(part);
+  const GridPlan grid = coarser(whole.grid, times);
+  MarkedEdges marked = sampled(part, grid);
   RoughSurface found;
-  if (part.placements.size() == all) found.all = cost;
-  found.crossings = static_cast<double>(countCrossings(marked, whole.grid, run).crossings);
+  if (part.placements.size() == all && times == 1) found.all = cost;
+  const auto crossings = static_cast<double>(countCrossings(marked, grid, run).crossings);
+  found.crossings = crossings * times * times;
   if (!probes) return found;
-  if (found.crossings > kRoughCrossings) {
-    const double fewer =
-        static_cast<double>(part.placements.size()) * kRoughCrossings / found.crossings;
+  if (crossings > kRoughCrossings) {
+    const double fewer = static_cast<double>(part.placements.size()) * kRoughCrossings / crossings;
     part = thinned(whole.motion, std::max<std::size_t>(2, static_cast<std::size_t>(fewer)));
-    marked = sampled(part);
+    marked = sampled(part, grid);
   }
-  const SignRuns signs = findOutside(marked, whole.grid, run);
-  const SamplerInput input{whole.body, whole.topology, part,
-                           whole.grid, whole.cull,     whole.orientable};
+  const SignRuns signs = findOutside(marked, grid, run);
+  const SamplerInput input{whole.body, whole.topology, part, grid, whole.cull, whole.orientable};
   HermiteGrid hermite = buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
-  found.probeSeconds = tryProbes(whole, part, marked, hermite, components, run) /
-                       static_cast<double>(std::max<std::size_t>(1, hermite.crossings.size()));
+  const SamplerInput onGrid{whole.body, whole.topology, whole.motion,
+                            grid,       whole.cull,     whole.orientable};
+  // In larger cells a probe meets as many times more pieces as there are fewer cells: both together
+  // take much the same.
+  const double contoured = static_cast<double>(hermite.crossings.size()) * times * times;
+  found.probeSeconds =
+      tryProbes(onGrid, part, marked, hermite, components, run) / std::max(1.0, contoured);
   return found;
 }
 
