@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/timer.h"
 #include "crossings/hermite.h"
@@ -13,15 +14,14 @@
 namespace swept {
 namespace {
 
-/// Faces of all placements together, and how many placements.
-constexpr double kRoughFaces = 1.5e6;
+/// How many placements are taken: so many, unless their faces are too many together.
 constexpr std::size_t kFewest = 8, kMost = 192;
-/// A motion of no more than so many is taken whole: its sampling is then known as well.
+/// A motion of no more placements is taken whole.
 constexpr std::size_t kMostWhole = 384;
-/// Pieces cross the lattice about so often at most, or the grid is up to so many times coarser,
-/// with at least so many cells along its longest side.
-constexpr double kMostRecords = 4e6;
+/// The grid is up to so many times coarser, with at least so many cells along its longest side.
 constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
+/// Motions of fewer steps are looked at in one place before they are sampled.
+constexpr std::size_t kFewSteps = 16;
 /// About so many crossings are contoured.
 constexpr double kRoughCrossings = 1e5;
 
@@ -63,7 +63,15 @@ MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& ru
   return marked;
 }
 
-RoughSurface roughSurface(const SamplerInput& whole, ComponentMethod components, bool probes,
+RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
+  constexpr double kPart = 0.05;
+  const RoughRoom least, most{6e6, 2e7};
+  return {std::clamp(kPart * copies, least.faces, most.faces),
+          std::clamp(kPart * sampling.crossings, least.crossings, most.crossings)};
+}
+
+RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
+                          std::optional<MarkedEdges> known, ComponentMethod components, bool probes,
                           RunContext& run) {
   SamplingCost cost;
   const auto sampled = [&](const Motion& motion, const GridPlan& grid, PlacementRange only = {}) {
@@ -73,53 +81,51 @@ RoughSurface roughSurface(const SamplerInput& whole, ComponentMethod components,
     cost = {};
     return sampleCounted(input, cost, run);
   };
-  // The smallest cells that are affordable, from a few placements on the coarsest grid.
+  // The smallest cells that there is room for, from a few placements on the coarsest grid.
   const auto coarseningFor = [&](const Motion& motion) {
     const std::int32_t longest =
         *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
     const std::int32_t most = std::clamp(longest / kFewestCells, 1, kCoarsest);
     if (most == 1) return 1;
     const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
-    const std::size_t looks = std::min<std::size_t>(count, 2);
-    double records = 0;
+    const std::size_t looks = count < kFewSteps ? 1 : 2;
+    double crossings = 0;
     for (std::size_t n = 0; n < looks; ++n) {
       const std::size_t at = (2 * n + 1) * count / (2 * looks);
       sampled(motion, coarser(whole.grid, most), {at, at + 1});
-      records +=
+      crossings +=
           cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
     }
-    return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(records / kMostRecords))), 1,
-                      most);
+    return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(crossings / room.crossings))),
+                      1, most);
   };
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
-  const bool few = probes && all <= kMostWhole && static_cast<double>(all) * faces <= kRoughFaces;
-  const std::size_t wanted =
-      std::clamp(static_cast<std::size_t>(kRoughFaces / faces), kFewest, kMost);
-  Motion part = thinned(whole.motion, few ? all : std::min(wanted, all));
-  const std::int32_t times = coarseningFor(part);
+  const auto wanted = static_cast<std::size_t>(room.faces / faces);
+  const bool few = known || (all <= kMostWhole && all <= wanted);
+  Motion part =
+      thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kFewest, kMost), all));
+  const std::int32_t times = known ? 1 : coarseningFor(part);
   const GridPlan grid = coarser(whole.grid, times);
-  MarkedEdges marked = sampled(part, grid);
+  MarkedEdges marked = known ? std::move(*known) : sampled(part, grid);
   RoughSurface found;
-  if (part.placements.size() == all && times == 1) found.all = cost;
   const auto crossings = static_cast<double>(countCrossings(marked, grid, run).crossings);
   found.crossings = crossings * times * times;
   if (!probes) return found;
-  if (crossings > kRoughCrossings) {
+  if (crossings > kRoughCrossings && !known) {
     const double fewer = static_cast<double>(part.placements.size()) * kRoughCrossings / crossings;
     part = thinned(whole.motion, std::max<std::size_t>(2, static_cast<std::size_t>(fewer)));
     marked = sampled(part, grid);
   }
   const SignRuns signs = findOutside(marked, grid, run);
   const SamplerInput input{whole.body, whole.topology, part, grid, whole.cull, whole.orientable};
-  HermiteGrid hermite = buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
-  const SamplerInput onGrid{whole.body, whole.topology, whole.motion,
-                            grid,       whole.cull,     whole.orientable};
-  // In larger cells a probe meets as many times more pieces as there are fewer cells: both together
-  // take much the same.
+  const HermiteGrid hermite = buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
+  found.probes = tryProbes(whole, {part, marked, hermite, times}, components);
   const double contoured = static_cast<double>(hermite.crossings.size()) * times * times;
-  found.probeSeconds =
-      tryProbes(onGrid, part, marked, hermite, components, run) / std::max(1.0, contoured);
+  if (contoured > 0) {
+    found.probes.casts *= found.crossings / contoured;
+    found.probes.seconds *= found.crossings / contoured;
+  }
   return found;
 }
 

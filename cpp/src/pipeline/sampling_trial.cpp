@@ -61,13 +61,17 @@ double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, doub
                   kept * kSortedBytes + sampling.elements * kElementBytes + map);
 }
 
-SamplingCost SamplingTrial::whole() const {
+SamplingTrial::Whole SamplingTrial::whole() const {
   const Motion& motion = whole_.motion;
   const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
   const Parts parts = partsFor(count);
-  if (parts.all && parts.clusterParts == 1) return of(input(motion));
-  if (!motion.continuous) return bySomeCopies(count, parts.steps);
-  return parts.all ? byAllSteps(count, parts) : byWindows(count, parts);
+  if (parts.all && parts.clusterParts == 1) {
+    Whole all;
+    all.marked = sampleCounted(input(motion), all.cost, run_);
+    return all;
+  }
+  if (!motion.continuous) return {bySomeCopies(count, parts.steps), std::nullopt};
+  return {parts.all ? byAllSteps(count, parts) : byWindows(count, parts), std::nullopt};
 }
 
 SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {

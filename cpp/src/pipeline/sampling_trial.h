@@ -25,8 +25,12 @@ class SamplingTrial {
 
   /// CPU seconds of finding out what lies deep inside the whole motion.
   double insideSeconds() const { return insideSeconds_; }
-  /// Of the whole motion, without that.
-  SamplingCost whole() const;
+  struct Whole {
+    SamplingCost cost;
+    std::optional<MarkedEdges> marked;  ///< where all of it has been sampled
+  };
+  /// The whole motion, without that.
+  Whole whole() const;
   /// Of what is held while the whole motion is sampled; before that, of what the map of what lies
   /// inside is made of. `surface`: crossings of the surface.
   double bytesOf(const SamplingCost& sampling, double surface, double threads) const;

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/threads.h"
@@ -19,6 +20,7 @@ namespace {
 /// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
 /// planned, and of a crossing that becomes surface.
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
+
 }  // namespace
 
 Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const BodyTopology& topology,
@@ -30,36 +32,38 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   const bool dense =
       options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, p.body.orientable, {});
-  tbb::task_arena alone(1);
-  const RoughSurface surface =
-      alone.execute([&] { return roughSurface(input, options.components, !dense, run); });
-  const double byBox = static_cast<double>(estimate.triangles) / 2;
-  const auto bytesForAll = static_cast<std::uint64_t>(
-      std::max(0.0, static_cast<double>(estimate.memoryBytes) +
-                        (surface.crossings - byBox) * bytesOfCrossing(options)));
-  const double threads = threadsOf(run);
-  const double before = std::max(body.seconds / threads,
-                                 static_cast<double>(p.body.mesh.triangles.size()) * kBodySeconds) +
-                        static_cast<double>(p.givenPoses) * kPoseSeconds;
-  const double contouring = surface.crossings * (kCrossingSeconds + surface.probeSeconds);
+  const double faces = static_cast<double>(p.body.mesh.triangles.size()), threads = threadsOf(run);
+  double seconds = std::max(body.seconds / threads, faces * kBodySeconds) +
+                   static_cast<double>(p.givenPoses) * kPoseSeconds;
+  std::uint64_t bytes = 0;  // of sampling
+  RoughSurface surface;
+  const auto look = [&] {
+    if (dense) {
+      surface = roughSurface(input, {}, std::nullopt, options.components, false, run);
+      const dense::DenseCost cost = dense::tryDense(input, run);
+      seconds += cost.seconds / threads;
+      bytes = static_cast<std::uint64_t>(cost.bytes) - denseBytes(p.body.mesh);
+      return;
+    }
+    const SamplingTrial trial(input, run);
+    SamplingTrial::Whole whole = trial.whole();
+    const double copies = faces * static_cast<double>(p.motion.placements.size());
+    surface = roughSurface(input, roomBeside(whole.cost, copies), std::move(whole.marked),
+                           options.components, true, run);
+    seconds += (whole.cost.seconds + trial.insideSeconds()) / threads;
+    bytes = static_cast<std::uint64_t>(trial.bytesOf(whole.cost, surface.crossings, threads));
+  };
+  tbb::task_arena(1).execute(look);
   Estimate better = estimate;
   better.triangles = static_cast<std::int64_t>(2 * surface.crossings);
-  if (dense) {
-    const auto cost = alone.execute([&] { return dense::tryDense(input, run); });
-    better.seconds = before + (cost.seconds + contouring) / threads;
-    better.memoryBytes = std::max(
-        body.bytes, bytesForAll - denseBytes(p.body.mesh) + static_cast<std::uint64_t>(cost.bytes));
-    return better;
-  }
-  const auto [seconds, bytes] = alone.execute([&] {
-    const SamplingTrial trial(input, run);
-    const SamplingCost sampling = surface.all ? *surface.all : trial.whole();
-    return std::pair(sampling.seconds + trial.insideSeconds(),
-                     trial.bytesOf(sampling, surface.crossings, threads));
-  });
-  better.seconds = before + (seconds + contouring) / threads;
+  better.seconds =
+      seconds + (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads;
   // What the check of the body has taken is free again when the motion is sampled.
-  better.memoryBytes = std::max(body.bytes, bytesForAll + static_cast<std::uint64_t>(bytes));
+  const double byBox = static_cast<double>(estimate.triangles) / 2;
+  const double held = static_cast<double>(estimate.memoryBytes) +
+                      (surface.crossings - byBox) * bytesOfCrossing(options);
+  better.memoryBytes =
+      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, held)) + bytes);
   return better;
 }
 
