@@ -15,7 +15,7 @@ namespace swept {
 namespace {
 
 /// How many placements are taken: so many, unless their faces are too many together.
-constexpr std::size_t kFewest = 8, kMost = 192;
+constexpr std::size_t kFewest = 6, kMost = 192;
 /// A motion of no more placements is taken whole.
 constexpr std::size_t kMostWhole = 384;
 /// The grid is up to so many times coarser, with at least so many cells along its longest side.

@@ -15,9 +15,9 @@ namespace {
 
 /// Copies of triangles that are sampled; a crossing takes as long as so many of them.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Steps that are sampled; of bodies of few triangles more: long windows show what pieces far apart
-/// in time hide.
-constexpr std::size_t kFewest = 12, kMost = 192, kMostCheap = 1536;
+/// Steps that are sampled, and copies of a union at least; of bodies of few triangles more: long
+/// windows show what pieces far apart in time hide.
+constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
 constexpr double kCheapCopies = 4e5;
 /// Places of the motion where two trials begin, one of them of twice as many steps. Bodies of many
 /// triangles get fewer.
@@ -25,7 +25,7 @@ constexpr std::size_t kMostWindows = 8, kFewestWindows = 2;
 /// Places, and faces at each, that tell how many crossings a copy has.
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
 /// Parts of the clusters that are shown at least, each of kClustersTogether.
-constexpr std::size_t kFewestParts = 8;
+constexpr std::size_t kFewestParts = 24;
 /// Of what the copies take in the mean, one more takes this at least.
 constexpr double kLeastShare = 0.2;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
@@ -101,9 +101,13 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t cap =
       std::clamp(static_cast<std::size_t>(kCheapCopies / faces), kMost, kMostCheap);
   if (count <= 2 * cap && affordable((count + 1) / 2)) return {count, 1, true};
-  if (count <= 2 * kFewest) return {count, partsOf(count), true};
-  const std::size_t steps =
-      std::clamp(static_cast<std::size_t>(kTrialWork / step), kFewest, std::min(cap, count / 2));
+  // All steps with some of the clusters rather than some of the steps: speeds differ more.
+  if (whole_.motion.continuous &&
+      (count <= 2 * kFewest || (count <= kMost && affordable(count / most)))) {
+    return {count, partsOf(count), true};
+  }
+  const std::size_t fewest = whole_.motion.continuous ? kFewest : std::min(kFewestCopies, count);
+  const std::size_t steps = std::clamp(static_cast<std::size_t>(kTrialWork / step), fewest, cap);
   return {steps, partsOf(steps), false};
 }
 

@@ -26,7 +26,7 @@ using ShownClusters = std::vector<ShownCluster>;  // clusters rise
 
 /// Clusters that are left out or shown together where not all are: those on their borders are
 /// looked at as well, and neighbours have numbers near each other.
-constexpr std::size_t kClustersTogether = 64;
+constexpr std::size_t kClustersTogether = 16;
 
 /// All, or one part in `parts` of them, spread over the body; none for 0.
 inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
