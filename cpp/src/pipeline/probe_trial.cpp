@@ -9,7 +9,6 @@
 #include "contour/cell.h"
 #include "contour/dual_surface.h"
 #include "crossings/element_probe.h"
-#include "geometry/triangle_distance.h"
 
 namespace swept {
 namespace {
@@ -62,34 +61,56 @@ std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
   return cells;
 }
 
-/// A crossing of a rough cell.
-struct Seed {
-  std::uint32_t crossing;
-  int edge;      // of the cell
-  bool fromLow;  // seen from there
+/// A cell with crossings of its own, and the numbers that these have in the grid.
+struct OwnCell {
+  Cell cell;
+  std::vector<Crossing> crossings;
+  std::vector<std::uint32_t> numbers;
+  std::vector<int> slots;
+
+  OwnCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
+    for (int edge = 0; edge < kEdges; ++edge) {
+      const int axis = edge / 4;
+      Eigen::Vector3i low = at;
+      low[(axis + 1) % 3] += edge & 1;
+      low[(axis + 2) % 3] += edge >> 1 & 1;
+      const HermiteLayer& layer = grid.layers[static_cast<std::size_t>(low[0])];
+      const HermiteEdge* found =
+          findEdge(layer.edges[axis], layer.columnStart[axis], low[1], low[2]);
+      if (found == nullptr) continue;
+      cell.mask |= static_cast<std::uint32_t>(found->sides) << 2 * edge;
+      cell.first[edge] = static_cast<std::uint32_t>(numbers.size());
+      std::uint32_t number = found->first;
+      for (const int end : {0, 1}) {
+        if (!cell.has(2 * edge + end)) continue;
+        crossings.push_back(grid.crossings[number]);
+        numbers.push_back(number++);
+        slots.push_back(2 * edge + end);
+      }
+    }
+  }
+
+  /// Moves the crossings to where a probe along their edges finds them.
+  void move(const SurfaceProbe& probe) {
+    std::vector<ProbeLine> lines(slots.size());
+    for (std::size_t n = 0; n < slots.size(); ++n) {
+      const bool fromHigh = slots[n] % 2 != 0;
+      lines[n].from = localPosition(slots[n] / 2, fromHigh ? 1 : 0);
+      lines[n].to = localPosition(slots[n] / 2, fromHigh ? 0 : 1);
+    }
+    probe.cast({Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()}, {}, lines);
+    for (std::size_t n = 0; n < slots.size(); ++n) {
+      if (!lines[n].hit) continue;
+      crossings[n] = {static_cast<float>(lines[n].point[slots[n] / 8]),
+                      lines[n].normal.cast<float>(), static_cast<float>(lines[n].timeSeconds)};
+    }
+  }
 };
 
-std::vector<Seed> seedsOf(const HermiteGrid& grid, const Eigen::Vector3i& cell) {
-  std::vector<Seed> seeds;
-  for (int edge = 0; edge < kEdges; ++edge) {
-    const int axis = edge / 4;
-    Eigen::Vector3i low = cell;
-    low[(axis + 1) % 3] += edge & 1;
-    low[(axis + 2) % 3] += edge >> 1 & 1;
-    const HermiteLayer& layer = grid.layers[static_cast<std::size_t>(low[0])];
-    const HermiteEdge* found = findEdge(layer.edges[axis], layer.columnStart[axis], low[1], low[2]);
-    if (found == nullptr) continue;
-    std::uint32_t crossing = found->first;
-    if ((found->sides & HermiteEdge::kLow) != 0) seeds.push_back({crossing++, edge, true});
-    if ((found->sides & HermiteEdge::kHigh) != 0) seeds.push_back({crossing, edge, false});
-  }
-  return seeds;
-}
-
-/// Casts for one cell at any place of the grid, and counts what is asked.
+/// Casts for one cell, which takes itself to lie at the origin; says what that takes.
 class CellProbe : public SurfaceProbe {
  public:
-  /// `starts`: numbers of the elements that every search starts at.
+  /// `starts`: numbers of the crossings whose elements every search starts at.
   CellProbe(const ElementProbe& whole, const Eigen::Vector3d& corner,
             const std::vector<std::uint32_t>& starts)
       : whole_(whole), corner_(corner), starts_(starts) {}
@@ -120,42 +141,6 @@ class CellProbe : public SurfaceProbe {
   mutable ProbeCost cost_;
 };
 
-struct CrossedCell {
-  Cell cell;
-  std::vector<Crossing> crossings;
-};
-
-/// Looks for the crossings on all edges of a cell; the outside is what its edges reach from
-/// `outside`, a corner, without meeting the surface.
-CrossedCell crossedCell(const SurfaceProbe& probe, int outside) {
-  std::vector<ProbeLine> lines(kSlots);
-  for (int slot = 0; slot < kSlots; ++slot) {
-    lines[slot].from = localPosition(slot / 2, slot % 2 == 0 ? 0 : 1);
-    lines[slot].to = localPosition(slot / 2, slot % 2 == 0 ? 1 : 0);
-  }
-  probe.cast({Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()}, {}, lines);
-  const auto meets = [&](int edge) { return lines[2 * edge].hit && lines[2 * edge + 1].hit; };
-  std::uint32_t reached = 1u << outside;
-  for (std::uint32_t before = 0; before != reached;) {
-    before = reached;
-    for (int edge = 0; edge < kEdges; ++edge) {
-      const std::uint32_t ends = 1u << cornerOf(edge, 0) | 1u << cornerOf(edge, 1);
-      if (!meets(edge) && (reached & ends) != 0) reached |= ends;
-    }
-  }
-  CrossedCell found;
-  for (int slot = 0; slot < kSlots; ++slot) {
-    if (!meets(slot / 2) || (reached >> cornerOf(slot / 2, slot % 2) & 1u) == 0) continue;
-    const auto number = static_cast<std::uint32_t>(found.crossings.size());
-    if (slot % 2 == 0 || !found.cell.has(slot - 1)) found.cell.first[slot / 2] = number;
-    found.cell.mask |= 1u << slot;
-    const ProbeLine& line = lines[slot];
-    found.crossings.push_back({static_cast<float>(line.point[slot / 8]), line.normal.cast<float>(),
-                               static_cast<float>(line.timeSeconds)});
-  }
-  return found;
-}
-
 /// The element of the whole motion at the time of a crossing of the rough one.
 SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& rough,
                             double seconds) {
@@ -170,36 +155,6 @@ SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Mot
   return element;
 }
 
-/// The way from p to an element (grid coordinates).
-Eigen::Vector3d wayTo(const SweptElement& element, const Eigen::Vector3d& p,
-                      const SamplerInput& input) {
-  const auto& x = input.body.vertices;
-  const Placement at = input.grid.toGrid(input.motion.placements[element.placement]);
-  if (!element.isSidePatch()) {
-    const auto& t = input.body.triangles[element.index()];
-    return -footOnTriangle(p, at.apply(x[t[0]]), at.apply(x[t[1]]), at.apply(x[t[2]])).offset;
-  }
-  const Placement next = input.grid.toGrid(input.motion.placements[element.placement + 1]);
-  const BodyEdge& e = input.topology.edges[element.index()];
-  const Eigen::Vector3d a = at.apply(x[e.a]), c = next.apply(x[e.b]);
-  const Foot one = footOnTriangle(p, a, at.apply(x[e.b]), c);
-  const Foot two = footOnTriangle(p, a, c, next.apply(x[e.a]));
-  return -(one.offset.squaredNorm() < two.offset.squaredNorm() ? one : two).offset;
-}
-
-/// Corner of the run's cell at a crossing within a cell of the rough grid.
-Eigen::Vector3d cornerAt(const Eigen::Vector3i& cell, const Seed& seed, double fraction,
-                         std::int32_t coarser) {
-  const int axis = seed.edge / 4;
-  Eigen::Vector3i corner = cell * coarser;
-  corner[axis] +=
-      std::min(static_cast<std::int32_t>(fraction * static_cast<double>(coarser)), coarser - 1);
-  for (const int n : {0, 1}) {
-    if ((seed.edge >> n & 1) != 0) corner[(axis + 1 + n) % 3] += coarser - 1;
-  }
-  return corner.cast<double>();
-}
-
 }  // namespace
 
 ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
@@ -210,9 +165,9 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
     elements.push_back(elementOfWhole(rough.marked.elements[grid.winner[n]], whole.motion,
                                       rough.motion, grid.crossings[n].timeSeconds));
   }
-  std::vector<std::uint32_t> own(elements.size());
-  std::iota(own.begin(), own.end(), 0u);
-  const ElementProbe probe(whole, elements, own);
+  std::vector<std::uint32_t> elementOf(elements.size());
+  std::iota(elementOf.begin(), elementOf.end(), 0u);
+  const ElementProbe probe(whole, elements, elementOf);
   const std::vector<CellKey> cells = mixedCells(grid);
   const double start = threadSeconds();
   ProbeCost cost;
@@ -221,29 +176,16 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
     return threadSeconds() - start < (done < kFewestCells ? kMostProbeSeconds : kProbeSeconds);
   };
   for (; done < cells.size() && goesOn(); ++done) {
-    const Eigen::Vector3i cell = cellOf(cells[done]);
-    const std::vector<Seed> seeds = seedsOf(grid, cell);
-    const Seed& seed = seeds[(mixed(cells[done]) >> 32) % seeds.size()];
-    std::vector<std::uint32_t> starts;
-    for (const Seed& s : seeds) starts.push_back(s.crossing);
-    const double fraction = grid.crossings[seed.crossing].fraction;
-    const Eigen::Vector3d at =
-        (cell.cast<double>() + localPosition(seed.edge, static_cast<float>(fraction))) *
-        rough.coarser;
-    const Eigen::Vector3d corner =
-        cornerAt(cell, seed, fraction, rough.coarser) + wayTo(elements[seed.crossing], at, whole);
-    const CrossedCell crossed =
-        crossedCell(CellProbe(probe, corner, starts), cornerOf(seed.edge, seed.fromLow ? 0 : 1));
-    const CellProbe asked(probe, corner, starts);
-    probeCell(crossed.cell, crossed.crossings, components, asked);
+    const Eigen::Vector3i at = cellOf(cells[done]);
+    OwnCell own(grid, at);
+    own.move(CellProbe(probe, at.cast<double>(), own.numbers));
+    const CellProbe asked(probe, at.cast<double>(), own.numbers);
+    probeCell(own.cell, own.crossings, components, asked);
     cost.casts += asked.cost().casts;
     cost.seconds += asked.cost().seconds;
   }
   if (done == 0) return cost;
-  // Most probes are cast at creases, which pass through as many times more of the run's cells as
-  // these are smaller; in larger cells, pieces that no crossing names look like some.
-  const double times =
-      static_cast<double>(cells.size()) / static_cast<double>(done) * rough.coarser;
+  const double times = static_cast<double>(cells.size()) / static_cast<double>(done);
   return {cost.casts * times, cost.seconds * times};
 }
 

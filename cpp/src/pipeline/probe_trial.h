@@ -1,11 +1,11 @@
-// What the probes of contouring take, from some cells of the run's grid.
-// In:    the run's sampler input; a rough surface of it, on a grid of larger cells or the same
-//        (rough_surface.h).
+// What the probes of contouring take, from some of its cells.
+// In:    the whole motion; a rough surface of it on the same grid (rough_surface.h).
 // Out:   how many probes contouring casts, and their CPU seconds. Cost: about kProbeSeconds.
 // What a cell asks depends on its crossings to the last digit: a recording trembles between the
-// placements of a rough sweep, and its creases ask many times more. Each cell is therefore moved
-// onto the nearest piece of the whole motion, and the crossings on its edges are looked for there.
-// Then it asks as in a run, and every probe gets its true answer, on which the next one may depend.
+// placements of a rough sweep, and its creases ask many times more. The crossings on the edges of
+// each cell are therefore looked for on the whole motion first. Then the cell asks as in a run, and
+// every probe starts at elements of the whole motion and gets its true answer, on which the next
+// one may depend.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,7 +24,6 @@ struct RoughSweep {
   const Motion& motion;  ///< some placements of the whole motion
   const MarkedEdges& marked;
   const HermiteGrid& hermite;
-  std::int32_t coarser;  ///< its cells are so many times as large
 };
 
 /// For one thread.

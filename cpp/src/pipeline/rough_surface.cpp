@@ -120,12 +120,15 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   const SignRuns signs = findOutside(marked, grid, run);
   const SamplerInput input{whole.body, whole.topology, part, grid, whole.cull, whole.orientable};
   const HermiteGrid hermite = buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
-  found.probes = tryProbes(whole, {part, marked, hermite, times}, components);
-  const double contoured = static_cast<double>(hermite.crossings.size()) * times * times;
-  if (contoured > 0) {
-    found.probes.casts *= found.crossings / contoured;
-    found.probes.seconds *= found.crossings / contoured;
-  }
+  const SamplerInput onGrid{whole.body, whole.topology, whole.motion,
+                            grid,       whole.cull,     whole.orientable};
+  found.probes = tryProbes(onGrid, {part, marked, hermite}, components);
+  if (hermite.crossings.empty()) return found;
+  // In cells r times smaller, between r (creases) and r * r (what trembles) times as many probes
+  // are cast, each at r * r times fewer pieces.
+  const double r = times, all = crossings / static_cast<double>(hermite.crossings.size());
+  found.probes.casts *= all * r * std::sqrt(r);
+  found.probes.seconds *= all / std::sqrt(r);
   return found;
 }
 
