@@ -126,9 +126,9 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   if (hermite.crossings.empty()) return found;
   // In cells r times smaller, between r (creases) and r * r (what trembles) times as many probes
   // are cast, each at r * r times fewer pieces.
-  const double r = times, all = crossings / static_cast<double>(hermite.crossings.size());
-  found.probes.casts *= all * r * std::sqrt(r);
-  found.probes.seconds *= all / std::sqrt(r);
+  const double r = times, share = crossings / static_cast<double>(hermite.crossings.size());
+  found.probes.casts *= share * r * std::sqrt(r);
+  found.probes.seconds *= share / std::sqrt(r);
   return found;
 }
 
