@@ -13,9 +13,11 @@
 namespace swept {
 namespace {
 
-/// Cells are looked at for so many CPU seconds, but so many at least, unless these take far more.
-constexpr double kProbeSeconds = 0.15, kMostProbeSeconds = 0.6;
+/// So many cells are looked at, unless these take far more CPU seconds than that.
 constexpr std::size_t kFewestCells = 48;
+constexpr double kFewestSeconds = 0.6;
+/// Then more, for so many seconds, or for that part of what all are going to take.
+constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMostSeconds = 2;
 
 using CellKey = std::uint64_t;
 constexpr int kKeyBits = 20;
@@ -172,8 +174,11 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
   const double start = threadSeconds();
   ProbeCost cost;
   std::size_t done = 0;
+  const auto times = [&] { return static_cast<double>(cells.size()) / static_cast<double>(done); };
   const auto goesOn = [&] {
-    return threadSeconds() - start < (done < kFewestCells ? kMostProbeSeconds : kProbeSeconds);
+    const double taken = threadSeconds() - start;
+    if (done < kFewestCells) return taken < kFewestSeconds;
+    return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMostSeconds);
   };
   for (; done < cells.size() && goesOn(); ++done) {
     const Eigen::Vector3i at = cellOf(cells[done]);
@@ -184,9 +189,8 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
     cost.casts += asked.cost().casts;
     cost.seconds += asked.cost().seconds;
   }
-  if (done == 0) return cost;
-  const double times = static_cast<double>(cells.size()) / static_cast<double>(done);
-  return {cost.casts * times, cost.seconds * times};
+if (done == 0) return cost;
+  return {cost.casts * times(), cost.seconds * times()};
 }
 
 }  // namespace swept
