@@ -189,7 +189,7 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
     cost.casts += asked.cost().casts;
     cost.seconds += asked.cost().seconds;
   }
-if (done == 0) return cost;
+  if (done == 0) return cost;
   return {cost.casts * times(), cost.seconds * times()};
 }
 

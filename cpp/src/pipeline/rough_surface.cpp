@@ -22,8 +22,8 @@ constexpr std::size_t kMostWhole = 384;
 constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
 /// Motions of fewer steps are looked at in one place before they are sampled.
 constexpr std::size_t kFewSteps = 16;
-/// About so many crossings are contoured.
-constexpr double kRoughCrossings = 1e5;
+/// Of so many crossings about normals and times are found.
+constexpr double kRoughCrossings = 5e5;
 
 /// The same room in larger cells; its outermost points stay outside.
 GridPlan coarser(GridPlan grid, std::int32_t times) {

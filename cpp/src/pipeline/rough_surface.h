@@ -32,7 +32,7 @@ MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& ru
 
 /// What a rough sweep may have, about.
 struct RoughRoom {
-  double faces = 1.5e6;      ///< of all placements together
+  double faces = 1.5e6;    ///< of all placements together
   double crossings = 1e7;  ///< of all pieces, before the first on each edge are taken
 };
 /// A small part of what the run itself has, but no less than the above.

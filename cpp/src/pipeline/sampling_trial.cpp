@@ -84,7 +84,7 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
   const PlaceGroups none(plain, *whole_.clusters, run_);
-  const std::size_t looks = std::min(count, kLooks);
+  const std::size_t looks = std::clamp<std::size_t>(count, 1, kLooks);
   double crossings = 0;
   for (std::size_t n = 0; n < looks; ++n) {
     const std::size_t k = (2 * n + 1) * count / (2 * looks);
