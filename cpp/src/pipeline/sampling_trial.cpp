@@ -21,7 +21,7 @@ constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap =
 constexpr double kCheapCopies = 4e5;
 /// Places of the motion where two trials begin, one of them of twice as many steps. Bodies of many
 /// triangles get fewer.
-constexpr std::size_t kMostWindows = 8, kFewestWindows = 2;
+constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
 /// Places, and faces at each, that tell how many crossings a copy has.
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
 /// Parts of the clusters that are shown at least, each of kClustersTogether.
