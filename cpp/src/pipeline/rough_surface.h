@@ -43,9 +43,9 @@ struct RoughSurface {
   ProbeCost probes;  ///< of contouring; none where not asked for
 };
 
-/// `sampled`: the whole motion on the run's grid, where that has been done; consumed.
+/// `known`: the whole motion as sampled on the run's grid, where that has been done; consumed.
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
-                          std::optional<MarkedEdges> sampled, ComponentMethod components,
-                          bool probes, RunContext& run);
+                          std::optional<MarkedEdges> known, ComponentMethod components, bool probes,
+                          RunContext& run);
 
 }  // namespace swept
