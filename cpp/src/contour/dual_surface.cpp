@@ -147,6 +147,11 @@ class LayerBuilder {
     }
     vertices.shrink_to_fit();
   }
+  /// Of one cell alone, at the origin.
+  void build(const Cell& cell, LayerNotes& notes) {
+    notes_ = &notes;
+    addCell(cell, 0, 0, out_.vertices[0]);
+  }
 
  private:
   void addCell(const Cell& cell, std::int32_t i, std::int32_t j,
@@ -320,6 +325,17 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                   [&](const RimSegment& x, const RimSegment& y) { return key(x) == key(y); }),
       out.rims.end());
   return out;
+}
+
+void probeCell(const Cell& cell, const std::vector<Crossing>& crossings, ComponentMethod method,
+               const SurfaceProbe& probe) {
+  HermiteGrid grid;
+  grid.crossings = crossings;
+  DualSurface dropped;
+  dropped.vertices.resize(1);
+  dropped.quads.resize(crossings.size());
+  LayerNotes notes;
+  std::make_unique<LayerBuilder>(grid, method, &probe, dropped)->build(cell, notes);
 }
 
 }  // namespace swept

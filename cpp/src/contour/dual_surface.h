@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contour/cell.h"
 #include "grid/hermite_grid.h"
 #include "grid/surface_probe.h"
 #include "swept/run_context.h"
@@ -78,5 +79,10 @@ struct DualSurface {
 /// last crossing.
 DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                              const SurfaceProbe* probe, RunContext& run);
+
+/// Casts what contouring asks of the probe in one cell, in the cell's own coordinates, and drops
+/// what it makes of the answers. `crossings`: those that the cell refers to.
+void probeCell(const Cell& cell, const std::vector<Crossing>& crossings, ComponentMethod method,
+               const SurfaceProbe& probe);
 
 }  // namespace swept

@@ -2,54 +2,35 @@
 #include "pipeline/rough_surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/timer.h"
-#include "contour/dual_surface.h"
-#include "crossings/element_probe.h"
 #include "crossings/hermite.h"
+#include "pipeline/probe_trial.h"
 #include "signs/count_crossings.h"
 #include "signs/signs.h"
 
 namespace swept {
 namespace {
 
-/// Faces of all placements together, and how many placements.
-constexpr double kRoughFaces = 2e6;
-constexpr std::size_t kFewest = 8, kMost = 192;
-/// A motion of no more than so many is taken whole, unless it is dense: its sampling is then known
-/// as well.
-constexpr double kWholeFaces = 12e6;
+/// How many placements are taken: so many, unless their faces are too many together.
+constexpr std::size_t kFewest = 6, kMost = 192;
+/// A motion of no more placements is taken whole.
 constexpr std::size_t kMostWhole = 384;
-/// About so many are contoured.
-constexpr double kRoughCrossings = 1e5;
-/// So many probes are timed before fewer are, or so many CPU seconds.
-constexpr std::size_t kTimedProbes = 32;
-constexpr double kMostProbeSeconds = 0.1;
+/// The grid is up to so many times coarser, with at least so many cells along its longest side.
+constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
+/// Motions of fewer steps are looked at in one place before they are sampled.
+constexpr std::size_t kFewSteps = 16;
+/// Of so many crossings about normals and times are found.
+constexpr double kRoughCrossings = 5e5;
 
-/// Counts what contouring asks, and times some of it on the whole motion: the more was asked, the
-/// fewer of it. For one thread.
-class TimedProbe : public SurfaceProbe {
- public:
-  explicit TimedProbe(const ElementProbe& whole) : whole_(whole) {}
-
-  void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
-            std::vector<ProbeLine>& lines) const override {
-    if (count_++ % stride_ != 0) return;
-    const double start = threadSeconds();
-    whole_.cast(region, crossings, lines);
-    seconds_ += threadSeconds() - start;
-    if (++cast_ % kTimedProbes == 0 || seconds_ > kMostProbeSeconds) stride_ *= 2;
-  }
-  /// CPU seconds of all.
-  double seconds() const {
-    return cast_ == 0 ? 0 : seconds_ * static_cast<double>(count_) / static_cast<double>(cast_);
-  }
-
- private:
-  const ElementProbe& whole_;
-  mutable std::size_t count_ = 0, cast_ = 0, stride_ = 1;
-  mutable double seconds_ = 0;
-};
+/// The same room in larger cells; its outermost points stay outside.
+GridPlan coarser(GridPlan grid, std::int32_t times) {
+  grid.cell *= times;
+  for (std::int32_t& points : grid.points) points = (points - 2) / times + 2;
+  return grid;
+}
 
 /// The motion along `wanted` of its placements.
 Motion thinned(const Motion& motion, std::size_t wanted) {
@@ -69,35 +50,6 @@ Motion thinned(const Motion& motion, std::size_t wanted) {
   return part;
 }
 
-/// The element of the whole motion at the time of a crossing of the thinned one.
-SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& part,
-                            double seconds) {
-  const auto& all = whole.placements;
-  if (!element.isSidePatch()) seconds = part.placements[element.placement].timeSeconds;
-  const auto after = std::upper_bound(
-      all.begin(), all.end(), seconds,
-      [](double t, const Placement& placement) { return t < placement.timeSeconds; });
-  const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - all.begin(), 1)) - 1;
-  const std::size_t last = element.isSidePatch() ? whole.steps() - 1 : all.size() - 1;
-  element.placement = static_cast<std::uint32_t>(std::min(at, last));
-  return element;
-}
-
-double probeSecondsOf(const SamplerInput& whole, const Motion& part, const MarkedEdges& marked,
-                      const HermiteGrid& hermite, ComponentMethod components, RunContext& run) {
-  std::vector<SweptElement> elements;
-  std::vector<std::uint32_t> own;
-  for (std::size_t n = 0; n < hermite.crossings.size(); ++n) {
-    elements.push_back(elementOfWhole(marked.elements[hermite.winner[n]], whole.motion, part,
-                                      hermite.crossings[n].timeSeconds));
-    own.push_back(static_cast<std::uint32_t>(n));
-  }
-  const ElementProbe probe(whole, elements, own);
-  const TimedProbe timed(probe);
-  buildDualSurface(hermite, components, &timed, run);
-  return timed.seconds() / static_cast<double>(std::max<std::size_t>(1, own.size()));
-}
-
 }  // namespace
 
 MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& run) {
@@ -111,36 +63,72 @@ MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& ru
   return marked;
 }
 
-RoughSurface roughSurface(const SamplerInput& whole, ComponentMethod components, bool probes,
+RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
+  constexpr double kPart = 0.05;
+  const RoughRoom least, most{6e6, 2e7};
+  return {std::clamp(kPart * copies, least.faces, most.faces),
+          std::clamp(kPart * sampling.crossings, least.crossings, most.crossings)};
+}
+
+RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
+                          std::optional<MarkedEdges> known, ComponentMethod components, bool probes,
                           RunContext& run) {
   SamplingCost cost;
-  const auto sampled = [&](const Motion& motion) {
-    return sampleCounted({whole.body, whole.topology, motion, whole.grid, whole.cull,
-                          whole.orientable, whole.clusters, nullptr, nullptr, whole.fillsHollows},
-                         cost, run);
+  const auto sampled = [&](const Motion& motion, const GridPlan& grid, PlacementRange only = {}) {
+    SamplerInput input{whole.body,       whole.topology, motion,  grid,    whole.cull,
+                       whole.orientable, whole.clusters, nullptr, nullptr, whole.fillsHollows};
+    input.only = only;
+    cost = {};
+    return sampleCounted(input, cost, run);
+  };
+  // The smallest cells that there is room for, from a few placements on the coarsest grid.
+  const auto coarseningFor = [&](const Motion& motion) {
+    const std::int32_t longest =
+        *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
+    const std::int32_t most = std::clamp(longest / kFewestCells, 1, kCoarsest);
+    if (most == 1) return 1;
+    const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
+    const std::size_t looks = count < kFewSteps ? 1 : 2;
+    double crossings = 0;
+    for (std::size_t n = 0; n < looks; ++n) {
+      const std::size_t at = (2 * n + 1) * count / (2 * looks);
+      sampled(motion, coarser(whole.grid, most), {at, at + 1});
+      crossings +=
+          cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
+    }
+    return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(crossings / room.crossings))),
+                      1, most);
   };
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
-  const bool few = probes && all <= kMostWhole && static_cast<double>(all) * faces <= kWholeFaces;
-  const std::size_t wanted =
-      std::clamp(static_cast<std::size_t>(kRoughFaces / faces), kFewest, kMost);
-  Motion part = thinned(whole.motion, few ? all : std::min(wanted, all));
-  MarkedEdges marked = sampled(part);
+  const auto wanted = static_cast<std::size_t>(room.faces / faces);
+  const bool few = known || (all <= kMostWhole && all <= wanted);
+  Motion part =
+      thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kFewest, kMost), all));
+  const std::int32_t times = known ? 1 : coarseningFor(part);
+  const GridPlan grid = coarser(whole.grid, times);
+  MarkedEdges marked = known ? std::move(*known) : sampled(part, grid);
   RoughSurface found;
-  if (part.placements.size() == all) found.all = cost;
-  found.crossings = static_cast<double>(countCrossings(marked, whole.grid, run).crossings);
+  const auto crossings = static_cast<double>(countCrossings(marked, grid, run).crossings);
+  found.crossings = crossings * times * times;
   if (!probes) return found;
-  if (found.crossings > kRoughCrossings) {
-    const double fewer =
-        static_cast<double>(part.placements.size()) * kRoughCrossings / found.crossings;
+  if (crossings > kRoughCrossings && !known) {
+    const double fewer = static_cast<double>(part.placements.size()) * kRoughCrossings / crossings;
     part = thinned(whole.motion, std::max<std::size_t>(2, static_cast<std::size_t>(fewer)));
-    marked = sampled(part);
+    marked = sampled(part, grid);
   }
-  const SignRuns signs = findOutside(marked, whole.grid, run);
-  const SamplerInput input{whole.body, whole.topology, part,
-                           whole.grid, whole.cull,     whole.orientable};
+  const SignRuns signs = findOutside(marked, grid, run);
+  const SamplerInput input{whole.body, whole.topology, part, grid, whole.cull, whole.orientable};
   const HermiteGrid hermite = buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
-  found.probeSeconds = probeSecondsOf(whole, part, marked, hermite, components, run);
+  const SamplerInput onGrid{whole.body, whole.topology, whole.motion,
+                            grid,       whole.cull,     whole.orientable};
+  found.probes = tryProbes(onGrid, {part, marked, hermite}, components);
+  if (hermite.crossings.empty()) return found;
+  // In cells r times smaller, between r (creases) and r * r (what trembles) times as many probes
+  // are cast, each at r * r times fewer pieces.
+  const double r = times, share = crossings / static_cast<double>(hermite.crossings.size());
+  found.probes.casts *= share * r * std::sqrt(r);
+  found.probes.seconds *= share / std::sqrt(r);
   return found;
 }
 

@@ -1,9 +1,9 @@
-// What a run takes, after a look: a few of its steps are sampled on its own grid, and counted.
-// In:    checked body and what its check took, planned run. Out: the estimate with seconds and
-//        memory of sampling as these steps take them. What the surface takes is seen on a rough
-//        one.
-// Cost:  sampling of 8 to 192 placements, as far as they have 6 million triangles together, or of
-//        up to 1,536 with 400,000, twice as many where these are all; on one thread.
+// What a run takes, after a look: parts of it are sampled on its own grid (sampling_trial.h), and
+// its surface is seen on a rough one (rough_surface.h). In:    checked body and what its check
+// took, planned run. Out: the estimate with seconds and
+//        memory as these parts take them.
+// Cost:  that of the parts, on one thread. It is bounded by what is sampled, not by time, and so is
+//        what is said of memory and triangles.
 // Promise: within a factor of 2 for memory and 3 for seconds over most of the inputs of
 //        tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
 // SPDX-License-Identifier: LGPL-2.1-or-later

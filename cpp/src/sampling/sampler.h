@@ -45,6 +45,8 @@ struct SamplerInput {
   /// starts there, as a run does.
   PlacementRange only{};
   const PlaceGroups* groups = nullptr;  ///< of the whole motion, where they are known already
+  /// Trials show only one part in so many of the clusters of a closed body; 0: none of them.
+  std::size_t clusterParts = 1;
 };
 
 /// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of

@@ -1,11 +1,103 @@
+// What trials foresee, in counts: surfaces, crossings that are sorted, probes of contouring.
+// Seconds are compared by tests/tools/estimate_suite.py.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "contour/dual_surface.h"
+#include "crossings/element_probe.h"
+#include "crossings/hermite.h"
+#include "pipeline/plan.h"
+#include "pipeline/rough_surface.h"
+#include "pipeline/sampling_trial.h"
+#include "sampling/culling/face_clusters.h"
+#include "sampling/culling/kept_elements.h"
+#include "signs/signs.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
 
 namespace swept::test {
 namespace {
+
+/// `keys` poses along a bow of `length` mm; turning; each of them up to `noise` mm off.
+Trajectory bow(int keys, double length, double turn, double noise) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> off(0, noise);
+  Trajectory path;
+  for (int n = 0; n < keys; ++n) {
+    const double s = static_cast<double>(n) / (keys - 1);
+    Pose pose;
+    pose.timeSeconds = n;
+    pose.rotation = Eigen::AngleAxisd(turn * s, Eigen::Vector3d::UnitZ());
+    // Slow at first.
+    pose.translation = length * Eigen::Vector3d(s * s, 0.3 * std::sin(3 * s * s), 0) +
+                       Eigen::Vector3d(off(random), off(random), off(random));
+    path.poses.push_back(pose);
+  }
+  return path;
+}
+
+/// A run, ready to be sampled.
+struct Planned {
+  RunContext run;
+  Prepared p;
+  BodyTopology topology;
+  FaceClusters clusters;
+
+  Planned(const TriMesh& body, const Trajectory& path, int resolution) {
+    Options options;
+    options.resolution = resolution;
+    p.body = checkBody(body, options, run);
+    prepareTrajectory(p, path, options);
+    planRun(p, options, run);
+    topology = buildTopology(p.body.mesh);
+    clusters = buildClusters(p.body.mesh, topology);
+  }
+  SamplerInput input() const {
+    return {p.body.mesh,       topology,  p.motion, p.grid,  true,
+            p.body.orientable, &clusters, nullptr,  nullptr, true};
+  }
+};
+
+/// Counts what contouring asks.
+class CountedProbe : public SurfaceProbe {
+ public:
+  explicit CountedProbe(const ElementProbe& probe) : probe_(probe) {}
+  void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
+            std::vector<ProbeLine>& lines) const override {
+    ++count_;
+    probe_.cast(region, crossings, lines);
+  }
+  double count() const { return static_cast<double>(count_.load()); }
+
+ private:
+  const ElementProbe& probe_;
+  mutable std::atomic<std::size_t> count_{0};
+};
+
+struct Counted {
+  double sorted = 0, crossings = 0, casts = 0;
+};
+
+/// As a run does it.
+Counted counted(Planned& planned) {
+  SamplerInput input = planned.input();
+  std::uint64_t sorted = 0;
+  input.crossings = &sorted;
+  MarkedEdges marked = sampleCpu(input, planned.run);
+  const SignRuns signs = findOutside(marked, planned.p.grid, planned.run);
+  const HermiteGrid hermite =
+      buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, planned.run);
+  const ElementProbe probe(input, marked.elements, hermite.winner);
+  const CountedProbe asked(probe);
+  buildDualSurface(hermite, Options().components, &asked, planned.run);
+  return {static_cast<double>(sorted), static_cast<double>(hermite.crossings.size()),
+          asked.count()};
+}
 
 // The box of a diagonal path is mostly empty: reckoned from it, these sweeps have 10 times as many
 // triangles as they get.
@@ -32,6 +124,92 @@ TEST(TrialSteps, TheSurfaceIsGuessedFromTheSweepAndNotFromItsBox) {
     EXPECT_GT(guessed / made, 0.5);
     EXPECT_LT(guessed / made, 3);
   }
+}
+
+// A heavy body along few steps (all of them, with some clusters), a light one along many (windows),
+// and one that is sampled whole.
+TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
+  struct Kind {
+    TriMesh body;
+    Trajectory path;
+    int resolution;
+    bool whole;
+  };
+  for (const Kind& kind : {Kind{makeTorus(20, 8, 600, 160), bow(30, 60, 1.5, 0), 64, false},
+                           Kind{makeTorus(20, 8, 160, 60), bow(600, 300, 3, 0), 64, false},
+                           Kind{makeTorus(20, 8, 40, 20), bow(30, 60, 1.5, 0), 40, true}}) {
+    SCOPED_TRACE(kind.body.triangles.size());
+    Planned planned(kind.body, kind.path, kind.resolution);
+    const SamplerInput input = planned.input();
+    const SamplingTrial trial(input, planned.run);
+    const SamplingTrial::Whole whole = trial.whole();
+    EXPECT_EQ(whole.marked.has_value(), kind.whole);
+    SamplerInput sampled = planned.input();
+    std::uint64_t sorted = 0;
+    sampled.crossings = &sorted;
+    sampleCpu(sampled, planned.run);
+    const double ratio = whole.cost.crossings / static_cast<double>(sorted);
+    EXPECT_GT(ratio, kind.whole ? 0.999 : 0.67);
+    EXPECT_LT(ratio, kind.whole ? 1.001 : 1.5);
+  }
+}
+
+TEST(TrialSteps, SomeClustersStandForAll) {
+  Planned planned(makeTorus(20, 8, 300, 80), bow(6, 60, 1.5, 0), 64);
+  SamplerInput input = planned.input();
+  std::uint64_t all = 0, part = 0;
+  input.crossings = &all;
+  sampleCpu(input, planned.run);
+  input.crossings = &part;
+  input.clusterParts = 4;
+  sampleCpu(input, planned.run);
+  double faces = 0;
+  for (const ShownCluster& s : allClusters(planned.clusters, 4)) {
+    faces += planned.clusters.clusters[s.cluster].faceCount;
+  }
+  const double share = faces / static_cast<double>(planned.p.body.mesh.triangles.size());
+  EXPECT_NEAR(share, 0.25, 0.05);
+  EXPECT_NEAR(static_cast<double>(part) / static_cast<double>(all), share, 0.25 * share);
+  input.clusterParts = 0;
+  sampleCpu(input, planned.run);
+  EXPECT_EQ(part, 0u);
+}
+
+// Recordings that tremble: 192 of their placements are smooth, and a box along them asks a third of
+// the probes.
+TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
+  struct Kind {
+    TriMesh body;
+    Trajectory path;
+    int resolution;
+  };
+  for (const Kind& kind : {Kind{makeBox({0, 0, 0}, {10, 8, 3}), bow(6000, 400, 20, 0.05), 48},
+                           Kind{makeTorus(10, 4, 24, 12), bow(3000, 40, 2, 0.03), 32}}) {
+    SCOPED_TRACE(kind.body.triangles.size());
+    Planned planned(kind.body, kind.path, kind.resolution);
+    const Counted run = counted(planned);
+    const RoughSurface surface = roughSurface(planned.input(), RoughRoom(), std::nullopt,
+                                              Options().components, true, planned.run);
+    EXPECT_NEAR(surface.crossings / run.crossings, 1, 0.1);
+    ASSERT_GT(run.casts, 40);
+    EXPECT_GT(surface.probes.casts / run.casts, 0.5);
+    EXPECT_LT(surface.probes.casts / run.casts, 2);
+  }
+}
+
+// Where there is little room the grid is coarser; the surface comes out much the same.
+TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
+  Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
+  const Counted run = counted(planned);
+  const auto guessed = [&](double room) {
+    return roughSurface(planned.input(), {1e9, room}, std::nullopt, Options().components, false,
+                        planned.run)
+        .crossings;
+  };
+  EXPECT_NEAR(guessed(1e9), run.crossings, 0.01 * run.crossings);
+  const double few = guessed(run.sorted / 30);
+  EXPECT_NE(few, guessed(1e9));
+  EXPECT_NEAR(few, run.crossings, 0.2 * run.crossings);
 }
 
 }  // namespace

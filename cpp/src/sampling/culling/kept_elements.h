@@ -24,10 +24,15 @@ struct ShownCluster {
 };
 using ShownClusters = std::vector<ShownCluster>;  // clusters rise
 
-inline ShownClusters allClusters(const FaceClusters& clusters) {
+/// Clusters that are left out or shown together where not all are: those on their borders are
+/// looked at as well, and neighbours have numbers near each other.
+constexpr std::size_t kClustersTogether = 16;
+
+/// All, or one part in `parts` of them, spread over the body; none for 0.
+inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
   ShownClusters all;
-  for (std::uint32_t c = 0; c < clusters.clusters.size(); ++c) {
-    all.push_back({c, ShownCluster::kAll});
+  for (std::uint32_t c = 0; parts > 0 && c < clusters.clusters.size(); ++c) {
+    if (c / kClustersTogether % parts == parts / 2) all.push_back({c, ShownCluster::kAll});
   }
   return all;
 }

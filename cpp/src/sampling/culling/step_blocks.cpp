@@ -112,7 +112,7 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
     if (groups.size() * kWorthGroup > boxes.size()) break;
     std::vector<std::uint32_t> around(groups.size());
     for (std::size_t k = 0; k < groupOf_.size(); ++k) around[groupOf[k]] = groupOf_[k];
-    if (shown_.empty()) shown_.push_back(allClusters(clusters));
+    if (shown_.empty()) shown_.push_back(allClusters(clusters, input.clusterParts));
     std::vector<ShownClusters> shown(groups.size());
     std::vector<std::uint32_t> decided(groups.size());
     std::iota(decided.begin(), decided.end(), 0u);
@@ -179,7 +179,12 @@ std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::
 
 StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
                        const PlaceGroups& groups, std::size_t begin, std::size_t end)
-    : clusters_(clusters), groups_(groups), bounds_(input, clusters), begin_(begin), end_(end) {
+    : clusters_(clusters),
+      groups_(groups),
+      bounds_(input, clusters),
+      parts_(input.clusterParts),
+      begin_(begin),
+      end_(end) {
   for (const FaceCluster& c : clusters.clusters) {
     narrows_ |= bounds_.hasInside() || c.radius < 0.5 * input.grid.cell;
   }
@@ -211,7 +216,7 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
 }
 
 const ShownClusters& StepBlocks::narrow(std::size_t at, const ShownClusters& above) {
-  if (!groups_.empty()) return groups_.shownAt(begin_ + at);
+  if (!groups_.empty() && parts_ > 0) return groups_.shownAt(begin_ + at);
   if (!narrows_) return above;
   ShownClusters& shown = below_[0];
   shown.clear();

@@ -97,7 +97,7 @@ class StepBlocks {
   /// passed(placement) now and then.
   template <class Passed, class Use>
   void forPlacements(const Passed& passed, const Use& use) {
-    const ShownClusters all = allClusters(clusters_);
+    const ShownClusters all = allClusters(clusters_, parts_);
     const std::size_t top = levels_.size();
     const std::size_t count = levels_.empty() ? end_ - begin_ : levels_.back().size();
     for (std::size_t block = 0; block < count; ++block) {
@@ -134,7 +134,7 @@ class StepBlocks {
   const FaceClusters& clusters_;
   const PlaceGroups& groups_;
   PlaceBounds bounds_;
-  std::size_t begin_, end_;
+  std::size_t parts_, begin_, end_;
   bool narrows_ = false;  // whether a look at single placements can leave anything out
   std::vector<std::vector<PlaceBlock>> levels_;  // blocks of 8, of 64 placements
   std::vector<PlaceBlock> single_;               // placements

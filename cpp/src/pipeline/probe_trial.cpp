@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/probe_trial.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/sort_unique.h"
+#include "base/timer.h"
+#include "contour/cell.h"
+#include "contour/dual_surface.h"
+#include "crossings/element_probe.h"
+
+namespace swept {
+namespace {
+
+/// So many cells are looked at, unless these take far more CPU seconds than that.
+constexpr std::size_t kFewestCells = 48;
+constexpr double kFewestSeconds = 0.6;
+/// Then more, for so many seconds, or for that part of what all are going to take.
+constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMostSeconds = 2;
+
+using CellKey = std::uint64_t;
+constexpr int kKeyBits = 20;
+
+CellKey keyOf(const Eigen::Vector3i& at) {
+  return static_cast<CellKey>(at[0]) << 2 * kKeyBits | static_cast<CellKey>(at[1]) << kKeyBits |
+         static_cast<CellKey>(at[2]);
+}
+
+Eigen::Vector3i cellOf(CellKey key) {
+  constexpr CellKey kMask = (CellKey{1} << kKeyBits) - 1;
+  return {static_cast<int>(key >> 2 * kKeyBits), static_cast<int>(key >> kKeyBits & kMask),
+          static_cast<int>(key & kMask)};
+}
+
+/// Numbers without a pattern.
+std::uint64_t mixed(std::uint64_t key) {
+  key = (key ^ key >> 31) * 0x9e3779b97f4a7c15u;
+  return (key ^ key >> 29) * 0xbf58476d1ce4e5b9u;
+}
+
+/// The cells that crossings lie round, in an order without a pattern.
+std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
+  std::vector<CellKey> cells;
+  for (std::size_t i = 0; i < grid.layers.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& start = grid.layers[i].columnStart[axis];
+      for (std::size_t j = 0; j + 1 < start.size(); ++j) {
+        for (std::uint32_t e = start[j]; e < start[j + 1]; ++e) {
+          for (int n = 0; n < 4; ++n) {
+            Eigen::Vector3i at(static_cast<int>(i), static_cast<int>(j),
+                               grid.layers[i].edges[axis][e].k);
+            at[(axis + 1) % 3] -= n & 1;
+            at[(axis + 2) % 3] -= n >> 1;
+            if (at.minCoeff() >= 0) cells.push_back(keyOf(at));
+          }
+        }
+      }
+    }
+  }
+  sortUnique(cells);
+  std::sort(cells.begin(), cells.end(), [](CellKey a, CellKey b) { return mixed(a) < mixed(b); });
+  return cells;
+}
+
+/// A cell with crossings of its own, and the numbers that these have in the grid.
+struct OwnCell {
+  Cell cell;
+  std::vector<Crossing> crossings;
+  std::vector<std::uint32_t> numbers;
+  std::vector<int> slots;
+
+  OwnCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
+    for (int edge = 0; edge < kEdges; ++edge) {
+      const int axis = edge / 4;
+      Eigen::Vector3i low = at;
+      low[(axis + 1) % 3] += edge & 1;
+      low[(axis + 2) % 3] += edge >> 1 & 1;
+      const HermiteLayer& layer = grid.layers[static_cast<std::size_t>(low[0])];
+      const HermiteEdge* found =
+          findEdge(layer.edges[axis], layer.columnStart[axis], low[1], low[2]);
+      if (found == nullptr) continue;
+      cell.mask |= static_cast<std::uint32_t>(found->sides) << 2 * edge;
+      cell.first[edge] = static_cast<std::uint32_t>(numbers.size());
+      std::uint32_t number = found->first;
+      for (const int end : {0, 1}) {
+        if (!cell.has(2 * edge + end)) continue;
+        crossings.push_back(grid.crossings[number]);
+        numbers.push_back(number++);
+        slots.push_back(2 * edge + end);
+      }
+    }
+  }
+
+  /// Moves the crossings to where a probe along their edges finds them.
+  void move(const SurfaceProbe& probe) {
+    std::vector<ProbeLine> lines(slots.size());
+    for (std::size_t n = 0; n < slots.size(); ++n) {
+      const bool fromHigh = slots[n] % 2 != 0;
+      lines[n].from = localPosition(slots[n] / 2, fromHigh ? 1 : 0);
+      lines[n].to = localPosition(slots[n] / 2, fromHigh ? 0 : 1);
+    }
+    probe.cast({Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()}, {}, lines);
+    for (std::size_t n = 0; n < slots.size(); ++n) {
+      if (!lines[n].hit) continue;
+      crossings[n] = {static_cast<float>(lines[n].point[slots[n] / 8]),
+                      lines[n].normal.cast<float>(), static_cast<float>(lines[n].timeSeconds)};
+    }
+  }
+};
+
+/// Casts for one cell, which takes itself to lie at the origin; says what that takes.
+class CellProbe : public SurfaceProbe {
+ public:
+  /// `starts`: numbers of the crossings whose elements every search starts at.
+  CellProbe(const ElementProbe& whole, const Eigen::Vector3d& corner,
+            const std::vector<std::uint32_t>& starts)
+      : whole_(whole), corner_(corner), starts_(starts) {}
+
+  void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>&,
+            std::vector<ProbeLine>& lines) const override {
+    const double start = threadSeconds();
+    move(lines, corner_);
+    whole_.cast({region.min() + corner_, region.max() + corner_}, starts_, lines);
+    move(lines, -corner_);
+    cost_.seconds += threadSeconds() - start;
+    cost_.casts += 1;
+  }
+  const ProbeCost& cost() const { return cost_; }
+
+ private:
+  static void move(std::vector<ProbeLine>& lines, const Eigen::Vector3d& way) {
+    for (ProbeLine& line : lines) {
+      line.from += way;
+      line.to += way;
+      line.point += way;
+    }
+  }
+
+  const ElementProbe& whole_;
+  Eigen::Vector3d corner_;
+  const std::vector<std::uint32_t>& starts_;
+  mutable ProbeCost cost_;
+};
+
+/// The element of the whole motion at the time of a crossing of the rough one.
+SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& rough,
+                            double seconds) {
+  const auto& all = whole.placements;
+  if (!element.isSidePatch()) seconds = rough.placements[element.placement].timeSeconds;
+  const auto after = std::upper_bound(
+      all.begin(), all.end(), seconds,
+      [](double t, const Placement& placement) { return t < placement.timeSeconds; });
+  const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - all.begin(), 1)) - 1;
+  const std::size_t last = element.isSidePatch() ? whole.steps() - 1 : all.size() - 1;
+  element.placement = static_cast<std::uint32_t>(std::min(at, last));
+  return element;
+}
+
+}  // namespace
+
+ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
+                    ComponentMethod components) {
+  const HermiteGrid& grid = rough.hermite;
+  std::vector<SweptElement> elements;
+  for (std::size_t n = 0; n < grid.crossings.size(); ++n) {
+    elements.push_back(elementOfWhole(rough.marked.elements[grid.winner[n]], whole.motion,
+                                      rough.motion, grid.crossings[n].timeSeconds));
+  }
+  std::vector<std::uint32_t> elementOf(elements.size());
+  std::iota(elementOf.begin(), elementOf.end(), 0u);
+  const ElementProbe probe(whole, elements, elementOf);
+  const std::vector<CellKey> cells = mixedCells(grid);
+  const double start = threadSeconds();
+  ProbeCost cost;
+  std::size_t done = 0;
+  const auto times = [&] { return static_cast<double>(cells.size()) / static_cast<double>(done); };
+  const auto goesOn = [&] {
+    const double taken = threadSeconds() - start;
+    if (done < kFewestCells) return taken < kFewestSeconds;
+    return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMostSeconds);
+  };
+  for (; done < cells.size() && goesOn(); ++done) {
+    const Eigen::Vector3i at = cellOf(cells[done]);
+    OwnCell own(grid, at);
+    own.move(CellProbe(probe, at.cast<double>(), own.numbers));
+    const CellProbe asked(probe, at.cast<double>(), own.numbers);
+    probeCell(own.cell, own.crossings, components, asked);
+    cost.casts += asked.cost().casts;
+    cost.seconds += asked.cost().seconds;
+  }
+  if (done == 0) return cost;
+  return {cost.casts * times(), cost.seconds * times()};
+}
+
+}  // namespace swept

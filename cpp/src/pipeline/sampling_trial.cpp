@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/sampling_trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/timer.h"
+#include "sampling/cpu/deep_inside.h"
+#include "sampling/cpu/work_items.h"
+#include "sampling/culling/face_clusters.h"
+#include "sampling/culling/step_blocks.h"
+
+namespace swept {
+namespace {
+
+/// Copies of triangles that are sampled; a crossing takes as long as so many of them.
+constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
+/// Steps that are sampled, and copies of a union at least; of bodies of few triangles more: long
+/// windows show what pieces far apart in time hide.
+constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
+constexpr double kCheapCopies = 4e5;
+/// Places of the motion where two trials begin, one of them of twice as many steps. Bodies of many
+/// triangles get fewer.
+constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
+/// Places, and faces at each, that tell how many crossings a copy has.
+constexpr std::size_t kLooks = 4, kLookFaces = 4096;
+/// Parts of the clusters that are shown at least, each of kClustersTogether.
+constexpr std::size_t kFewestParts = 24;
+/// Of what the copies take in the mean, one more takes this at least.
+constexpr double kLeastShare = 0.2;
+/// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
+constexpr double kSortedBytes = 16, kElementBytes = 12;
+
+double times(std::size_t all, std::size_t part) {
+  return static_cast<double>(all) / static_cast<double>(part);
+}
+
+SamplingCost largerOf(const SamplingCost& a, const SamplingCost& b) {
+  return {std::max(a.seconds, b.seconds), std::max(a.crossings, b.crossings),
+          std::max(a.elements, b.elements)};
+}
+
+}  // namespace
+
+SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
+    : whole_(whole), run_(run) {
+  const double start = threadSeconds();
+  SamplerInput counted = input(whole.motion);
+  counted.crossings = &insideCrossings_;
+  inside_ = findDeepInside(counted, run);
+  insideSeconds_ = threadSeconds() - start;
+}
+
+double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
+  const bool thins = sampling.crossings > kMotionItems * kMinThinRecords &&
+                     placementsOfItem(input(whole_.motion)) >= kMinThinPlacements;
+  const double kept =
+      thins ? 2 * threads * kMinThinRecords + kMotionItems * surface : sampling.crossings;
+  const double map = inside_ ? static_cast<double>(inside_->bytes()) : 0;
+  return std::max(static_cast<double>(insideCrossings_) * kSortedBytes,
+                  kept * kSortedBytes + sampling.elements * kElementBytes + map);
+}
+
+SamplingTrial::Whole SamplingTrial::whole() const {
+  const Motion& motion = whole_.motion;
+  const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
+  const Parts parts = partsFor(count);
+  if (parts.all && parts.clusterParts == 1) {
+    Whole all;
+    all.marked = sampleCounted(input(motion), all.cost, run_);
+    return all;
+  }
+  if (!motion.continuous) return {bySomeCopies(count, parts.steps), std::nullopt};
+  return {parts.all ? byAllSteps(count, parts) : byWindows(count, parts), std::nullopt};
+}
+
+SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
+  const double faces = static_cast<double>(whole_.body.triangles.size());
+  // A union has no clusters.
+  const std::size_t most = whole_.motion.continuous ? mostClusterParts() : 1;
+  const std::size_t lookParts =
+      std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
+  // Crossings that lie deep inside are left out with groups and without.
+  SamplerInput plain = input(whole_.motion);
+  plain.inside = nullptr;
+  const PlaceGroups none(plain, *whole_.clusters, run_);
+  const std::size_t looks = std::clamp<std::size_t>(count, 1, kLooks);
+  double crossings = 0;
+  for (std::size_t n = 0; n < looks; ++n) {
+    const std::size_t k = (2 * n + 1) * count / (2 * looks);
+    crossings += at({k, k + 1}, lookParts, &none).crossings / shareShown(lookParts);
+  }
+  const double step = faces + kCrossingWork * crossings / static_cast<double>(looks);
+  const auto affordable = [&](std::size_t n) {
+    return kTrialWork >= static_cast<double>(n) * step;
+  };
+  const auto partsOf = [&](std::size_t n) {
+    const double parts = std::ceil(static_cast<double>(n) * step / kTrialWork);
+    return std::min(static_cast<std::size_t>(std::max(1.0, parts)), most);
+  };
+  const std::size_t cap =
+      std::clamp(static_cast<std::size_t>(kCheapCopies / faces), kMost, kMostCheap);
+  if (count <= 2 * cap && affordable((count + 1) / 2)) return {count, 1, true};
+  // All steps with some of the clusters rather than some of the steps: speeds differ more.
+  if (whole_.motion.continuous &&
+      (count <= 2 * kFewest || (count <= kMost && affordable(count / most)))) {
+    return {count, partsOf(count), true};
+  }
+  const std::size_t fewest = whole_.motion.continuous ? kFewest : std::min(kFewestCopies, count);
+  const std::size_t steps = std::clamp(static_cast<std::size_t>(kTrialWork / step), fewest, cap);
+  return {steps, partsOf(steps), false};
+}
+
+/// Some of a union at once, less what sampling takes for the grid alone.
+SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) const {
+  Motion some;
+  for (std::size_t n = 0; n < wanted; ++n)
+    some.placements.push_back(whole_.motion.placements[(2 * n + 1) * count / (2 * wanted)]);
+  const SamplingCost all = of(input(some));
+  Motion single;
+  single.placements.push_back(whole_.motion.placements[count / 2]);
+  const SamplingCost one = of(input(single));
+  SamplingCost sum, least;
+  sum.add(all, times(count, wanted - 1));
+  sum.add(one, -times(count, wanted - 1));
+  least.add(all, kLeastShare * times(count, wanted));
+  return largerOf(sum, least);
+}
+
+/// All steps, with some of the clusters.
+SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) const {
+  const SamplingCost shown = at({0, count + 1}, parts.clusterParts), bare = at({0, count + 1}, 0);
+  const double share = shareShown(parts.clusterParts);
+  SamplingCost sum = bare;
+  sum.add(shown, 1 / share);
+  sum.add(bare, -1 / share);
+  return largerOf(sum, shown);
+}
+
+/// What a step takes lies between half of what two take and their difference to one: a window takes
+/// something for itself, at most about a step, and the difference alone would be left to chance on
+/// a machine with other work. What a window takes without any faces is what a work item takes.
+SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) const {
+  const std::size_t item = placementsOfItem(input(whole_.motion));
+  const std::size_t windows = std::clamp(parts.steps / 3, kFewestWindows, kMostWindows);
+  const std::size_t steps =
+      std::clamp<std::size_t>(parts.steps / (3 * windows), 1, std::max<std::size_t>(item / 2, 1));
+  PlaceGroups::Trial some;
+  for (std::size_t w = 0; w < windows; ++w) {
+    const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * windows);
+    some.only.push_back({first, first + 2 * steps});
+  }
+  const double share = shareShown(parts.clusterParts);
+  const double start = threadSeconds();
+  SamplerInput grouped = input(whole_.motion);
+  grouped.clusterParts = parts.clusterParts;
+  const PlaceGroups groups(grouped, *whole_.clusters, run_, &some);
+  const double grouping = threadSeconds() - start + some.secondsOfOthers / share;
+  const double none = at({0, 0}, 1, &groups).seconds;
+  SamplingCost sum;
+  for (const PlacementRange& both : some.only) {
+    const PlacementRange half{both.begin, both.begin + steps};
+    const SamplingCost bare = at(half, 0, &groups), one = at(half, parts.clusterParts, &groups),
+                       two = at(both, parts.clusterParts, &groups);
+    SamplingCost each = two;  // of so many steps
+    const double shown = std::max(0.0, two.seconds - bare.seconds);
+    each.seconds = 2 * std::clamp(two.seconds - one.seconds, shown / 3, shown / 2);
+    sum.add(each, times(count, 2 * windows * steps) / share);
+    const std::size_t items = (steps + item - 1) / item;
+    sum.seconds += std::max(0.0, bare.seconds - none) * times(count, windows * items * item);
+  }
+  sum.seconds += none + grouping;
+  return sum;
+}
+
+std::size_t SamplingTrial::mostClusterParts() const {
+  const FaceClusters& clusters = *whole_.clusters;
+  // Patches on open borders are shown with all clusters.
+  if (clusters.firstBorder.back() < clusters.borders.size()) return 1;
+  return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kFewestParts));
+}
+
+double SamplingTrial::shareShown(std::size_t clusterParts) const {
+  if (clusterParts == 1) return 1;
+  std::size_t shown = 0;
+  for (const ShownCluster& s : allClusters(*whole_.clusters, clusterParts)) {
+    shown += whole_.clusters->clusters[s.cluster].faceCount;
+  }
+  return times(shown, whole_.body.triangles.size());
+}
+
+SamplerInput SamplingTrial::input(const Motion& motion) const {
+  return {whole_.body,
+          whole_.topology,
+          motion,
+          whole_.grid,
+          whole_.cull,
+          whole_.orientable,
+          whole_.clusters,
+          nullptr,
+          nullptr,
+          whole_.fillsHollows,
+          inside_ ? &*inside_ : nullptr};
+}
+
+SamplingCost SamplingTrial::at(const PlacementRange& only, std::size_t clusterParts,
+                               const PlaceGroups* groups) const {
+  SamplerInput part = input(whole_.motion);
+  part.only = only;
+  part.clusterParts = clusterParts;
+  part.groups = groups;
+  return of(part);
+}
+
+SamplingCost SamplingTrial::of(const SamplerInput& part) const {
+  SamplingCost cost;
+  sampleCounted(part, cost, run_);
+  return cost;
+}
+
+}  // namespace swept
