@@ -143,7 +143,7 @@ Run addOverlapCommand(CLI::App& program) {
       "and the volume that they share.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->files);
+    checkNeighbourOptions(job->files, "");
     return runOverlap(*job);
   };
 }
