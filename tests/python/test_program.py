@@ -45,7 +45,7 @@ def envelope(inputs, output, *more):
     )  # fmt: skip
 
 
-COMMANDS = ["envelope", "check", "clearance", "mechanism", "path", "study"] + [
+COMMANDS = ["envelope", "check", "clearance", "mechanism", "overlap", "path", "study"] + [
     "solid"
 ] * _swept.HAS_SOLIDS
 

@@ -69,16 +69,18 @@ def test_standard_output_that_is_an_input_or_another_output(program, inputs):  #
 
 def test_check_and_clearance_do_not_overwrite_their_inputs(call, inputs):  # noqa: F811
     whole = (inputs / "box.ply").read_bytes()
-    box = inputs / "box.ply"
-    words = ["clearance", box, inputs / "slide.csv", "--motion", inputs / "slide.csv"]
+    box, other = inputs / "box.ply", inputs / "other.ply"
+    shutil.copy(box, other)
+    words = ["clearance", box, other, "--motion", inputs / "slide.csv"]
     for arguments in (
         ["check", box, "--report", box],
-        ["clearance", box, box, "--motion", inputs / "slide.csv", "--csv", box],
-        [*words[:2], box, *words[3:], "--csv", inputs / "x", "--report", inputs / "x"],
+        [*words, "--csv", box],
+        [*words, "--csv", other],
+        [*words, "--csv", inputs / "x", "--report", inputs / "x"],
     ):
         done = call(*arguments)
         assert done.returncode == 2 and "SameFile" in done.stderr, done.stderr
-    assert box.read_bytes() == whole and not (inputs / "x").exists()
+    assert box.read_bytes() == other.read_bytes() == whole and not (inputs / "x").exists()
 
 
 def test_results_are_replaced_unless_no_clobber(call, inputs):  # noqa: F811
@@ -209,7 +211,14 @@ def test_csv_of_clearance_on_standard_output(call, inputs, box):  # noqa: F811
 
 
 def test_all_inputs_are_looked_at_first(call, inputs):  # noqa: F811
-    words = ["clearance", inputs / "box.ply", inputs / "box.ply", "--motion", inputs / "slide.csv"]
+    shutil.copy(inputs / "box.ply", inputs / "other.ply")
+    words = [
+        "clearance",
+        inputs / "box.ply",
+        inputs / "other.ply",
+        "--motion",
+        inputs / "slide.csv",
+    ]
     for name in ("absent.step", "absent.ply"):
         done = call(*words, inputs / name)
         assert done.returncode == 1 and f"{name}' does not exist" in done.stderr, done.stderr
