@@ -2,6 +2,8 @@
 """What parts are made of and where they stand, as short texts: another geometry or place gives another
 text. What one shape or mesh is made of is read in apart.py.
 """
+import hashlib
+
 import numpy as np
 
 from . import apart, convert
@@ -43,6 +45,11 @@ def words(pairs):
 def texts(found):
     """The texts of words; any thread, where those were prepared() for that."""
     return [word.text() if isinstance(word, apart.Apart) else word for word in found]
+
+
+def short(lines):
+    """Text of 32 letters that stands for these."""
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:32]
 
 
 def unread(found):

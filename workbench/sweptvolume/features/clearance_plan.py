@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a clearance check looks at, read off an object or a panel: moving parts, neighbours, settings -> the
 input of the core as plain arrays."""
-import hashlib
 import json
 
 from .. import contents, convert
@@ -50,10 +49,6 @@ def _all_ignored():
     return InputProblem(
         translate("Messages", "the rules ignore every neighbour: leave at least one to be checked.")
     )
-
-
-def _short(words):
-    return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
 
 def _place_of(obj):
@@ -185,12 +180,12 @@ class Plan(StillParts):
     def checked_hash(self):
         """As hash(); raises InputProblem that says why the inputs are unusable. Any thread, where the words
         were prepared for that."""
-        return status.VERSION + _short(contents.texts(self.words()))
+        return status.VERSION + contents.short(contents.texts(self.words()))
 
     def hash_of_before(self):
         """As version 1 had it; raises InputProblem."""
         words = self.moving().words_of_before()
-        return _short(words + [contents.signature_of_before(self.leaves()), self._settings()])
+        return contents.short(words + [contents.signature_of_before(self.leaves()), self._settings()])
 
     def _settings(self):
         return json.dumps(contents.steady(self.values), sort_keys=True)

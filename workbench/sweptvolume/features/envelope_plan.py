@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What an envelope is to be computed from, read off an object or a panel: parts, motions, settings -> the
 input of the core as plain arrays."""
-import hashlib
 import json
 
 import numpy as np
@@ -153,7 +152,7 @@ class Plan:
             del options["position_filter"]  # so are those made before there was one
         options = json.dumps(contents.steady(options), sort_keys=True)
         words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
-        return hashlib.sha256("\n".join(words + inputs).encode()).hexdigest()[:32]
+        return contents.short(words + inputs)
 
     def cell(self, groups):
         """Edge of a cell (mm): as given, or from the resolution and the boxes of the parts."""

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a check of a mechanism looks at, read off an object or a panel: parts with motions of their own, parts
 that stand still, rules of pairs -> the input of the core as plain arrays."""
-import hashlib
 import itertools
 import json
 
@@ -212,8 +211,7 @@ class Plan(StillParts):
 
     def checked_hash(self):
         """As clearance_plan.Plan.checked_hash()."""
-        text = "\n".join(contents.texts(self.words()))
-        return status.VERSION + hashlib.sha256(text.encode()).hexdigest()[:32]
+        return status.VERSION + contents.short(contents.texts(self.words()))
 
     def asked_pairs(self):
         """Keys of pair_rules of all pairs that are looked at: one of the two moves at least."""

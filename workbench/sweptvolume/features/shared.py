@@ -4,7 +4,6 @@ parts, envelopes or their solids; a motion may put it where it is at a time (cor
 
 As with the envelope, `execute` only marks; a run is Plan.request() - work() - apply().
 """
-import hashlib
 import json
 
 from .. import contents, convert, core, core_overlap
@@ -142,8 +141,7 @@ class Plan:
 
     def checked_hash(self):
         """As clearance_plan.Plan.checked_hash()."""
-        text = "\n".join(contents.texts(self.words()))
-        return status.VERSION + hashlib.sha256(text.encode()).hexdigest()[:32]
+        return status.VERSION + contents.short(contents.texts(self.words()))
 
     def _check(self):
         if self.lost:

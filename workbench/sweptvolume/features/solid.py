@@ -3,7 +3,6 @@
 
 As with the envelope, `execute` only marks; a run is request() - core.write_solid() - apply().
 """
-import hashlib
 import os
 import tempfile
 
@@ -98,7 +97,7 @@ def checked_hash(source, wanted):
 
 def hash_of(words):
     """Of what words_of() gives; any thread, where it was prepared for that."""
-    return status.VERSION + _short(contents.texts(words))
+    return status.VERSION + contents.short(contents.texts(words))
 
 
 def words_of(source, wanted):
@@ -117,7 +116,7 @@ def hash_of_before(obj):
         plan = envelope_feature.Plan.of(obj.Source)
         if obj.Source.InputHash == plan.hash():
             words[-1] = plan.hash_of_before()
-    return _short(words)
+    return contents.short(words)
 
 
 def _words(source, wanted):
@@ -130,10 +129,6 @@ def _words(source, wanted):
     if envelope_feature.is_envelope(source):
         words.append(source.InputHash)
     return words
-
-
-def _short(words):
-    return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
 
 def _check_source(source):

@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 
-from .. import studies
+from .. import contents, studies
 from ..convert import InputProblem
 from ..texts import translate
 from . import clearance, clearance_plan, envelope, envelope_plan, missing, status, study_export
@@ -154,7 +154,7 @@ class Plan:
                 found = _stamps(self.study())
             except OSError as problem:  # gone meanwhile
                 raise InputProblem(str(problem)) from None
-        return status.VERSION + hashlib.sha256(json.dumps(found).encode()).hexdigest()[:32]
+        return status.VERSION + contents.short([json.dumps(found)])
 
     def hash(self):
         """As clearance_plan.Plan.hash()."""
