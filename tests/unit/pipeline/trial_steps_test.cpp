@@ -33,9 +33,11 @@ Trajectory bow(int keys, double length, double turn, double noise) {
     Pose pose;
     pose.timeSeconds = n;
     pose.rotation = Eigen::AngleAxisd(turn * s, Eigen::Vector3d::UnitZ());
+    // Drawn one after the other: compilers differ in the order of arguments.
+    const double z = off(random), y = off(random), x = off(random);
     // Slow at first.
-    pose.translation = length * Eigen::Vector3d(s * s, 0.3 * std::sin(3 * s * s), 0) +
-                       Eigen::Vector3d(off(random), off(random), off(random));
+    pose.translation =
+        length * Eigen::Vector3d(s * s, 0.3 * std::sin(3 * s * s), 0) + Eigen::Vector3d(x, y, z);
     path.poses.push_back(pose);
   }
   return path;
