@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/summary.h"
 
+#include <cmath>
+
 #include "base/number_text.h"
 
 namespace swept {
@@ -14,6 +16,11 @@ bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
     return a.distance - a.chordError < b.distance - b.chordError;
   return a.penetration.depth > b.penetration.depth;
+}
+
+/// mm; less than a nanometre is rounding.
+std::string lengthText(double length) {
+  return numberText(std::abs(length) < 1e-6 ? 0 : length, 4);
 }
 
 }  // namespace
@@ -46,9 +53,9 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
   add(allowed, allowed == 1 ? "allowed contact" : "allowed contacts");
   add(static_cast<int>(ignored), "ignored");
   const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-  const std::string length = numberText(deep ? row.penetration.depth : row.distance, 4);
+  const std::string length = lengthText(deep ? row.penetration.depth : row.distance);
   summary.text += (deep ? ", deepest " : ", smallest ") + length + " mm";
-  const std::string certain = numberText(row.guaranteed, 4);
+  const std::string certain = lengthText(row.guaranteed);
   const bool told = timed == Timed::Yes;
   if (!deep && certain != length) summary.text += ", at least " + certain + (told ? " mm," : " mm");
   if (told) summary.text += " at t = " + numberText(row.timeSeconds) + " s";

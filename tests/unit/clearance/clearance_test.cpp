@@ -9,6 +9,7 @@
 
 #include "clearance/pair_search.h"
 #include "clearance/stamping.h"
+#include "clearance/summary.h"
 #include "support/sampled.h"
 #include "support/shapes.h"
 
@@ -449,6 +450,18 @@ TEST(Clearance, SummaryNamesTheNearest) {
   EXPECT_EQ(report.summary,
             "2 checked, smallest 3.25 mm, at least 3.24 mm, at t = 1 s (near \"one\")");
   EXPECT_NE(toJson(report).find("near \\\"one\\\""), std::string::npos);
+}
+
+TEST(Clearance, SummaryLeavesRoundingOut) {
+  NeighbourClearance row;
+  row.name = "wall";
+  row.verdict = ClearanceVerdict::Contact;
+  const auto textFor = [&](double distance) {
+    row.distance = row.guaranteed = distance;
+    return clearance::summaryOf({&row}, "1 checked", 0, clearance::Timed::No).text;
+  };
+  EXPECT_EQ(textFor(6.162e-16), "1 checked, 1 contact, smallest 0 mm (wall)");
+  EXPECT_EQ(textFor(2e-6), "1 checked, 1 contact, smallest 2e-06 mm (wall)");
 }
 
 TEST(DistanceToMesh, SignedForClosedMeshes) {
