@@ -35,14 +35,16 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   const double faces = static_cast<double>(p.body.mesh.triangles.size()), threads = threadsOf(run);
   double seconds = std::max(body.seconds / threads, faces * kBodySeconds) +
                    static_cast<double>(p.givenPoses) * kPoseSeconds;
-  std::uint64_t bytes = 0;  // of sampling
+  double bytes = 0;  // of sampling
   RoughSurface surface;
   const auto look = [&] {
     if (dense) {
       surface = roughSurface(input, {}, std::nullopt, options.components, false, run);
       const dense::DenseCost cost = dense::tryDense(input, run);
       seconds += cost.seconds / threads;
-      bytes = static_cast<std::uint64_t>(cost.bytes) - denseBytes(p.body.mesh);
+      // It ends before the mesh is made: the larger of both counts.
+      bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
+              static_cast<double>(denseBytes(p.body.mesh));
       return;
     }
     const SamplingTrial trial(input, run);
@@ -51,7 +53,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     surface = roughSurface(input, roomBeside(whole.cost, copies), std::move(whole.marked),
                            options.components, true, run);
     seconds += (whole.cost.seconds + trial.insideSeconds()) / threads;
-    bytes = static_cast<std::uint64_t>(trial.bytesOf(whole.cost, surface.crossings, threads));
+    bytes = trial.bytesOf(whole.cost, surface.crossings, threads);
   };
   tbb::task_arena(1).execute(look);
   Estimate better = estimate;
@@ -63,7 +65,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   const double held = static_cast<double>(estimate.memoryBytes) +
                       (surface.crossings - byBox) * bytesOfCrossing(options);
   better.memoryBytes =
-      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, held)) + bytes);
+      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, std::max(0.0, held) + bytes)));
   return better;
 }
 

@@ -73,11 +73,13 @@ DenseCost tryDense(const SamplerInput& input, RunContext& run) {
   const double pairs = times * static_cast<double>(sampler.pairs()) + settings.wholeCopies * faces;
   const double each = areaOf(part) / static_cast<double>(part.triangles.size()) /
                       (input.grid.cell * input.grid.cell);
+  const double crossings = static_cast<double>(sampler.crossings()) /
+                           std::max(1.0, static_cast<double>(sampler.pairs()));  // of a pair
   DenseCost cost;
   cost.seconds = built - start + kWithRepair * times * (threadSeconds() - built);
   cost.bytes = static_cast<double>(input.motion.placements.size()) * kPlacementBytes +
                faces * kFaceBytes + 4 * pairs +
-               std::min(pairs, PairSampler::pairsOfBatch(each)) * 1.5 * each * kSortedBytes;
+               std::min(pairs, PairSampler::pairsOfBatch(each)) * crossings * kSortedBytes;
   return cost;
 }
 

@@ -135,6 +135,8 @@ void PairSampler::flush() {
         sampleItem(items_[i], chunks[t]);
       }
     });
+    for (const RecordChunk& chunk : chunks)
+      crossings_ += static_cast<std::int64_t>(chunk.records.size());
     carryOver(chunks);
     marked_ = sortRecords(chunks, input_.grid, run_);
   }

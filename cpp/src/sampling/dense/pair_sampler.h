@@ -26,6 +26,8 @@ class PairSampler {
   const MarkedEdges& marked() const { return marked_; }
   MarkedEdges take() { return std::move(marked_); }
   std::int64_t pairs() const { return pairs_; }
+  /// That the pairs have given, before those of one edge became one.
+  std::int64_t crossings() const { return crossings_; }
   /// Of faces of this area (cells^2).
   static double pairsOfBatch(double area);
 
@@ -45,7 +47,7 @@ class PairSampler {
   std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: used as lists of one placement
   std::vector<Item> items_;
   MarkedEdges marked_;
-  std::int64_t pairs_ = 0;
+  std::int64_t pairs_ = 0, crossings_ = 0;
 };
 
 }  // namespace swept::dense
