@@ -185,7 +185,9 @@ class Plan(StillParts):
     def hash_of_before(self):
         """As version 1 had it; raises InputProblem."""
         words = self.moving().words_of_before()
-        return contents.short(words + [contents.signature_of_before(self.leaves()), self._settings()])
+        return contents.short(
+            words + [contents.signature_of_before(self.leaves()), self._settings()]
+        )
 
     def _settings(self):
         return json.dumps(contents.steady(self.values), sort_keys=True)
