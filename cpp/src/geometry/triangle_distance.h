@@ -12,6 +12,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
+
+#include "swept/types.h"
 
 namespace swept {
 
@@ -75,6 +78,16 @@ inline Foot footOnTriangle(const Eigen::Vector3d& p, const Triangle3d& triangle)
 inline double squaredDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                               const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   return footOnTriangle(p, a, b, c).offset.squaredNorm();
+}
+
+/// Of a triangle of a mesh.
+inline Foot footOnTriangle(const Eigen::Vector3d& p, const TriMesh& mesh, std::int32_t triangle) {
+  const auto& c = mesh.triangles[triangle];
+  return footOnTriangle(p, mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]);
+}
+inline double squaredDistance(const Eigen::Vector3d& p, const TriMesh& mesh,
+                              std::int32_t triangle) {
+  return footOnTriangle(p, mesh, triangle).offset.squaredNorm();
 }
 
 /// Nearest points of two triangles; 0 apart where they meet.

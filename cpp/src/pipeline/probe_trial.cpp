@@ -129,11 +129,11 @@ class CellProbe : public SurfaceProbe {
   const ProbeCost& cost() const { return cost_; }
 
  private:
-  static void move(std::vector<ProbeLine>& lines, const Eigen::Vector3d& way) {
+  static void move(std::vector<ProbeLine>& lines, const Eigen::Vector3d& by) {
     for (ProbeLine& line : lines) {
-      line.from += way;
-      line.to += way;
-      line.point += way;
+      line.from += by;
+      line.to += by;
+      line.point += by;
     }
   }
 

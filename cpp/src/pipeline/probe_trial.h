@@ -1,7 +1,8 @@
 // What the probes of contouring take, from some of its cells.
 // In:    the whole motion; a rough surface of it on the same grid (rough_surface.h).
-// Out:   how many probes contouring casts, and their CPU seconds. Cost: about kProbeSeconds, or
-// kProbePart of what it finds. What a cell asks depends on its crossings to the last digit: a
+// Out:   how many probes contouring casts, and their CPU seconds.
+// Cost:  about kProbeSeconds, or kProbePart of what it finds.
+// What a cell asks depends on its crossings to the last digit: a
 // recording trembles between the placements of a rough sweep, and its creases ask many times more.
 // The crossings on the edges of each cell are therefore looked for on the whole motion first. Then
 // the cell asks as in a run, and every probe starts at elements of the whole motion and gets its

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/timer.h"
 #include "crossings/hermite.h"
 #include "pipeline/probe_trial.h"
 #include "signs/count_crossings.h"
@@ -50,18 +49,32 @@ Motion thinned(const Motion& motion, std::size_t wanted) {
   return part;
 }
 
-}  // namespace
-
-MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& run) {
-  const double start = threadSeconds();
-  std::uint64_t crossings = 0;
-  input.crossings = &crossings;
-  MarkedEdges marked = sampleCpu(input, run);
-  cost.add({threadSeconds() - start, static_cast<double>(crossings),
-            static_cast<double>(marked.elements.size())},
-           1);
-  return marked;
+/// The smallest cells that there is room for, in cells of the run: from a few placements on the
+/// coarsest grid.
+std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, const RoughRoom& room,
+                           RunContext& run) {
+  const std::int32_t longest =
+      *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
+  const std::int32_t most = std::clamp(longest / kFewestCells, 1, kCoarsest);
+  if (most == 1) return 1;
+  const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
+  const std::size_t looks = count < kFewSteps ? 1 : 2;
+  const GridPlan coarsest = coarser(whole.grid, most);
+  SamplerInput input = whole.with(motion, coarsest);
+  double crossings = 0;
+  for (std::size_t n = 0; n < looks; ++n) {
+    const std::size_t at = (2 * n + 1) * count / (2 * looks);
+    input.only = {at, at + 1};
+    SamplingCost cost;
+    sampleCounted(input, cost, run);
+    crossings +=
+        cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
+  }
+  return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(crossings / room.crossings))), 1,
+                    most);
 }
+
+}  // namespace
 
 RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
   constexpr double kPart = 0.05;
@@ -73,41 +86,15 @@ RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
                           std::optional<MarkedEdges> known, ComponentMethod components, bool probes,
                           RunContext& run) {
-  SamplingCost cost;
-  const auto sampled = [&](const Motion& motion, const GridPlan& grid, PlacementRange only = {}) {
-    SamplerInput input{whole.body,       whole.topology, motion,  grid,    whole.cull,
-                       whole.orientable, whole.clusters, nullptr, nullptr, whole.fillsHollows};
-    input.only = only;
-    cost = {};
-    return sampleCounted(input, cost, run);
-  };
-  // The smallest cells that there is room for, from a few placements on the coarsest grid.
-  const auto coarseningFor = [&](const Motion& motion) {
-    const std::int32_t longest =
-        *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
-    const std::int32_t most = std::clamp(longest / kFewestCells, 1, kCoarsest);
-    if (most == 1) return 1;
-    const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
-    const std::size_t looks = count < kFewSteps ? 1 : 2;
-    double crossings = 0;
-    for (std::size_t n = 0; n < looks; ++n) {
-      const std::size_t at = (2 * n + 1) * count / (2 * looks);
-      sampled(motion, coarser(whole.grid, most), {at, at + 1});
-      crossings +=
-          cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
-    }
-    return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(crossings / room.crossings))),
-                      1, most);
-  };
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
   const auto wanted = static_cast<std::size_t>(room.faces / faces);
   const bool few = known || (all <= kMostWhole && all <= wanted);
   Motion part =
       thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kFewest, kMost), all));
-  const std::int32_t times = known ? 1 : coarseningFor(part);
+  const std::int32_t times = known ? 1 : coarseningFor(whole, part, room, run);
   const GridPlan grid = coarser(whole.grid, times);
-  MarkedEdges marked = known ? std::move(*known) : sampled(part, grid);
+  MarkedEdges marked = known ? std::move(*known) : sampleCpu(whole.with(part, grid), run);
   RoughSurface found;
   const auto crossings = static_cast<double>(countCrossings(marked, grid, run).crossings);
   found.crossings = crossings * times * times;
@@ -115,20 +102,19 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   if (crossings > kRoughCrossings && !known) {
     const double fewer = static_cast<double>(part.placements.size()) * kRoughCrossings / crossings;
     part = thinned(whole.motion, std::max<std::size_t>(2, static_cast<std::size_t>(fewer)));
-    marked = sampled(part, grid);
+    marked = sampleCpu(whole.with(part, grid), run);
   }
   const SignRuns signs = findOutside(marked, grid, run);
-  const SamplerInput input{whole.body, whole.topology, part, grid, whole.cull, whole.orientable};
-  const HermiteGrid hermite = buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, run);
-  const SamplerInput onGrid{whole.body, whole.topology, whole.motion,
-                            grid,       whole.cull,     whole.orientable};
+  const HermiteGrid hermite =
+      buildHermiteGrid(whole.with(part, grid), marked, signs, ExactTimes::Dropped, run);
+  const SamplerInput onGrid = whole.with(whole.motion, grid);
   found.probes = tryProbes(onGrid, {part, marked, hermite}, components);
   if (hermite.crossings.empty()) return found;
   // In cells r times smaller, between r (creases) and r * r (what trembles) times as many probes
   // are cast, each at r * r times fewer pieces.
-  const double r = times, share = crossings / static_cast<double>(hermite.crossings.size());
-  found.probes.casts *= share * r * std::sqrt(r);
-  found.probes.seconds *= share / std::sqrt(r);
+  const double r = times, taken = crossings / static_cast<double>(hermite.crossings.size());
+  found.probes.casts *= taken * r * std::sqrt(r);
+  found.probes.seconds *= taken / std::sqrt(r);
   return found;
 }
 

@@ -11,24 +11,10 @@
 #include <optional>
 
 #include "pipeline/probe_trial.h"
-#include "sampling/sampler.h"
+#include "pipeline/sampling_cost.h"
 #include "swept/compute.h"
 
 namespace swept {
-
-/// CPU seconds, and counts.
-struct SamplingCost {
-  double seconds = 0, crossings = 0, elements = 0;
-
-  void add(const SamplingCost& other, double times) {
-    seconds += times * other.seconds;
-    crossings += times * other.crossings;
-    elements += times * other.elements;
-  }
-};
-
-/// Samples on the calling thread, and adds what that takes.
-MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& run);
 
 /// What a rough sweep may have, about.
 struct RoughRoom {

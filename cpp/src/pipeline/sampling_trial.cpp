@@ -27,7 +27,7 @@ constexpr std::size_t kLooks = 4, kLookFaces = 4096;
 /// Parts of the clusters that are shown at least, each of kClustersTogether.
 constexpr std::size_t kFewestParts = 24;
 /// Of what the copies take in the mean, one more takes this at least.
-constexpr double kLeastShare = 0.2;
+constexpr double kLeastFraction = 0.2;
 /// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
@@ -88,7 +88,7 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   double crossings = 0;
   for (std::size_t n = 0; n < looks; ++n) {
     const std::size_t k = (2 * n + 1) * count / (2 * looks);
-    crossings += at({k, k + 1}, lookParts, &none).crossings / shareShown(lookParts);
+    crossings += at({k, k + 1}, lookParts, &none).crossings / fractionShown(lookParts);
   }
   const double step = faces + kCrossingWork * crossings / static_cast<double>(looks);
   const auto affordable = [&](std::size_t n) {
@@ -123,17 +123,17 @@ SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) 
   SamplingCost sum, least;
   sum.add(all, times(count, wanted - 1));
   sum.add(one, -times(count, wanted - 1));
-  least.add(all, kLeastShare * times(count, wanted));
+  least.add(all, kLeastFraction * times(count, wanted));
   return largerOf(sum, least);
 }
 
 /// All steps, with some of the clusters.
 SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) const {
   const SamplingCost shown = at({0, count + 1}, parts.clusterParts), bare = at({0, count + 1}, 0);
-  const double share = shareShown(parts.clusterParts);
+  const double fraction = fractionShown(parts.clusterParts);
   SamplingCost sum = bare;
-  sum.add(shown, 1 / share);
-  sum.add(bare, -1 / share);
+  sum.add(shown, 1 / fraction);
+  sum.add(bare, -1 / fraction);
   return largerOf(sum, shown);
 }
 
@@ -150,12 +150,12 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
     const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * windows);
     some.only.push_back({first, first + 2 * steps});
   }
-  const double share = shareShown(parts.clusterParts);
+  const double fraction = fractionShown(parts.clusterParts);
   const double start = threadSeconds();
   SamplerInput grouped = input(whole_.motion);
   grouped.clusterParts = parts.clusterParts;
   const PlaceGroups groups(grouped, *whole_.clusters, run_, &some);
-  const double grouping = threadSeconds() - start + some.secondsOfOthers / share;
+  const double grouping = threadSeconds() - start + some.secondsOfOthers / fraction;
   const double none = at({0, 0}, 1, &groups).seconds;
   SamplingCost sum;
   for (const PlacementRange& both : some.only) {
@@ -165,7 +165,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
     SamplingCost each = two;  // of so many steps
     const double shown = std::max(0.0, two.seconds - bare.seconds);
     each.seconds = 2 * std::clamp(two.seconds - one.seconds, shown / 3, shown / 2);
-    sum.add(each, times(count, 2 * windows * steps) / share);
+    sum.add(each, times(count, 2 * windows * steps) / fraction);
     const std::size_t items = (steps + item - 1) / item;
     sum.seconds += std::max(0.0, bare.seconds - none) * times(count, windows * items * item);
   }
@@ -180,7 +180,7 @@ std::size_t SamplingTrial::mostClusterParts() const {
   return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kFewestParts));
 }
 
-double SamplingTrial::shareShown(std::size_t clusterParts) const {
+double SamplingTrial::fractionShown(std::size_t clusterParts) const {
   if (clusterParts == 1) return 1;
   std::size_t shown = 0;
   for (const ShownCluster& s : allClusters(*whole_.clusters, clusterParts)) {
@@ -190,17 +190,9 @@ double SamplingTrial::shareShown(std::size_t clusterParts) const {
 }
 
 SamplerInput SamplingTrial::input(const Motion& motion) const {
-  return {whole_.body,
-          whole_.topology,
-          motion,
-          whole_.grid,
-          whole_.cull,
-          whole_.orientable,
-          whole_.clusters,
-          nullptr,
-          nullptr,
-          whole_.fillsHollows,
-          inside_ ? &*inside_ : nullptr};
+  SamplerInput input = whole_.with(motion, whole_.grid);
+  input.inside = inside_ ? &*inside_ : nullptr;
+  return input;
 }
 
 SamplingCost SamplingTrial::at(const PlacementRange& only, std::size_t clusterParts,

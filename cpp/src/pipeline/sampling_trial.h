@@ -1,8 +1,8 @@
 // What sampling a motion takes, from parts of it that are sampled on its own grid.
-// In:    the run's sampler input with clusters. Out: CPU seconds, crossings and elements of the
-// whole. Cost:  counted in copies of triangles and in crossings, not in time: about kTrialWork, and
-// twice as
-//        many where that is all; finding out what lies deep inside, as in a run.
+// In:    the run's sampler input with clusters.
+// Out:   CPU seconds, crossings and elements of the whole.
+// Cost:  counted in copies of triangles and in crossings, not in time: about kTrialWork, and twice
+//        as many where that is all; finding out what lies deep inside, as in a run.
 // A part is a few steps at some places of the motion; of bodies with many triangles only some
 // clusters of faces, those of the whole body being culled as in the run. They are parts of the
 // run's own work items, with what its blocks and groups of placements leave out.
@@ -11,7 +11,7 @@
 
 #include <optional>
 
-#include "pipeline/rough_surface.h"
+#include "pipeline/sampling_cost.h"
 #include "sampling/culling/inside_map.h"
 #include "sampling/sampler.h"
 
@@ -49,7 +49,7 @@ class SamplingTrial {
   SamplingCost byAllSteps(std::size_t count, const Parts& parts) const;
   std::size_t mostClusterParts() const;
   /// Of the faces, that `clusterParts` shows.
-  double shareShown(std::size_t clusterParts) const;
+  double fractionShown(std::size_t clusterParts) const;
 
   SamplerInput input(const Motion& motion) const;
   SamplingCost at(const PlacementRange& only, std::size_t clusterParts,

@@ -65,7 +65,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   const double held = static_cast<double>(estimate.memoryBytes) +
                       (surface.crossings - byBox) * bytesOfCrossing(options);
   better.memoryBytes =
-      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, std::max(0.0, held) + bytes)));
+      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, held + bytes)));
   return better;
 }
 

@@ -47,6 +47,12 @@ struct SamplerInput {
   const PlaceGroups* groups = nullptr;  ///< of the whole motion, where they are known already
   /// Trials show only one part in so many of the clusters of a closed body; 0: none of them.
   std::size_t clusterParts = 1;
+
+  /// The same body along another motion or on another grid, without what is known of this one.
+  SamplerInput with(const Motion& otherMotion, const GridPlan& otherGrid) const {
+    return {body,       topology, otherMotion, otherGrid, cull,
+            orientable, clusters, nullptr,     nullptr,   fillsHollows};
+  }
 };
 
 /// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of

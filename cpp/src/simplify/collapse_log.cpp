@@ -109,15 +109,10 @@ void CollapseLog::takeBack(CollapseState& state, const Step& step) const {
     for (const std::int32_t v : state.mesh.triangles[t]) state.around[v].push_back(t);
   }
   for (const Vector3d& p : points) {
-    const auto distance = [&](std::int32_t t) {
-      const Corners& c = state.mesh.triangles[t];
-      const std::vector<Vector3d>& at = state.mesh.vertices;
-      return squaredDistance(p, at[c[0]], at[c[1]], at[c[2]]);
+    const auto nearer = [&](std::int32_t a, std::int32_t b) {
+      return squaredDistance(p, state.mesh, a) < squaredDistance(p, state.mesh, b);
     };
-    state
-        .attached[*std::min_element(open.begin(), open.end(),
-                                    [&](auto a, auto b) { return distance(a) < distance(b); })]
-        .push_back(p);
+    state.attached[*std::min_element(open.begin(), open.end(), nearer)].push_back(p);
   }
 }
 

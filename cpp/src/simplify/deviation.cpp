@@ -54,10 +54,6 @@ class Measurement {
       all_.strays.insert(all_.strays.end(), own.strays.begin(), own.strays.end());
     }
   }
-  static Vector3d footOf(const TriMesh& mesh, std::int32_t t, const Vector3d& p) {
-    const auto& c = mesh.triangles[t];
-    return footOnTriangle(p, mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]).point;
-  }
   double enough(const Found& found) const { return std::min(found.largest, limit_); }
 
   void forward() {
@@ -66,7 +62,7 @@ class Measurement {
       if (nearest.isNear(p, enough(found), hint)) return;
       const double d = nearest.query(p, 1e300, enough(found), hint);
       found.largest = std::max(found.largest, d);
-      if (d > limit_) found.missed.push_back({p, footOf(result_, hint, p), hint});
+      if (d > limit_) found.missed.push_back({p, footOnTriangle(p, result_, hint).point, hint});
     };
     std::vector<std::int32_t> home(original_.vertices.size());
     forAll(home.size(), 2048, [&](std::size_t v, Found& found, std::int32_t& hint) {
@@ -83,9 +79,7 @@ class Measurement {
                      &c = original_.vertices[tri[2]];
       for (const std::int32_t v : tri) {
         const auto isNear = [&](const Vector3d& p) {
-          const auto& h = result_.triangles[home[v]];
-          return squaredDistance(p, result_.vertices[h[0]], result_.vertices[h[1]],
-                                 result_.vertices[h[2]]) <= enough(found);
+          return squaredDistance(p, result_, home[v]) <= enough(found);
         };
         if (isNear(a) && isNear(b) && isNear(c)) return;
       }
@@ -105,7 +99,7 @@ class Measurement {
         found.largest = std::max(found.largest, d);
         if (d > farthest) {
           farthest = d;
-          stray = {footOf(original_, hint, p), p, static_cast<std::int32_t>(t)};
+          stray = {footOnTriangle(p, original_, hint).point, p, static_cast<std::int32_t>(t)};
         }
         return false;
       };

@@ -38,9 +38,7 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
     std::int32_t home = -1;
     for (const std::int32_t t : changed) {
       if (state.dead[t]) continue;
-      const auto& c = state.mesh.triangles[t];
-      const std::vector<Vector3d>& at = state.mesh.vertices;
-      const double d = squaredDistance(place.onOriginal, at[c[0]], at[c[1]], at[c[2]]);
+      const double d = squaredDistance(place.onOriginal, state.mesh, t);
       if (d >= best) continue;
       best = d;
       home = t;

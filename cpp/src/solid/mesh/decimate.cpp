@@ -154,11 +154,9 @@ class Decimator {
     const TriMesh small = takeMesh(state_, &left);
     for (std::size_t t = 0; t < left.size(); ++t) {
       std::vector<Vector3d>& points = state_.attached[left[t]];
-      const auto& tri = small.triangles[t];
       for (const Vector3d& p : points) {
-        out.deviation = std::max(out.deviation,
-                                 squaredDistance(p, small.vertices[tri[0]], small.vertices[tri[1]],
-                                                 small.vertices[tri[2]]));
+        out.deviation =
+            std::max(out.deviation, squaredDistance(p, small, static_cast<std::int32_t>(t)));
       }
       const std::int32_t label = state_.label[left[t]];
       out.partition.patchOf.push_back(label);
