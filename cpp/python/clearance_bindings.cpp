@@ -47,9 +47,9 @@ constexpr const char* kClearanceDoc =
 Smallest distance of a moving body to each neighbour over the whole motion; nothing between two poses is
 missed. neighbours: list of (name, vertices, triangles), or with its chord error, or with that and its rule:
 a required distance, 'contact', 'contact:MM', 'ignore' or None. rules: texts 'NAME=RULE' for those that have
-none of their own, NAME with * and ?. Lengths in mm; motion as in compute(). Returns the report: summary, neighbours (verdict clear | below |
-contact | clash, rule, meets_rule, distance, guaranteed, time_seconds, pose, points, penetration, below and contact as
-time intervals, curve), as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
+none of their own, NAME with * and ?. Lengths in mm; motion as in compute(). Returns the report: summary,
+neighbours (verdict clear | below | contact | clash, rule, meets_rule, distance, guaranteed, time_seconds, pose,
+points, penetration, below and contact as time intervals, curve), as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kFirstContactsDoc =
     R"(first_contacts(vertices, triangles, motion, neighbours, interpolation='linear', tolerance=0.01,
@@ -72,8 +72,8 @@ part), far_pairs, joined, as docs/clearance.md says. Raises InvalidInput, Cancel
 constexpr const char* kOverlapDoc =
     R"(overlap(parts, required=0.0, tolerance=0.01, shared=True, run=None) -> (dict, list)
 
-Parts that stand still, each two of them: smallest distance, or how deep they lie in each other, and the solid
-that they share. parts: list of (name, vertices, triangles) or with the chord error. Lengths in mm. Returns the
+Compares every two of some parts that stand still: their smallest distance, or how deep they lie in each other,
+and the solid that they share. parts: list of (name, vertices, triangles), or with its chord error. Lengths in mm. Returns the
 report: summary, pairs (first, second, volume in mm^3 where it is known, and what clearance() says of a
 neighbour; the body is the first part), as docs/overlap.md says; and for each pair its shared solid as
 (vertices float64 (N, 3), triangles int32 (M, 3)), N = M = 0 where there is none. Raises InvalidInput
@@ -83,6 +83,14 @@ constexpr const char* kDistanceDoc =
     R"(distance_to_mesh(points, vertices, triangles, run=None) -> float64 (N,)
 
 Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed.)";
+
+/// A report as a dict; raises where its run failed.
+template <class Report>
+py::object foundOf(const Report& report) {
+  py::object found = parseJson(toJson(report));
+  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  return found;
+}
 
 py::object pyClearance(const py::object& vertices, const py::object& triangles,
                        const py::object& motion, const py::iterable& neighbours,
@@ -102,9 +110,7 @@ py::object pyClearance(const py::object& vertices, const py::object& triangles,
   options.penetration = penetration;
   const ClearanceReport report = runWithoutLock(
       *context, [&] { return checkClearance(body, trajectory, parts, options, *context); });
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
-  return found;
+  return foundOf(report);
 }
 
 std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::object& triangles,
@@ -161,9 +167,7 @@ py::object pyMechanism(const py::iterable& list, double required, double toleran
     options.rules.push_back({first, second, parseRule(text)});
   const MechanismReport report =
       runWithoutLock(*context, [&] { return checkMechanism(parts, options, *context); });
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
-  return found;
+  return foundOf(report);
 }
 
 OverlapPart overlapPartFrom(const py::handle& item) {
@@ -175,11 +179,8 @@ OverlapPart overlapPartFrom(const py::handle& item) {
 }
 
 py::tuple arraysOf(TriMesh mesh) {
-  const auto kept = std::make_shared<const TriMesh>(std::move(mesh));
-  return py::make_tuple(readOnlyView(reinterpret_cast<const double*>(kept->vertices.data()),
-                                     {static_cast<py::ssize_t>(kept->vertices.size()), 3}, kept),
-                        readOnlyView(reinterpret_cast<const std::int32_t*>(kept->triangles.data()),
-                                     {static_cast<py::ssize_t>(kept->triangles.size()), 3}, kept));
+  const Mesh kept{std::make_shared<const TriMesh>(std::move(mesh))};
+  return py::make_tuple(kept.vertices(), kept.triangles());
 }
 
 py::tuple pyOverlap(const py::iterable& list, double required, double tolerance, bool shared,
@@ -190,8 +191,7 @@ py::tuple pyOverlap(const py::iterable& list, double required, double tolerance,
   const OverlapOptions options{required, tolerance, shared};
   OverlapReport report =
       runWithoutLock(*context, [&] { return checkOverlaps(parts, options, *context); });
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  const py::object found = foundOf(report);
   py::list meshes;
   for (PairOverlap& pair : report.pairs) meshes.append(arraysOf(std::move(pair.shared)));
   return py::make_tuple(found, meshes);

@@ -1562,6 +1562,10 @@ Versucht:
  <context>
   <name>SweptVolume_Panels</name>
   <message>
+   <source>{0} deep</source>
+   <translation>{0} tief</translation>
+  </message>
+  <message>
    <source>the face itself, at a key</source>
    <translation>die Fläche selbst, an einer Stützstelle</translation>
   </message>
@@ -2304,10 +2308,6 @@ Versucht:
   <message>
    <source>Keep s&amp;hared volume</source>
    <translation>&amp;Gemeinsames Volumen behalten</translation>
-  </message>
-  <message>
-   <source>{0} deep</source>
-   <translation>{0} tief</translation>
   </message>
   <message>
    <source>Take selected</source>

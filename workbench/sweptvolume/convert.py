@@ -156,6 +156,16 @@ def label_of(root, sub):
     return target.Label if target is not None else "{}.{}".format(root.Label, sub)
 
 
+def own_names(pairs):
+    """What the tree shows for each of some paths, with a number where a name is there already."""
+    found, seen = [], {}
+    for pair in pairs:
+        name = label_of(*pair)
+        count = seen[name] = seen.get(name, 0) + 1
+        found.append(name if count == 1 else "{} ({})".format(name, count))
+    return found
+
+
 def targets(pairs):
     """The objects at the ends of paths, as far as they lead to one."""
     found = [root.getSubObject(sub, retType=1) for root, sub in pairs]

@@ -1,5 +1,6 @@
-// Parts that stand still against each other: reserved spaces, envelopes, parts, in pairs.
-// In:    meshes in one world. Out: for each two of them the smallest distance, or how deep they lie
+// Comparison of parts that stand still, every two of them: envelopes, other reserved spaces, parts.
+// In:    meshes in one world. Out: for every two of them the smallest distance, or how deep they
+// lie
 //        in each other and where, and the solid that they share.
 // Units: mm, mm^3. Cost: a distance query a pair; the shared solid of two closed meshes of 70,000
 //        triangles takes half a second.
@@ -24,7 +25,7 @@ struct OverlapPart {
 
 struct OverlapOptions {
   double required = 0;      ///< mm, distance asked for between any two; 0: only contact and clash
-  double tolerance = 0.01;  ///< mm: nearer than this and both chord errors is contact
+  double tolerance = 0.01;  ///< mm: nearer than this plus both chord errors is contact
   bool shared = true;       ///< make the shared solids
 };
 
@@ -32,8 +33,8 @@ struct PairOverlap {
   PartPair parts;
   /// As of a motion with one pose, at time 0: "body" is the first part, "neighbour" the second.
   NeighbourClearance clearance;
-  /// mm^3, of `shared`; absent where one of the two is open or lies in itself (see the warnings),
-  /// or none was asked for.
+  /// mm^3, of `shared`; absent where one of the two is open or crosses itself (see the warnings),
+  /// or where no shared solids were asked for.
   std::optional<double> volume;
   TriMesh shared;  ///< turned outward; empty where they share nothing
 };

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "geometry/half_edges.h"
+#include "geometry/mesh_parts.h"
 #include "geometry/shells.h"
 #include "overlap/meetings.h"
 #include "overlap/polygons.h"
@@ -58,8 +59,10 @@ class Builder {
     for (const Side side : {Side::Shrunk, Side::Fixed}) {
       const ClosedMesh& mesh = of(side);
       const TriMesh& there = *of(other(side)).mesh;
-      nodes_[int(side)] = findNodes(lattice_, side, mesh, there, run_);
-      windings_[int(side)] = findWindings(lattice_, side, mesh, there, nodes_[int(side)], run_);
+      const BoxTree tree = treeOf(lattice_, other(side), there);
+      nodes_[int(side)] = findNodes(lattice_, side, mesh, there, tree, run_);
+      windings_[int(side)] =
+          findWindings(lattice_, side, mesh, there, tree, nodes_[int(side)], run_);
       requireOnce(windings_[int(side)], names_[int(other(side))]);
     }
     numberPoints();
@@ -261,15 +264,7 @@ Combined withoutFlatShells(const TriMesh& mesh, double flat) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::int32_t shell = shells.ofTriangle[t];
     if (std::abs(extents[shell].volume) <= 0.5 * areas[shell] * flat) continue;
-    std::array<std::int32_t, 3> tri = mesh.triangles[t];
-    for (std::int32_t& corner : tri) {
-      if (number[corner] < 0) {
-        number[corner] = static_cast<std::int32_t>(shared.mesh.vertices.size());
-        shared.mesh.vertices.push_back(mesh.vertices[corner]);
-      }
-      corner = number[corner];
-    }
-    shared.mesh.triangles.push_back(tri);
+    takeTriangle(mesh, t, number, shared.mesh);
   }
   for (std::int32_t s = 0; s < shells.count; ++s)
     if (std::abs(extents[s].volume) > 0.5 * areas[s] * flat) {
@@ -277,12 +272,6 @@ Combined withoutFlatShells(const TriMesh& mesh, double flat) {
       shared.area += areas[s];
     }
   return shared;
-}
-
-Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
-  return box;
 }
 
 }  // namespace

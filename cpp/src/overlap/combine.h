@@ -4,10 +4,11 @@
 // Units: mm. Cost: O(n log n); two meshes of 70,000 triangles take half a second.
 // Method: J. M. Smith, Towards robust inexact geometric computation (2009): which edges go through
 //         which triangles is decided exactly, with no two things on each other (lattice.h). Of
-//         every triangle the piece inside the other solid has for its border pieces of the
-//         triangle's edges, which its neighbour has the other way round, and segments along which
-//         it meets triangles of the other mesh, which these have the other way round. So the pieces
-//         of all triangles of both close, whatever rounding does to the points.
+//         every triangle the piece inside the other solid is kept. The border of a piece consists
+//         of parts of the triangle's own edges, and of segments along which it meets triangles of
+//         the other mesh. The neighbour across such an edge, or the triangle that is met, has the
+//         same line in its border, the other way round. So all pieces together close, whatever
+//         rounding does to the points.
 // Promise: closed, every edge passed as often one way as the other; the volume is right to within
 //         rounding. Where faces of both lie on each other, triangles without area may hang on it.
 //         The same bytes for any number of threads.

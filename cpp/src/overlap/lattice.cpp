@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "geometry/mesh_parts.h"
 
 namespace swept::overlap {
 namespace {
@@ -30,12 +31,6 @@ int firstSign(Wide scale, const Cross& shift) {
   for (const Wide term : {scale, shift[0], shift[1], shift[2]})
     if (term != 0) return signOf(term);
   return 0;
-}
-
-Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
-  return box;
 }
 
 }  // namespace

@@ -3,12 +3,11 @@
 //        triangles without area.
 // Units: steps of the lattice, 2^-38 of the longest side of both meshes' common box.
 // Cost:  a few nanoseconds a sign: products of three differences fit into 128 bits.
-// Method: ties are decided as if the first mesh, the smaller one, had shrunk a little about a
-// centre
+// Method: ties are decided as if the smaller mesh had shrunk a little about the centre of its box
 //        and had then been moved by less still: x -> x - e (x - centre) + (e^2, e^3, e^4), e -> 0
-//        (simulation of simplicity; Edelsbrunner and Muecke 1990). Parts that touch come apart so,
-//        and of faces that lie on each other the inner one counts. All signs below are linear in
-//        the shift of one point, so that the first term that is not 0 decides.
+//        (simulation of simplicity; Edelsbrunner and Muecke 1990). So parts that only touch come
+//        apart, and where two faces lie on each other the inner one counts. All signs below are
+//        linear in the shift of one point: the first term that is not 0 decides.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

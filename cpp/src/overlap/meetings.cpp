@@ -5,22 +5,12 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "geometry/box_tree.h"
 #include "geometry/half_edges.h"
 
 namespace swept::overlap {
 namespace {
 
 constexpr std::size_t kBlock = 1 << 10;
-
-/// Over the triangles of one mesh, in steps of the lattice.
-BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh) {
-  return BoxTree(mesh.triangles.size(), [&](std::size_t t) {
-    BoxTree::Bounds box;
-    for (const std::int32_t v : mesh.triangles[t]) box.extend(lattice.place(side, v));
-    return box;
-  });
-}
 
 /// Does an edge go through a triangle, whose plane it passes from `before` to its other side?
 bool passesInside(const Lattice& lattice, Side side, const Edge& edge,
@@ -67,7 +57,7 @@ class Pieces {
   std::vector<std::int32_t> parent_, offset_;
 };
 
-/// Adds up along an edge how much of it the other solid goes round once, and else.
+/// Adds a piece of an edge to what the other solid goes round once, or any other number of times.
 void measure(Windings& windings, std::int32_t winding, double length) {
   if (winding == 1)
     windings.once += length;
@@ -105,9 +95,16 @@ ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name) {
   return closed;
 }
 
+BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh) {
+  return BoxTree(mesh.triangles.size(), [&](std::size_t t) {
+    BoxTree::Bounds box;
+    for (const std::int32_t v : mesh.triangles[t]) box.extend(lattice.place(side, v));
+    return box;
+  });
+}
+
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                            const TriMesh& there, RunContext& run) {
-  const BoxTree tree = treeOf(lattice, other(side), there);
+                            const TriMesh& there, const BoxTree& tree, RunContext& run) {
   const auto nodesOf = [&](std::size_t e, std::vector<Node>& found) {
     if (e % kBlock == 0) run.checkpoint(Phase::Contour);
     const Edge& edge = mesh.edges[e];
@@ -135,14 +132,14 @@ std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh&
 }
 
 Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                      const TriMesh& there, const std::vector<Node>& nodes, RunContext& run) {
+                      const TriMesh& there, const BoxTree& tree, const std::vector<Node>& nodes,
+                      RunContext& run) {
   std::vector<std::int32_t> steps(mesh.edges.size(), 0);
   for (const Node& node : nodes) steps[node.edge] += node.enters ? 1 : -1;
   const std::size_t count = mesh.mesh->vertices.size();
   Pieces pieces(count);
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
     pieces.join(mesh.edges[e].from, mesh.edges[e].to, steps[e]);
-  const BoxTree tree = treeOf(lattice, other(side), there);
   std::vector<std::int32_t> ofRoot(count, 0);
   for (std::size_t v = 0; v < count; ++v) {
     const auto vertex = static_cast<std::int32_t>(v);

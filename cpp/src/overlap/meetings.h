@@ -1,8 +1,7 @@
 // Where the edges of one mesh go through the triangles of another.
-// In:    two closed meshes on one lattice. Out: for each edge the triangles it goes through,
-// whether
-//        it enters the other solid there or leaves it, and where.
-// Cost:  O(n log n), all cores; two bounding box trees.
+// In:    two closed meshes on one lattice. Out: for each edge the triangles that it goes through,
+//        where that is, and whether the edge enters the other solid there or leaves it.
+// Cost:  O(n log n), all cores.
 // Promise: exact: an edge that goes through the surface between two triangles goes through one of
 //        them, and any two triangles with area share no nodes or two of them, a segment.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/box_tree.h"
 #include "overlap/lattice.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -44,17 +44,24 @@ struct Node {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
 };
 
-/// Nodes of the edges of one mesh, by edge, along each as far as rounding can tell.
+/// The boxes of one mesh's triangles, in steps of the lattice.
+BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh);
+
+/// Nodes of the edges of one mesh, sorted by edge, and along each edge as far as rounding can tell.
+/// there, tree: the other mesh and its treeOf().
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                            const TriMesh& there, RunContext& run);
+                            const TriMesh& there, const BoxTree& tree, RunContext& run);
 
 struct Windings {
   std::vector<std::int32_t> ofVertex;  ///< how often the other solid goes round it: 0 outside, 1 in
-  double once = 0, more = 0;           ///< mm of edges inside it that it goes round once, and else
+  /// mm of this mesh's edges that the other solid goes round once, and any other number of times
+  /// but 0.
+  double once = 0, more = 0;
 };
 
-/// nodes: of this mesh's edges.
+/// As findNodes(); nodes: of this mesh's edges.
 Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                      const TriMesh& there, const std::vector<Node>& nodes, RunContext& run);
+                      const TriMesh& there, const BoxTree& tree, const std::vector<Node>& nodes,
+                      RunContext& run);
 
 }  // namespace swept::overlap

@@ -1,7 +1,6 @@
 // Flat polygons with holes, cut into triangles.
-// In:    closed loops of points that lie in one plane but for rounding: outer ones
-// counter-clockwise
-//        as seen from the normal, holes clockwise. Out: triangles over the same points.
+// In:    closed loops of points that lie in one plane but for rounding. Seen from the normal,
+//        outer loops run counter-clockwise, holes clockwise. Out: triangles over the same points.
 // Cost:  O(n log n) to O(n^2) for n points; one of a shared volume has a handful, seldom thousands.
 // Promise: whatever the numbers are, the triangles pass every edge of the loops once in its
 //        direction, and every other edge once each way: what is closed stays closed. Where rounding

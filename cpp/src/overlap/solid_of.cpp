@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "overlap/solid_of.h"
 
-#include <array>
 #include <vector>
 
 #include "geometry/half_edges.h"
+#include "geometry/mesh_parts.h"
 #include "geometry/shells.h"
 #include "input/body_check.h"
 #include "overlap/combine.h"
@@ -57,17 +57,7 @@ std::vector<TriMesh> split(const TriMesh& mesh, const Shells& shells,
   for (std::size_t solid = 0; solid < count; ++solid) {
     for (const std::int32_t t : trianglesOf[solid])
       for (const std::int32_t corner : mesh.triangles[t]) number[corner] = -1;
-    for (const std::int32_t t : trianglesOf[solid]) {
-      std::array<std::int32_t, 3> tri = mesh.triangles[t];
-      for (std::int32_t& corner : tri) {
-        if (number[corner] < 0) {
-          number[corner] = static_cast<std::int32_t>(solids[solid].vertices.size());
-          solids[solid].vertices.push_back(mesh.vertices[corner]);
-        }
-        corner = number[corner];
-      }
-      solids[solid].triangles.push_back(tri);
-    }
+    for (const std::int32_t t : trianglesOf[solid]) takeTriangle(mesh, t, number, solids[solid]);
   }
   return solids;
 }

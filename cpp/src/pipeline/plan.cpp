@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "base/number_text.h"
+#include "geometry/mesh_parts.h"
 #include "grid/plan_grid.h"
 #include "motion/pivot.h"
 #include "motion/position_filter.h"
@@ -17,12 +18,6 @@
 
 namespace swept {
 namespace {
-
-Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& v : mesh.vertices) box.extend(v);
-  return box;
-}
 
 /// The box of the sweep with the room that an offset or a conservative surface takes.
 Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {

@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "geometry/half_edges.h"
+#include "geometry/mesh_parts.h"
 #include "simplify/collapser.h"
 
 namespace swept {
@@ -201,15 +202,7 @@ TriMesh takeMesh(const CollapseState& state, std::vector<std::int32_t>* triangle
   std::vector<std::int32_t> id(state.mesh.vertices.size(), -1);
   for (std::size_t t = 0; t < state.dead.size(); ++t) {
     if (state.dead[t]) continue;
-    auto tri = state.mesh.triangles[t];
-    for (std::int32_t& v : tri) {
-      if (id[v] < 0) {
-        id[v] = static_cast<std::int32_t>(mesh.vertices.size());
-        mesh.vertices.push_back(state.mesh.vertices[v]);
-      }
-      v = id[v];
-    }
-    mesh.triangles.push_back(tri);
+    takeTriangle(state.mesh, t, id, mesh);
     if (triangles != nullptr) triangles->push_back(static_cast<std::int32_t>(t));
   }
   return mesh;

@@ -9,7 +9,7 @@ from ..texts import translate
 from . import containers, missing, neighbour_rules, status
 from . import envelope as envelope_feature
 from .base import set_changed
-from .moving import DRAWN, Moving, Seen
+from .moving import Moving, Seen
 from .still_parts import StillParts, chord_of, left_out_text, listed, no_neighbour
 
 
@@ -153,10 +153,6 @@ class Plan(StillParts):
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
         return [(Seen(body, moving.into_base()), moving.course())]
-
-    def seen_deflection(self):
-        """mm, of solids in pictures."""
-        return DRAWN * max(float(self.values["Deflection"]), 0.05)
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""

@@ -64,10 +64,21 @@ def worst_rows(report):
     """Numbers of the rows that do not meet their rule, the worst first; where all do, of the nearest one
     alone."""
     rows = report["neighbours"]
-    bad = [i for i, row in enumerate(rows) if not meets_rule(row)]
-    bad.sort(key=lambda i: (WORST_FIRST.index(rows[i]["verdict"]), rows[i]["distance"]))
+    bad = [index for index in worst_first(report) if not meets_rule(rows[index])]
     nearest = report.get("smallest", 0)
     return bad or ([nearest] if nearest < len(rows) else [])
+
+
+def line_of(row):
+    """The line that shows a row in the 3D view: (its two ends, its text, whether the parts clash). It is the
+    shortest one between the two parts; in a clash it goes from the deepest point out to the surface.
+    """
+    ends, length = [row["point_on_body"], row["point_on_neighbour"]], row["distance"]
+    deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
+    if "point" in deep and "surface" in deep:
+        ends = [deep["point"], deep["surface"]]
+    text = quantity(deep.get("depth", length), TABLE_DIGITS)
+    return ends, translate("Panels", "{0} deep").format(text) if deep else text, bool(deep)
 
 
 def rule_of(row, report):

@@ -12,7 +12,7 @@ from ..trajectory.poses import Poses, at_time
 from . import containers, missing, pair_rules, status
 from . import motion as motion_feature
 from .base import set_changed
-from .moving import DRAWN, Seen, grouped
+from .moving import Seen, grouped
 from .still_parts import StillParts, chord_of, left_out_text
 
 
@@ -222,12 +222,8 @@ class Plan(StillParts):
 
     def names(self):
         """{(root, sub): name} of all parts: their labels, with a number where one is there twice."""
-        found, seen = {}, {}
-        for pair in self.pairs + self.leaves():
-            name = convert.label_of(*pair)
-            count = seen[name] = seen.get(name, 0) + 1
-            found[pair] = name if count == 1 else "{} ({})".format(name, count)
-        return found
+        pairs = self.pairs + self.leaves()
+        return dict(zip(pairs, convert.own_names(pairs)))
 
     # --- the run
 
@@ -272,10 +268,6 @@ class Plan(StillParts):
                 found.append((pair, (body, course)))
         order = {pair: seen for pair, seen in found}
         return [order[pair] for pair in self.pairs]
-
-    def seen_deflection(self):
-        """mm, of solids in pictures."""
-        return DRAWN * max(float(self.values["Deflection"]), 0.05)
 
     def _moving_parts(self, group, names, deflection, straight):
         """The parts of one motion; straight: mm by which straight pieces may leave a curved way."""

@@ -29,8 +29,6 @@ def _in_world(motion, standing):
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
-#: How much coarser than for distances solids are where they are only looked at.
-DRAWN = 4
 #: What two steps leave their way by, one step leaves it by a quarter of.
 SINGLE_STEP = 0.25
 

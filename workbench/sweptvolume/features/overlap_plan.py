@@ -17,12 +17,7 @@ class Plan:
 
     def names(self):
         """Of each: its label, with a number where one is there twice."""
-        found, seen = [], {}
-        for pair in self.pairs:
-            name = convert.label_of(*pair)
-            count = seen[name] = seen.get(name, 0) + 1
-            found.append(name if count == 1 else "{} ({})".format(name, count))
-        return found
+        return convert.own_names(self.pairs)
 
     def words(self):
         """As contents.words(). Raises InputProblem."""

@@ -9,6 +9,8 @@ from . import envelope as envelope_feature
 from .base import kind_of
 
 
+#: How much coarser than for distances solids are where they are only looked at.
+DRAWN = 4
 #: Kinds of results that stand in the document as parts do.
 _RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
 
@@ -71,8 +73,8 @@ def chord_of(pairs, deflection):
 
 
 class StillParts:
-    """Half of a plan: it has `document`, `pairs` (what moves), `neighbours`, `all_visible` and `rules`
-    ({(root, sub): Rule}), and knows which results of ours are its own."""
+    """Half of a plan: it has `document`, `pairs` (what moves), `neighbours`, `all_visible`, `rules`
+    ({(root, sub): Rule}) and `values` (settings), and knows which results of ours are its own."""
 
     def asked_of(self, obj, rules):
         """The rules of an object, by rules.read(); notes in `lost` what was deleted that it needs, or is
@@ -124,6 +126,10 @@ class StillParts:
             if neighbour_rules.of(self.rules, *pair).kind != neighbour_rules.IGNORE:
                 by_name.setdefault(convert.label_of(*pair), []).append(pair)
         return [by_name[name].pop(0) if by_name.get(name) else None for name in names]
+
+    def seen_deflection(self):
+        """mm, how far the triangles of solids may leave them in pictures."""
+        return DRAWN * max(float(self.values["Deflection"]), 0.05)
 
     def left_out(self):
         """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""

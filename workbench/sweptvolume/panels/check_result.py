@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The result of a check of distances in its panel: table, graph, export."""
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from .. import quantities
 from ..convert import InputProblem
@@ -12,8 +12,8 @@ from . import file_dialogs, focus, guard, widgets
 from .clearance_graph import DistanceGraph
 from .page_task import PageTask
 from .run_panel import StayingPanel
-from .shades import ShadedCells
 from .sorted_cell import SortedCell
+from .verdict_table import VerdictTable
 from .widgets import QtWidgets
 
 #: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
@@ -60,8 +60,6 @@ class ResultPanel(StayingPanel):
         self.summary = QtWidgets.QLabel()
         self.summary.setWordWrap(True)
         self.summary.setObjectName("SweptVolumeClearanceSummary")
-        self.table = QtWidgets.QTableWidget(0, 5)
-        self.table.setObjectName("SweptVolumeClearanceTable")
         heads = (
             translate("Panels", self.NAME),
             translate("Panels", "Verdict"),
@@ -69,31 +67,18 @@ class ResultPanel(StayingPanel):
             translate("Panels", "at s"),
             "{}\n{}".format(translate("Panels", "depth"), self.unit),
         )
-        self.table.setHorizontalHeaderLabels(heads)
+        self.table = VerdictTable("SweptVolumeClearanceTable", heads)
         self.table.horizontalHeaderItem(2).setToolTip(
             translate(
                 "Panels",
                 "Between the meshes; the line above has taken off how far these may leave the parts",
             )
         )
-        self.shades = ShadedCells()  # the table does not keep it
-        self.table.setItemDelegateForColumn(1, self.shades)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.table.verticalHeader().hide()
         font = self.table.font()
         font.setPointSizeF(font.pointSizeF() * 0.9)
         self.table.setFont(font)
         self.table.horizontalHeader().setFont(font)
-        for column in range(5):  # long names take two lines, the numbers all their digits
-            self.table.horizontalHeader().setSectionResizeMode(
-                column,
-                QtWidgets.QHeaderView.ResizeToContents if column else QtWidgets.QHeaderView.Stretch,
-            )
         self.table.setSortingEnabled(True)
-        self.table.setMinimumHeight(140)
-        self.table.setTabKeyNavigation(False)  # Tab leaves the table
         self.keys = focus.SortKeys(self.table)
         self.graph = DistanceGraph()
         self.graph.picked.connect(self.choose)
@@ -209,16 +194,8 @@ class ResultPanel(StayingPanel):
                 SortedCell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
                 SortedCell(self._length(deep) if deep else "", -deep),
             )
-
-            colour = QtGui.QColor.fromRgbF(*BANDS[rank])
-            for c, cell in enumerate(cells):
-                cell.setData(QtCore.Qt.UserRole, r)
-                if c == 1:
-                    cell.setToolTip(translate("Panels", "Rule: {0}").format(rule))
-                    cell.setBackground(colour)
-                elif c == 0:
-                    cell.setToolTip(row["name"])
-                self.table.setItem(r, c, cell)
+            cells[1].setToolTip(translate("Panels", "Rule: {0}").format(rule))
+            self.table.put(r, cells, r, row)
         clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
         self.table.setColumnHidden(4, not clashes)
         # Names keep room where the numbers take it all: then the table is scrolled.
@@ -235,15 +212,11 @@ class ResultPanel(StayingPanel):
 
     def chosen_row(self):
         """Index of the row that is chosen, in the report; -1: none."""
-        items = self.table.selectedItems()
-        return items[0].data(QtCore.Qt.UserRole) if items else -1
+        return self.table.chosen()
 
     def choose(self, index):
         """Chooses a row by its index in the report."""
-        for r in range(self.table.rowCount()):
-            if self.table.item(r, 0).data(QtCore.Qt.UserRole) == index:
-                self.table.selectRow(r)
-                self.table.scrollToItem(self.table.item(r, 0))
+        self.table.choose(index)
 
     def go_through(self, by):
         """To the row that is the next worst (1), or back (-1); from none to the worst."""
@@ -263,14 +236,13 @@ class ResultPanel(StayingPanel):
 
     @guard.told
     def _row_chosen(self):
-        items = self.table.selectedItems()
+        index = self.chosen_row()
         self._show_place()
-        if not items:
+        if index < 0:
             self.graph.choose(-1, None)
             if self.obj is not None:
                 self.show_row(None)
             return
-        index = items[0].data(QtCore.Qt.UserRole)
         self.graph.choose(index, self.report["neighbours"][index]["time_seconds"])
         self.show_row(index)
 

@@ -2,7 +2,7 @@
 """The result of a clearance check in its panel: the moving part of a row, and the envelope in colours."""
 from .. import convert
 from ..convert import InputProblem
-from ..features import clearance, shared
+from ..features import clearance, clearance_table, shared
 from ..texts import mark, translate
 from ..views.clearance_view import BANDS
 from . import guard, played_result, widgets
@@ -51,7 +51,7 @@ class ResultPanel(played_result.PlayedPanel):
         row = self.report["neighbours"][index]
         self.go_to(row["time_seconds"])
         self._view().show_row(self.obj, index)
-        self.ends = self.ends_of(row)[0]
+        self.ends = clearance_table.line_of(row)[0]
         self._cut_again()
 
     def left_row(self):
@@ -65,9 +65,6 @@ class ResultPanel(played_result.PlayedPanel):
 
     def plan_shown(self):
         return clearance.Plan.of(self.obj)
-
-    def marked(self, index):
-        return [0]
 
     def _neighbour(self, plan, index):
         """(root, sub) of a row, None where it is there no more."""

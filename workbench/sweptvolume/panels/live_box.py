@@ -34,10 +34,8 @@ class LiveBox(QtCore.QObject):
         super().__init__()
         self.document, self.live, self.drawn = document, None, None
         self.pair, self.body, self.row, self.failed = None, None, -1, False
-        self._read, self._asked = (
-            None,
-            0.0,
-        )  # what stood there when it was read; when it was last asked
+        self._read = None  # what stood there when it was read
+        self._asked = 0.0  # when it was last asked
         self.show_box = QtWidgets.QCheckBox(
             translate("Panels", "Show the clearance while dragging")
         )

@@ -4,7 +4,7 @@ table its two parts when they are nearest, with the line between them."""
 import numpy as np
 
 from .. import convert
-from ..features import mechanism, mechanism_table, shared
+from ..features import clearance_table, mechanism, mechanism_table, shared
 from ..texts import mark
 from ..views.clearance_view import zoom_to
 from . import guard, played_result
@@ -54,7 +54,7 @@ class ResultPanel(played_result.PlayedPanel):
         row = self.whole["pairs"][index]["clearance"]
         self.go_to(row["time_seconds"])
         self.place(row["time_seconds"], self.marked(index))
-        self.draw_line(*self.ends_of(row))
+        self.draw_line(*clearance_table.line_of(row))
 
     @guard.told
     def _look(self):
@@ -65,6 +65,7 @@ class ResultPanel(played_result.PlayedPanel):
             zoom_to(points, self.report["neighbours"][self.wanted])
 
     def marked(self, index):
+        """Which of the moving parts a row is about."""
         pair = self.whole["pairs"][index]
         return [k for k, name in enumerate(self.names) if name in (pair["first"], pair["second"])]
 

@@ -2,20 +2,20 @@
 """Task panel "Reserved spaces": envelopes, solids and parts that stand still, each with each. A row shows
 what its two share; the document is changed only where somebody keeps that."""
 import FreeCADGui as Gui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from .. import quantities
 from ..convert import label_of
 from ..features import clearance, clearance_table, shared
 from ..features.overlap_plan import Plan
 from ..texts import translate
-from ..views.clearance_view import BANDS, zoom_to_box
+from ..views.clearance_view import zoom_to_box
 from ..views.live_distance import LiveDistance
 from ..views.shared_view import SharedBody
 from . import focus, guard, selection, widgets
 from .run_panel import StayingPanel
-from .shades import ShadedCells
 from .tasks import OverlapTask, SharedTask
+from .verdict_table import VerdictTable
 from .widgets import QtWidgets
 
 DEFAULTS = {"Required": 0.0, "Deflection": 0.05}
@@ -68,8 +68,6 @@ class OverlapPanel(StayingPanel):
         self.summary = QtWidgets.QLabel()
         self.summary.setWordWrap(True)
         self.summary.setObjectName("SweptVolumeSpacesSummary")
-        self.table = QtWidgets.QTableWidget(0, 4)
-        self.table.setObjectName("SweptVolumeSpacesTable")
         self.unit = quantities.length_unit()[1]
         heads = (
             translate("Panels", "Pair"),
@@ -77,19 +75,7 @@ class OverlapPanel(StayingPanel):
             self.unit,
             "{}\n{}^3".format(translate("Panels", "shared"), self.unit),
         )
-        self.table.setHorizontalHeaderLabels(heads)
-        self.shades = ShadedCells()  # the table does not keep it
-        self.table.setItemDelegateForColumn(1, self.shades)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.table.verticalHeader().hide()
-        self.table.setTabKeyNavigation(False)  # Tab leaves the table
-        self.table.setMinimumHeight(140)
-        header = self.table.horizontalHeader()
-        for column in range(4):
-            mode = QtWidgets.QHeaderView.ResizeToContents
-            header.setSectionResizeMode(column, mode if column else QtWidgets.QHeaderView.Stretch)
+        self.table = VerdictTable("SweptVolumeSpacesTable", heads)
         self.keep = widgets.hint(
             QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
             translate(
@@ -181,9 +167,7 @@ class OverlapPanel(StayingPanel):
         order = clearance_table.worst_first(dict(self.report, neighbours=rows))
         self.table.setRowCount(len(pairs))
         for r, index in enumerate(order):
-            for c, cell in enumerate(self._cells(pairs[index])):
-                cell.setData(QtCore.Qt.UserRole, index)
-                self.table.setItem(r, c, cell)
+            self.table.put(r, self._cells(pairs[index]), index, rows[index])
         self.table.clearSelection()
         QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
 
@@ -199,8 +183,7 @@ class OverlapPanel(StayingPanel):
 
     def _cells(self, pair):
         row, one = pair["clearance"], quantities.length_unit()[0]
-        verdict = clearance_table.judged(row)
-        cells = [
+        return [
             QtWidgets.QTableWidgetItem(text)
             for text in (
                 "{} - {}".format(pair["first"], pair["second"]),
@@ -209,10 +192,6 @@ class OverlapPanel(StayingPanel):
                 self._volume(pair, one),
             )
         ]
-        rank = clearance_table.WORST_FIRST.index(verdict)
-        cells[1].setBackground(QtGui.QColor.fromRgbF(*BANDS[rank]))
-        cells[0].setToolTip(cells[0].text())
-        return cells
 
     def _volume(self, pair, one):
         if "volume" not in pair:
@@ -223,8 +202,7 @@ class OverlapPanel(StayingPanel):
 
     def chosen_row(self):
         """Index of the chosen pair in the report; -1: none."""
-        items = self.table.selectedItems()
-        return items[0].data(QtCore.Qt.UserRole) if items else -1
+        return self.table.chosen()
 
     def _can_keep(self):
         row = self.chosen_row()
@@ -240,15 +218,7 @@ class OverlapPanel(StayingPanel):
             self.body, self.line = SharedBody(self.document), LiveDistance(self.document)
         self.body.show(self.drawn[row])
         found = self.report["pairs"][row]["clearance"]
-        deep = found.get("penetration", {}) if found["verdict"] == "clash" else {}
-        ends = found["point_on_body"], found["point_on_neighbour"]
-        length = deep.get("depth", found["distance"])
-        if deep:
-            ends = deep["point"], deep["surface"]
-        text = quantities.quantity(length, quantities.TABLE_DIGITS)
-        text = translate("Panels", "{0} deep").format(text) if deep else text
-        middle = [(a + b) / 2.0 for a, b in zip(*ends)]
-        self.line.show(middle, [text], ends, bool(deep))
+        self.line.show_between(*clearance_table.line_of(found))
 
     @guard.told
     def _look(self):

@@ -115,12 +115,8 @@ class MechanismPlaces(_Places):
         names = pair["first"], pair["second"]
         marked = [k for k, name in enumerate(self.names) if name in names]
         self.parts.show([course(row["time_seconds"]) for course in self.courses], marked)
-        deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
-        ends = [row["point_on_body"], row["point_on_neighbour"]]
-        if "point" in deep and "surface" in deep:
-            ends = [deep["point"], deep["surface"]]
-        middle = [(a + b) / 2.0 for a, b in zip(*ends)]
-        self.line.show(middle, [], ends, bool(deep))
+        ends, _, clash = clearance_table.line_of(row)
+        self.line.show_between(ends, "", clash)
         points = [self.points[k] for k in marked]
         if points:
             zoom_to(np.vstack(points), row)

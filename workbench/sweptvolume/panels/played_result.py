@@ -53,10 +53,6 @@ class PlayedPanel(check_result.ResultPanel):
         """shared.Plan of what the two parts of a row share at its time. Raises InputProblem."""
         raise NotImplementedError
 
-    def marked(self, index):
-        """Which of the moving parts a row is about."""
-        raise NotImplementedError
-
     def build_played(self, rows):
         self.shapes, self.ghosts, self.line, self.courses = None, None, None, []
         self.live, self.followed, self.frames, self.cut = None, -1, {}, None
@@ -97,16 +93,6 @@ class PlayedPanel(check_result.ResultPanel):
         """What can be kept of a row (None: none is chosen)."""
         row = self.report["neighbours"][index] if index is not None else None
         self.clash.setEnabled(row is not None and row["verdict"] == "clash")
-
-    def ends_of(self, row):
-        """(two points, text, whether they clash) of a row of the report."""
-        ends = row["point_on_body"], row["point_on_neighbour"]
-        deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
-        if deep:
-            ends = deep["point"], deep["surface"]
-        length = quantities.quantity(deep.get("depth", row["distance"]), quantities.TABLE_DIGITS)
-        text = translate("Panels", "{0} deep").format(length) if deep else length
-        return ends, text, bool(deep)
 
     @guard.told
     def keep(self, make):
@@ -155,16 +141,16 @@ class PlayedPanel(check_result.ResultPanel):
         if answer.points[0] is None:
             self.line.hide()
             return
-        self.ends = [base[:3, :3] @ np.asarray(p) + base[:3, 3] for p in answer.points]
+        ends = [base[:3, :3] @ np.asarray(p) + base[:3, 3] for p in answer.points]
         text = quantities.quantity(answer.distance, quantities.TABLE_DIGITS)
         clash = answer.distance <= 0
         text = translate("Panels", "clash") if clash else text
-        self.draw_line(self.ends, text, clash)
+        self.draw_line(ends, text, clash)
 
     def draw_line(self, ends, text, clash):
         """The line and the section through it."""
         self.ends = ends
-        self.line.show([(a + b) / 2.0 for a, b in zip(*ends)], [text], ends, clash)
+        self.line.show_between(ends, text, clash)
         self._cut_again()
 
     def _failed(self, text):

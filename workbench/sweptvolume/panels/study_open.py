@@ -34,7 +34,5 @@ def _open(source):
 
 def _worst(panel):
     """Chooses the row that meets its rule least: the part is shown at its worst place."""
-    wanted = clearance_table.worst_rows(panel.report)[:1]
-    for line in range(panel.table.rowCount()):
-        if panel.table.item(line, 0).data(QtCore.Qt.UserRole) in wanted:
-            panel.table.selectRow(line)
+    for index in clearance_table.worst_rows(panel.report)[:1]:
+        panel.choose(index)

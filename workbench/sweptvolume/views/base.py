@@ -140,6 +140,11 @@ class View:
         entry = menu.addAction(Gui.getIcon(icon(icon_name)), text)
         entry.triggered.connect(lambda *ignored: action())
 
+    def add_commands(self, menu, obj, commands):
+        """Entries of the menu: (text, name of the command that runs on the object) of each."""
+        for text, name in commands:
+            self.add_menu(menu, text, name, lambda name=name: run_command(obj, name))
+
     def dumps(self):
         return None
 

@@ -9,7 +9,7 @@ from .. import convert
 from ..features import clearance
 from ..features.clearance_plan import envelope_arrays
 from ..texts import translate
-from .base import View, run_command, verdict_icon
+from .base import View, verdict_icon
 
 #: Colours of the bands: clash, contact, too near, clear.
 BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
@@ -60,19 +60,11 @@ class ClearanceView(View):
         return verdict_icon("SweptVolume_Clearance", self.Object, verdict)
 
     def setupContextMenu(self, view, menu):
-        text = translate("Commands", "Check clearance")
-        self.add_menu(
-            menu,
-            text,
-            "SweptVolume_Clearance",
-            lambda: run_command(view.Object, "SweptVolume_Clearance"),
+        commands = (
+            (translate("Commands", "Check clearance"), self.EDITOR),
+            (translate("Commands", "Export report..."), "SweptVolume_ExportReport"),
         )
-        self.add_menu(
-            menu,
-            translate("Commands", "Export report..."),
-            "SweptVolume_ExportReport",
-            lambda: run_command(view.Object, "SweptVolume_ExportReport"),
-        )
+        self.add_commands(menu, view.Object, commands)
 
     def clear(self):
         """Nothing drawn: as after opening a document."""
@@ -87,7 +79,7 @@ class ClearanceView(View):
         plan = clearance.Plan.of(obj)
         request_pose = found["pose"]
         into_base = plan.moving().into_base()
-        body = convert.body_from(plan.pairs, max(plan.values["Deflection"], 0.05) * 4)
+        body = convert.body_from(plan.pairs, plan.seen_deflection())
         pose = convert.placements_from(
             [request_pose["translation"]], [request_pose["quaternion_xyzw"]]
         )[0]

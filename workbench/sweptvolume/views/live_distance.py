@@ -48,5 +48,10 @@ class LiveDistance(Overlay):
         fill(self.lines.numVertices, np.array([2] if drawn else [0], np.int32))
         self.shown.whichChild = -3  # all
 
+    def show_between(self, ends, text, clash):
+        """A line with a text ("": none) at its middle."""
+        middle = [(a + b) / 2.0 for a, b in zip(*ends)]
+        self.show(middle, [text] if text else [], ends, clash)
+
     def hide(self):
         self.shown.whichChild = -1

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a mechanism check looks in the tree; what it shows in the 3D view belongs to its panel."""
 from ..texts import translate
-from .base import View, run_command, verdict_icon
+from .base import View, verdict_icon
 
 
 class MechanismView(View):
@@ -21,11 +21,8 @@ class MechanismView(View):
         return list(dict.fromkeys(found))
 
     def setupContextMenu(self, view, menu):
-        text = translate("Commands", "Check mechanism")
-        self.add_menu(menu, text, self.EDITOR, lambda: run_command(view.Object, self.EDITOR))
-        self.add_menu(
-            menu,
-            translate("Commands", "Export report..."),
-            "SweptVolume_ExportReport",
-            lambda: run_command(view.Object, "SweptVolume_ExportReport"),
+        commands = (
+            (translate("Commands", "Check mechanism"), self.EDITOR),
+            (translate("Commands", "Export report..."), "SweptVolume_ExportReport"),
         )
+        self.add_commands(menu, view.Object, commands)

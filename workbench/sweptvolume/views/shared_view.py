@@ -2,7 +2,7 @@
 """How a shared volume looks: red, and seen through what shares it."""
 from ..texts import translate
 from . import surface
-from .base import View, run_command, set_if_there, state_icon
+from .base import View, set_if_there, state_icon
 from .ghost import Overlay
 
 COLOUR = (0.90, 0.10, 0.10)
@@ -42,5 +42,5 @@ class SharedView(View):
         return state_icon("SweptVolume_Overlap", self.Object)
 
     def setupContextMenu(self, view, menu):
-        text = translate("Commands", "Compute again")
-        self.add_menu(menu, text, self.EDITOR, lambda: run_command(view.Object, self.EDITOR))
+        commands = ((translate("Commands", "Compute again"), self.EDITOR),)
+        self.add_commands(menu, view.Object, commands)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How the solid of an envelope looks."""
 from ..texts import translate
-from .base import View, run_command, set_if_there, state_icon
+from .base import View, set_if_there, state_icon
 
 COLOUR = (0.93, 0.78, 0.20)
 
@@ -20,9 +20,8 @@ class SolidView(View):
         return state_icon("SweptVolume_Solid", self.Object)
 
     def setupContextMenu(self, view, menu):
-        obj = view.Object
-        for text, name in (
+        commands = (
             (translate("Commands", "Make solid again"), "SweptVolume_Solid"),
             (translate("Commands", "Export"), "SweptVolume_Export"),
-        ):
-            self.add_menu(menu, text, name, lambda name=name: run_command(obj, name))
+        )
+        self.add_commands(menu, view.Object, commands)

@@ -2,7 +2,7 @@
 """How a study looks in the tree."""
 from ..features.base import UP_TO_DATE
 from ..texts import translate
-from .base import View, run_command, shown_icon, verdict_icon
+from .base import View, shown_icon, verdict_icon
 
 
 class StudyView(View):
@@ -19,11 +19,8 @@ class StudyView(View):
         return []  # its sources stand with their parts
 
     def setupContextMenu(self, view, menu):
-        text = translate("Commands", "Study...")
-        self.add_menu(menu, text, self.EDITOR, lambda: run_command(view.Object, self.EDITOR))
-        self.add_menu(
-            menu,
-            translate("Commands", "Export report..."),
-            "SweptVolume_ExportReport",
-            lambda: run_command(view.Object, "SweptVolume_ExportReport"),
+        commands = (
+            (translate("Commands", "Study..."), self.EDITOR),
+            (translate("Commands", "Export report..."), "SweptVolume_ExportReport"),
         )
+        self.add_commands(menu, view.Object, commands)

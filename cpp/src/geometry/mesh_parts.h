@@ -1,0 +1,36 @@
+// Triangles of one mesh as a mesh of their own, and the box of a mesh.
+// Units: those of the mesh. Cost: O(1) a triangle; O(vertices) for the box.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "swept/types.h"
+
+namespace swept {
+
+inline Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
+  return box;
+}
+
+/// Appends a triangle of `from` to `mesh`, with those of its vertices that `mesh` does not have
+/// yet. number: of each vertex of `from` in `mesh`, -1 where it is not there.
+inline void takeTriangle(const TriMesh& from, std::size_t triangle,
+                         std::vector<std::int32_t>& number, TriMesh& mesh) {
+  std::array<std::int32_t, 3> corners = from.triangles[triangle];
+  for (std::int32_t& corner : corners) {
+    if (number[corner] < 0) {
+      number[corner] = static_cast<std::int32_t>(mesh.vertices.size());
+      mesh.vertices.push_back(from.vertices[corner]);
+    }
+    corner = number[corner];
+  }
+  mesh.triangles.push_back(corners);
+}
+
+}  // namespace swept

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A table of the rows of a report with their verdicts in colour."""
+from PySide import QtCore, QtGui
+
+from ..features import clearance_table
+from ..views.clearance_view import BANDS
+from .shades import ShadedCells
+from .widgets import QtWidgets
+
+
+class VerdictTable(QtWidgets.QTableWidget):
+    """The first column names the row, the second tells its verdict. Every cell keeps the index of its row in
+    the report, whatever the table is sorted by."""
+
+    def __init__(self, name, heads):
+        super().__init__(0, len(heads))
+        self.setObjectName(name)
+        self.setHorizontalHeaderLabels(heads)
+        self.shades = ShadedCells()  # the table does not keep it
+        self.setItemDelegateForColumn(1, self.shades)
+        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.verticalHeader().hide()
+        self.setTabKeyNavigation(False)  # Tab leaves the table
+        self.setMinimumHeight(140)
+        modes = QtWidgets.QHeaderView
+        for column in range(len(heads)):  # long names take two lines, the numbers all their digits
+            mode = modes.ResizeToContents if column else modes.Stretch
+            self.horizontalHeader().setSectionResizeMode(column, mode)
+
+    def put(self, line, cells, index, row):
+        """Fills a line with the cells of a row of the report; row: as clearance_table has it."""
+        rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
+        cells[0].setToolTip(cells[0].text())
+        cells[1].setBackground(QtGui.QColor.fromRgbF(*BANDS[rank]))
+        for column, cell in enumerate(cells):
+            cell.setData(QtCore.Qt.UserRole, index)
+            self.setItem(line, column, cell)
+
+    def chosen(self):
+        """Index of the chosen row in the report; -1: none."""
+        items = self.selectedItems()
+        return items[0].data(QtCore.Qt.UserRole) if items else -1
+
+    def choose(self, index):
+        """Chooses a row by its index in the report."""
+        for line in range(self.rowCount()):
+            if self.item(line, 0).data(QtCore.Qt.UserRole) == index:
+                self.selectRow(line)
+                self.scrollToItem(self.item(line, 0))
