@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 
-from .. import contents, studies
+from .. import contents
 from ..convert import InputProblem
 from ..texts import translate
 from . import clearance, clearance_plan, envelope, envelope_plan, missing, status, study_export
@@ -53,6 +53,8 @@ class Request:
         if self.runs is not None:
             study_export.write(self.file, self.runs, self.look, control)
         elif not self.output:
+            from .. import studies
+
             self.output = str(studies.read(self.file).output)
 
 
@@ -120,6 +122,8 @@ class Plan:
     def study(self):
         """The study file as it was when this was first asked (studies.read()); raises as that does."""
         if self._study is None:
+            from .. import studies  # brings what starts processes: not at FreeCAD's start
+
             self._study = studies.read(*self.place())
         return self._study
 
