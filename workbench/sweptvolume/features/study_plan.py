@@ -28,16 +28,8 @@ def _plan_of(source):
 
 def names_of(sources):
     """Names of runs, which are names of folders: the labels, with a number where one is there twice."""
-    found, seen = [], set()
-    for source in sources:
-        base = name = study_export.file_name(source.Label)
-        number = 1
-        while name.casefold() in seen:
-            number += 1
-            name = "{} ({})".format(base, number)
-        seen.add(name.casefold())
-        found.append(name)
-    return found
+    names = (study_export.file_name(source.Label) for source in sources)
+    return study_export.numbered(names, same=str.casefold)
 
 
 class Request:
