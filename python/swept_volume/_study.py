@@ -162,7 +162,7 @@ class _Looked:
             self.take(number, self.folder.earlier(one, key))
 
     def take(self, number: int, report: Optional[Report]) -> None:
-        """The report of a run; that of one with a page is also kept for the page of all."""
+        """Keeps the report of a run (None: there is none yet), and its row."""
         self.reports[number] = report
         self.rows[number] = _row(self.study.runs[number], report)
 

@@ -4,12 +4,39 @@ import Part
 
 from case import Case, V, shift
 from sweptvolume import core
-from sweptvolume.features import clearance, envelope, solid
+from sweptvolume.features import clearance, envelope, neighbour_rules, solid
+from sweptvolume.features.neighbour_rules import CONTACT, Rule
 
 
 def plate(hole):
     """A plate with a round hole at x = hole: same counts, area, length, volume and box for any."""
     return Part.makeBox(40, 20, 4).cut(Part.makeCylinder(3, 4, V(hole, 10, 0)))
+
+
+class Slide(Case):
+    """A box that slides on a table, which it may touch, to 3.5 mm from a wall."""
+
+    NEEDS_CORE = True
+    WALL = "Wall"
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.box("Schieber")
+        self.path = self.line()  # 30 mm along x: the box ends at x = 40
+        self.wall = self.box("Wall")
+        self.wall.Label = self.WALL
+        self.wall.Placement = shift(x=43.5)
+        self.table = self.box("Table")
+        self.table.Length, self.table.Width, self.table.Height = 80, 40, 5
+        self.table.Placement = shift(x=-20, y=-15, z=-5)
+        self.doc.recompute()
+
+    def check(self, required=5.0, label="Check"):
+        obj = clearance.make_clearance(
+            self.doc, label, Generators=[(self.part, "")], Motion=self.path, Required=required
+        )
+        neighbour_rules.write(obj, {(self.table, ""): Rule(CONTACT)})
+        return obj
 
 
 class Scene(Case):

@@ -13,30 +13,19 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..
 from page_check import cells, check_alone, data  # noqa: E402
 
 from case import Case, shift  # noqa: E402
+from scene_case import Slide  # noqa: E402
 from sweptvolume import core, page, settings, texts  # noqa: E402
 from sweptvolume.convert import InputProblem  # noqa: E402
 from sweptvolume.features import clearance, mechanism, neighbour_rules, pair_rules  # noqa: E402
-from sweptvolume.features.neighbour_rules import CONTACT, Rule  # noqa: E402
+from sweptvolume.features.neighbour_rules import Rule  # noqa: E402
 
 
-class Pages(Case):
-    NEEDS_CORE = True
+class Pages(Slide):
+    WALL = "Wänd <b>&"
 
     def setUp(self):
         super().setUp()
-        self.part = self.box("Schieber")
-        self.path = self.line()  # 30 mm along x: the box ends at x = 40
-        self.wall = self.box("Wall")
-        self.wall.Label = "Wänd <b>&"
-        self.wall.Placement = shift(x=43.5)
-        self.table = self.box("Table")
-        self.table.Length, self.table.Width, self.table.Height = 80, 40, 5
-        self.table.Placement = shift(x=-20, y=-15, z=-5)
-        self.doc.recompute()
-        self.obj = clearance.make_clearance(
-            self.doc, Generators=[(self.part, "")], Motion=self.path, Required=5.0
-        )
-        neighbour_rules.write(self.obj, {(self.table, ""): Rule(CONTACT)})
+        self.obj = self.check(label=None)
         self.doc.recompute()
         self.target = os.path.join(self.folder, "ü report.html")
 

@@ -136,6 +136,16 @@ class Layers(unittest.TestCase):
                         text = "{}:{} {}.{}".format(path, node.lineno, here, node.attr)
                         self.assertIn(node.attr, known[here], text)
 
+    def test_what_starts_processes_is_not_loaded_with_the_workbench(self):
+        """Only what a study needs that is carried out imports `studies` at its top."""
+        found = {
+            os.path.relpath(path, HERE).replace(os.sep, "/")
+            for path, _ in modules()
+            for name, node in imports(path)
+            if name == "sweptvolume.studies" and node.col_offset == 0
+        }
+        self.assertEqual(found, {"features/study_import.py", "panels/study_tasks.py"})
+
     def test_gui_only_in_views_panels_commands(self):
         for path, group in modules():
             for name, node in imports(path):

@@ -6,19 +6,18 @@ from unittest import mock
 
 import FreeCAD as App
 
-from case import Case, shift
+from case import shift
+from scene_case import Slide
 from sweptvolume import core, studies
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import (
     clearance,
     envelope,
     mechanism,
-    neighbour_rules,
     study,
     study_export,
 )
 from sweptvolume.features.base import CANCELLED, FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
-from sweptvolume.features.neighbour_rules import CONTACT, Rule
 
 FILE = """
 [study]
@@ -33,27 +32,8 @@ motion = ["near.csv", "into.csv"]
 """
 
 
-class Studies(Case):
-    NEEDS_CORE = True
-
-    def setUp(self):
-        super().setUp()
-        self.part = self.box("Schieber")
-        self.path = self.line()  # 30 mm along x: the box ends at x = 40
-        self.wall = self.box("Wall")
-        self.wall.Label = "Wänd *1/2"
-        self.wall.Placement = shift(x=43.5)
-        self.table = self.box("Table")
-        self.table.Length, self.table.Width, self.table.Height = 80, 40, 5
-        self.table.Placement = shift(x=-20, y=-15, z=-5)
-        self.doc.recompute()
-
-    def check(self, required=5.0, label="Check"):
-        obj = clearance.make_clearance(
-            self.doc, label, Generators=[(self.part, "")], Motion=self.path, Required=required
-        )
-        neighbour_rules.write(obj, {(self.table, ""): Rule(CONTACT)})
-        return obj
+class Studies(Slide):
+    WALL = "Wänd *1/2"
 
     def of_document(self, *sources, **settings):
         settings.setdefault("Folder", os.path.join(self.folder, "study"))
@@ -219,8 +199,9 @@ class Studies(Case):
             study.compute(obj)
 
     def test_two_at_once_are_refused(self):
+        import fcntl
+
         obj = self.of_file()
-        fcntl = __import__("fcntl")
         os.makedirs(os.path.join(self.folder, "results"))
         with open(os.path.join(self.folder, "results", ".study.lock"), "w") as file:
             fcntl.flock(file, fcntl.LOCK_EX)
@@ -286,7 +267,8 @@ class Studies(Case):
     def test_copy_and_undo(self):
         check = self.check()
         obj = self.of_document(check)
-        self.doc.clearUndos() if hasattr(self.doc, "clearUndos") else None
+        if hasattr(self.doc, "clearUndos"):
+            self.doc.clearUndos()
         study.compute(obj)
         self.assertEqual(obj.Status, UP_TO_DATE)
         copy = self.doc.copyObject(obj)

@@ -26,7 +26,7 @@ name = "{motion}"
 motion = ["by30.csv", "by40.csv"]
 rules = { rail = "ignore" }
 [[run]]
-name = "with <b>rail"
+name = "with b rail"
 motion = "by50.csv"
 clearance = { page = true }
 [[run]]
@@ -39,7 +39,7 @@ motion = "bad.csv"
 def light(study):  # noqa: F811
     """Four runs of clearances: two that are done, one with a clash and a page, one that fails."""
     (study / "bad.csv").write_text("0,0,0,0,0,0,0,1\n1,nan,0,0,0,0,0,1\n")
-    (study / "study.toml").write_text(LIGHT + RUNS.replace("<b>", "b "))
+    (study / "study.toml").write_text(LIGHT + RUNS)
     return study
 
 

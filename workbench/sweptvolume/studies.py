@@ -24,10 +24,8 @@ from .texts import translate
 
 #: s between two looks whether a study is to stop, and that one has to stop in.
 _POLL, _LEAVE = 0.05, 20.0
-#: Verdict of a study with runs that failed; else as those of checks.
-FAILED = "failed"
-#: State of a row.
-STATES = ("done", "not clear", "failed", "not run")
+#: The version of Python that the package was built for: that of FreeCAD.
+_VERSION = "{}.{}".format(*sys.version_info[:2])
 
 
 def _folder():
@@ -100,18 +98,17 @@ def worst_first(rows):
 @functools.lru_cache(maxsize=1)
 def _interpreter():
     """A Python of this version: FreeCAD's own executable runs no module."""
-    version = "python{}.{}".format(*sys.version_info[:2])
+    version = "python" + _VERSION
     folders = [os.path.dirname(sys.executable or ""), os.path.join(sys.exec_prefix, "bin")]
     folders += [sys.exec_prefix, os.path.join(App.getHomePath(), "bin")]
     found = [shutil.which(version, path=folder) for folder in folders if folder]
     found += [shutil.which(version)]
     found += [shutil.which(name, path=f) for f in folders if f for name in ("python3", "python")]
-    wanted = "{}.{}".format(*sys.version_info[:2])
     for path in filter(None, found):
         words = [path, "-c", "import sys; print('{}.{}'.format(*sys.version_info))"]
         with contextlib.suppress(OSError, subprocess.SubprocessError):
             told = subprocess.run(words, capture_output=True, text=True, timeout=30)
-            if told.stdout.strip() == wanted:
+            if told.stdout.strip() == _VERSION:
                 return path
     return None
 
@@ -123,7 +120,7 @@ def _start(words):
         text = translate(
             "Messages", "studies need the program {0}, and it was not found: install it."
         )
-        raise InputProblem(text.format("python{}.{}".format(*sys.version_info[:2])))
+        raise InputProblem(text.format("python" + _VERSION))
     hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
     return subprocess.Popen(
         [python] + words,

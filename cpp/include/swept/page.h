@@ -1,8 +1,8 @@
 // Pages: what a check of clearance or of a mechanism found, or all runs of a study, as one HTML
-// file that needs nothing but itself: no other file, no network. In:    the report as JSON text
-// (toJson()), meshes and motions for the 3D view, pictures, inputs,
-// a
-//        template. Units: mm, s.
+// file that needs nothing but itself: no other file, no network.
+//
+// In:    the report as JSON text (toJson()), meshes and motions for the 3D view, pictures, inputs,
+//        a template. Units: mm, s.
 // Out:   UTF-8 text: verdicts, graph of the distances (SVG), 3D view, pictures, rules, inputs,
 //        findings; the same bytes for the same input. Nothing that a report says can become markup.
 // Cost:  milliseconds, and 0.2 s for a million triangles, which are thinned for the view.

@@ -99,15 +99,15 @@ ToldStudy tellStudy(Json report) {
   for (Json& row : report.at("runs")) {
     ToldRun run;
     if (row.contains("clearance")) {
-      Json own = row["clearance"];
+      Json own = std::move(row["clearance"]);
       own["report_version"] = report["report_version"];
       own["command"] = "clearance";
       run.clearance = tellReport(std::move(own));
-      row["clearance"] = run.clearance->report;
     }
     run.row = row;
     run.row.erase("clearance");
     stateOf(run.row);
+    if (run.clearance) row["clearance"] = run.clearance->report;
     study.runs.push_back(std::move(run));
   }
   study.report = std::move(report);
@@ -134,8 +134,8 @@ std::string studyBanner(const ToldStudy& study, const Words& words) {
 }
 
 std::string studyTable(const ToldStudy& study, const Words& words) {
-  Cells cells{{"run", "state", "nearest_part", "verdict", "distance", "guaranteed", "time", "depth",
-               "page"}};
+  Cells cells{{"run", "state", "worst_neighbour", "verdict", "distance", "guaranteed", "time",
+               "depth", "page"}};
   for (std::string& head : cells[0]) head = escaped(words(head));
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const Json& row = study.runs[i].row;

@@ -30,7 +30,7 @@ constexpr std::array kTexts{
     Word{"runs_good", "{0} of {1} runs are done and meet their rules.",
          "{0} von {1} Läufen sind fertig und erfüllen ihre Regeln."},
     Word{"look_first", "Look first at:", "Zuerst ansehen:"},
-    Word{"nearest_part", "Worst neighbour", "Schlimmster Nachbar"},
+    Word{"worst_neighbour", "Worst neighbour", "Schlimmster Nachbar"},
     Word{"volume", "Volume of the envelope", "Volumen der Hülle"},
     Word{"envelope_triangles", "triangles", "Dreiecke"},
     Word{"faces", "faces of the solid", "Flächen des Volumenkörpers"},

@@ -4,18 +4,6 @@ from ..texts import mark, translate
 from .base import BaseCommand
 
 
-def _kinds():
-    """KIND of what has a report -> the task that writes it, given the object and the path."""
-    from ..features import clearance, mechanism, study
-    from ..panels import page_task, study_tasks
-
-    return {
-        clearance.Clearance.KIND: page_task.PageTask,
-        mechanism.Mechanism.KIND: page_task.PageTask,
-        study.Study.KIND: study_tasks.StudyPageTask,
-    }
-
-
 class Command(BaseCommand):
     NAME = "SweptVolume_ExportReport"
     TEXT = mark("Commands", "Export report...")
@@ -26,15 +14,14 @@ class Command(BaseCommand):
     )
 
     def _found(self, document):
-        """(object or None, how many there are, its task)."""
+        """(the selected object that has a report, else the only one of the document, else None; how many)."""
         from ..panels import selection
 
-        found = {kind: selection.of_kind(document, kind) for kind in _kinds()}
-        count = sum(number for _, number in found.values())
+        known = [obj for obj in document.Objects if selection.has_report(obj)]
         chosen = selection.reported()
-        if chosen is None and count == 1:
-            chosen = next(obj for obj, _ in found.values() if obj is not None)
-        return chosen, count
+        if chosen is None and len(known) == 1:
+            chosen = known[0]
+        return chosen, len(known)
 
     def missing(self, document):
         found, count = self._found(document)
@@ -48,10 +35,11 @@ class Command(BaseCommand):
         )
 
     def run(self, document):
-        from ..features.base import kind_of
-        from ..panels import file_dialogs, run_panel
+        from ..features.study import is_study
+        from ..panels import file_dialogs, page_task, run_panel, study_tasks
 
         found, _ = self._found(document)
         path = file_dialogs.ask_report(found.Label)
         if path:
-            run_panel.show(_kinds()[kind_of(found)](found, path), self.NAME)
+            task = study_tasks.StudyPageTask if is_study(found) else page_task.PageTask
+            run_panel.show(task(found, path), self.NAME)

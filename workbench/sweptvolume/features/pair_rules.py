@@ -50,7 +50,7 @@ def of(rules, one, other):
     """The rule of two parts: their own, or that of the smallest groups around them. Raises InputProblem where
     two rules contradict each other of which none is the narrower one on both sides: one names a smaller group
     around the first part, the other one around the second."""
-    # Of those that hold: (letters of the paths to both sides, rule, pair).
+    # Of those that hold: (letters of the path to the one and to the other side, rule, pair).
     held = []
     for pair, rule in rules.items():
         for a, b in (pair, pair[::-1]):

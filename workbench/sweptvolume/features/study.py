@@ -7,7 +7,7 @@ the rows. What was stopped keeps the rows that it had, and the next run goes on 
 """
 import json
 
-from .. import core, studies
+from .. import core
 from ..convert import InputProblem
 from ..texts import translate
 from . import missing, status, study_table
@@ -71,9 +71,8 @@ def update_status(obj):
     if waits:
         return
     if not problem and now == status.NOT_READ and not plan.sources:
-        problem = status.hash_or_problem(plan.runs)[
-            1
-        ]  # what is wrong with a file that was never run
+        # What is wrong with a file that was never run.
+        _, problem = status.hash_or_problem(plan.runs)
     report = report_of(obj) if obj.Report else None
     status.judge(obj, now, problem, plan.waits(), report["message"] if report else "")
 
@@ -81,6 +80,8 @@ def update_status(obj):
 def work(request, control):
     """Any thread: writes the study file, where it is of the document, and computes what is left. Returns the
     report. Raises core.CoreError, InputProblem, OSError."""
+    from .. import studies  # brings what starts processes: not at FreeCAD's start
+
     request.prepare(control)
 
     def told(row, done, runs):
@@ -109,6 +110,8 @@ def apply(obj, report, request, hash_at_start):
 
 def unfinished(names, rows):
     """The report of a study that was stopped. rows: of the runs that have ended, by name."""
+    from .. import studies
+
     found = [rows.get(name, {"run": name, "state": "not run"}) for name in names]
     left = study_table.count(found, "not run")
     text = translate("Messages", "{0} of {1} runs are left: run the study again to go on.")

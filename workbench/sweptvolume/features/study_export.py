@@ -20,6 +20,8 @@ from ..texts import language, translate
 from .clearance_plan import Plan as ClearancePlan
 
 INPUTS = "inputs"
+#: The page of all runs, in the folder for results.
+PAGE = "study.html"
 _MOST_LETTERS = 50
 #: Options of an envelope that a study knows by the same names; 0 and False are left out.
 _OPTIONS = ("tolerance", "offset", "conservative", "keep_cavities", "position_filter")
@@ -29,9 +31,21 @@ def file_name(label):
     """A label as the name of a run, of a part, of a file: letters, digits, blanks and ()+=,@.-_ stay."""
     kept = "".join(c if c.isalnum() or c in "()+,@.-_ " else "_" for c in label)
     kept = kept[:_MOST_LETTERS].strip(" .")
-    return (
-        kept + "_" if kept.casefold() in ("study.csv", "study.json", "study.html") else kept or "_"
-    )
+    taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)  # files of the results
+    return kept + "_" if taken else kept
+
+
+def numbered(names, same=str):
+    """Names, with a number where one was there before. same: what is equal of two that count as one."""
+    found, seen = [], set()
+    for base in names:
+        name, number = base, 1
+        while same(name) in seen:
+            number += 1
+            name = "{} ({})".format(base, number)
+        seen.add(same(name))
+        found.append(name)
+    return found
 
 
 class Look:
@@ -145,14 +159,10 @@ def _text(value):
 
 def _neighbours(run, inputs, table):
     """Adds the neighbours of a run, each with a name of its own, their rules and chord errors."""
-    files, rules, chords, seen = [], {}, {}, set()
-    for label, vertices, triangles, chord, rule in run.neighbours.rows():
-        base = name = file_name(label)
-        number = 1
-        while name in seen:
-            number += 1
-            name = "{} ({})".format(base, number)
-        seen.add(name)
+    rows = run.neighbours.rows()
+    files, rules, chords = [], {}, {}
+    names = numbered(file_name(label) for label, *_ in rows)
+    for name, (_, vertices, triangles, chord, rule) in zip(names, rows):
         files.append(inputs.mesh(name, vertices, triangles))
         if rule is not None:
             rules[name] = rule

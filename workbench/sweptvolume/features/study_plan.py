@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 
-from .. import contents, studies
+from .. import contents
 from ..convert import InputProblem
 from ..texts import translate
 from . import clearance, clearance_plan, envelope, envelope_plan, missing, status, study_export
@@ -28,16 +28,8 @@ def _plan_of(source):
 
 def names_of(sources):
     """Names of runs, which are names of folders: the labels, with a number where one is there twice."""
-    found, seen = [], set()
-    for source in sources:
-        base = name = study_export.file_name(source.Label)
-        number = 1
-        while name.casefold() in seen:
-            number += 1
-            name = "{} ({})".format(base, number)
-        seen.add(name.casefold())
-        found.append(name)
-    return found
+    names = (study_export.file_name(source.Label) for source in sources)
+    return study_export.numbered(names, same=str.casefold)
 
 
 class Request:
@@ -53,6 +45,8 @@ class Request:
         if self.runs is not None:
             study_export.write(self.file, self.runs, self.look, control)
         elif not self.output:
+            from .. import studies
+
             self.output = str(studies.read(self.file).output)
 
 
@@ -120,6 +114,8 @@ class Plan:
     def study(self):
         """The study file as it was when this was first asked (studies.read()); raises as that does."""
         if self._study is None:
+            from .. import studies  # brings what starts processes: not at FreeCAD's start
+
             self._study = studies.read(*self.place())
         return self._study
 

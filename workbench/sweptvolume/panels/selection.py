@@ -116,9 +116,14 @@ def mechanism():
     return _first(is_mechanism)
 
 
+def has_report(obj):
+    """Whether an object is a check or a study, of which there are reports."""
+    return is_clearance(obj) or is_mechanism(obj) or is_study(obj)
+
+
 def reported():
-    """The selected check or study, of which there are reports, or None."""
-    return _first(lambda obj: is_clearance(obj) or is_mechanism(obj) or is_study(obj))
+    """The selected check or study, or None."""
+    return _first(has_report)
 
 
 def study():
@@ -128,12 +133,12 @@ def study():
 
 def runs():
     """The selected envelopes and clearance checks, which can be runs of a study."""
-    return [target for target in map(_target, paths()) if target is not None and can_run(target)]
+    return list(_targets(can_run))
 
 
 def motions():
     """All selected motions."""
-    return [target for target in map(_target, paths()) if target is not None and is_motion(target)]
+    return list(_targets(is_motion))
 
 
 def source():
@@ -143,12 +148,7 @@ def source():
 
 def placed():
     """Selected objects that have a placement and are not ours."""
-    found = []
-    for pair in paths():
-        target = _target(pair)
-        if target is not None and hasattr(target, "Placement") and not _ours(target):
-            found.append(target)
-    return found
+    return list(_targets(lambda target: hasattr(target, "Placement") and not _ours(target)))
 
 
 def of_kind(document, kind):
@@ -228,14 +228,17 @@ def _only_part(document):
 
 
 def _first(test):
+    return next(_targets(test), None)
+
+
+def _targets(test):
+    """The selected objects that pass a test, one after the other."""
     for pair in paths():
         target = _target(pair)
         if target is not None and test(target):
-            return target
-    return None
+            yield target
 
 
 def plain():
     """Selected objects that are not ours, with or without a placement."""
-    found = [_target(pair) for pair in paths()]
-    return [target for target in found if target is not None and not _ours(target)]
+    return list(_targets(lambda target: not _ours(target)))

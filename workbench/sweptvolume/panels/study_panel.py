@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from .. import core
 from ..convert import InputProblem
-from ..features import study, study_plan, study_table
+from ..features import study, study_export, study_plan, study_table
 from ..texts import translate
 from . import file_dialogs, focus, guard, widgets
 from .run_panel import StayingPanel
@@ -60,12 +60,13 @@ class StudyPanel(StayingPanel):
             item.setCheckState(QtCore.Qt.Checked if source in ticked else QtCore.Qt.Unchecked)
             self.list.addItem(item)
         rows.addRow(self.list)
-        self.file = self._file_row(rows, "SweptVolumeStudyFile", plan.file, self._ask_file)
         text = translate("Panels", "Study file")
-        self.labels = [rows.labelForField(self.file.parentWidget())]
-        self.labels[0].setText(text)
-        self.folder = self._file_row(rows, "SweptVolumeStudyFolder", plan.folder, self._ask_folder)
-        rows.labelForField(self.folder.parentWidget()).setText(translate("Panels", "Results"))
+        self.file = self._file_row(rows, text, "SweptVolumeStudyFile", plan.file, self._ask_file)
+        self.file_label = rows.labelForField(self.file.parentWidget())
+        text = translate("Panels", "Results")
+        self.folder = self._file_row(
+            rows, text, "SweptVolumeStudyFolder", plan.folder, self._ask_folder
+        )
         self.folder.setPlaceholderText(translate("Panels", "beside the file"))
         self.jobs = QtWidgets.QSpinBox()
         self.jobs.setObjectName("SweptVolumeStudyJobs")
@@ -81,7 +82,7 @@ class StudyPanel(StayingPanel):
         self.kind.currentIndexChanged.connect(lambda *ignored: self._show_kind())
         self._show_kind()
 
-    def _file_row(self, rows, name, text, ask):
+    def _file_row(self, rows, label, name, text, ask):
         """A field with a button that asks for what belongs there."""
         line = QtWidgets.QWidget()
         box = QtWidgets.QHBoxLayout(line)
@@ -92,7 +93,7 @@ class StudyPanel(StayingPanel):
         button.setMaximumWidth(40)
         box.addWidget(field, 1)
         box.addWidget(button)
-        rows.addRow(" ", line)
+        rows.addRow(label, line)
         button.clicked.connect(lambda *ignored: ask())
         return field
 
@@ -138,7 +139,7 @@ class StudyPanel(StayingPanel):
     def _show_kind(self):
         of_file = self.kind.currentData() == "file"
         self.list.setVisible(not of_file)
-        for widget in (self.file.parentWidget(), *self.labels):
+        for widget in (self.file.parentWidget(), self.file_label):
             widget.setVisible(of_file)
 
     def _ask_file(self):
@@ -198,15 +199,13 @@ class StudyPanel(StayingPanel):
         if not widgets.alive(self.document):
             return
         self._enable(True)
+        self.box.leave(self.table)
         if isinstance(run.task, StudyTask):
             self.obj = run.task.obj or self.obj
-            self.box.leave(self.table)
             self.show_result()
             if run.state == "failed" or self.obj is None:
                 widgets.show_failure(self.message, run)
-            return
-        self.box.leave(self.table)
-        if run.state != "ok":
+        elif run.state != "ok":
             widgets.show_failure(self.message, run)
         elif isinstance(run.task, TakeRunTask):
             self.opener.show(run.task.found)
@@ -227,8 +226,7 @@ class StudyPanel(StayingPanel):
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
         widgets.show_message(self.message, self.obj.Message)
         self.table.show_report(report)
-        there = os.path.isfile(os.path.join(self.obj.Results, "study.html"))
-        self.page_button.setEnabled(there)
+        self.page_button.setEnabled(os.path.isfile(self._page()))
         self._chosen()
 
     def _chosen(self):
@@ -254,9 +252,12 @@ class StudyPanel(StayingPanel):
         elif self.begin(lambda: TakeRunTask(self.obj, row["run"]), self.ended):
             self._enable(False)
 
+    def _page(self):
+        return os.path.join(self.obj.Results, study_export.PAGE)
+
     @guard.told
     def open_page(self):
-        path = os.path.join(self.obj.Results, "study.html")
+        path = self._page()
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
             text = translate("Messages", "no program was found that shows {0}.")
             raise InputProblem(text.format(path))
