@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 import FreeCAD as App
+import Part
 
 from sweptvolume import core
 from sweptvolume.features import envelope, motion
@@ -49,6 +50,19 @@ class Case(unittest.TestCase):
         obj.Length = obj.Width = obj.Height = size
         return obj
 
+    def straight_wire(self):
+        """A wire of 20 mm along x."""
+        obj = self.doc.addObject("Part::Feature", "Wire")
+        obj.Shape = Part.makeLine(V(), V(20, 0, 0))
+        return obj
+
+    def sheet(self, alias, value):
+        """A spreadsheet with one value, which expressions find as Values.alias."""
+        obj = self.doc.addObject("Spreadsheet::Sheet", "Values")
+        obj.set("A1", value)
+        obj.setAlias("A1", alias)
+        return obj
+
     def line(self, length=30.0):
         """A motion straight along x."""
         return motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(length)])
@@ -68,6 +82,13 @@ class Case(unittest.TestCase):
         obj = self.envelope([box], path)
         envelope.compute(obj)
         return group, obj
+
+    def reopen(self):
+        """Saves the document, closes it and opens it again; its objects have to be fetched anew."""
+        path = os.path.join(self.folder, "saved.FCStd")
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
 
     def file(self, name, text):
         path = os.path.join(self.folder, name)

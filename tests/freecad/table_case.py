@@ -5,7 +5,7 @@ import shutil
 
 import FreeCAD as App
 
-from case import Case
+from case import Case, shift
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import clearance, envelope, mechanism, solid, study
@@ -28,6 +28,19 @@ def rows(case):
     for name in case.CHANGES:
         setattr(case, "test_" + name, lambda self, name=name: self.changed(name))
     return case
+
+
+def add_box(doc, name, place):
+    """A new box of FreeCAD's usual size (10 mm)."""
+    obj = doc.addObject("Part::Box", name)
+    obj.Placement = place
+    return obj
+
+
+def put_into(group, obj, place=shift(0, 3)):
+    """An object goes into a group that is moved first, and so stands elsewhere."""
+    group.Placement = place
+    group.addObject(obj)
 
 
 class Table(Case):
@@ -67,14 +80,13 @@ class Table(Case):
 
     def modules(self):
         """KIND of a result -> the module that computes it."""
-        kinds = (
-            envelope.Envelope,
-            solid.Solid,
-            clearance.Clearance,
-            mechanism.Mechanism,
-            study.Study,
-        )
-        return dict(zip((k.KIND for k in kinds), (envelope, solid, clearance, mechanism, study)))
+        return {
+            envelope.Envelope.KIND: envelope,
+            solid.Solid.KIND: solid,
+            clearance.Clearance.KIND: clearance,
+            mechanism.Mechanism.KIND: mechanism,
+            study.Study.KIND: study,
+        }
 
     def fresh(self):
         """{name: content} of the document computed anew, as it is now; None where that is refused."""

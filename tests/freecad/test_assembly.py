@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The motion of a part in a simulation of FreeCAD's own Assembly: what its solver says must come out."""
-import os
-
-import FreeCAD as App
-
 from case import Case, shift
 from simulations import SPEED, Absent, arm_after, hinge
 from sweptvolume import core
@@ -60,10 +56,8 @@ class Simulated(Case):
         self.assert_placement(self.arm.Placement, arm_after(0), 1e-9)
 
     def test_saved_opened_changed_reloaded(self):
-        name, file = self.path().Name, os.path.join(self.folder, "a.FCStd")
-        self.doc.saveAs(file)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(file)
+        name = self.path().Name
+        self.reopen()
         obj = self.doc.getObject(name)
         self.assertEqual((obj.SourceType, obj.Status), ("Simulation", ""))
         self.assert_placement(obj.Placements[-1], arm_after(1), 1e-6)

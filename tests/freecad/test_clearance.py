@@ -99,10 +99,7 @@ class Clearance(Neighbours):
         obj = self.made()
         clearance.compute(obj)
         summary = obj.Summary
-        path = os.path.join(self.folder, "kept.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         again = self.doc.getObject("Clearance")
         self.assertEqual((again.Summary, again.Status), (summary, clearance.UP_TO_DATE))
         self.assertEqual(len(self.rows(again)), 2)

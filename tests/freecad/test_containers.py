@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Our objects inside groups: no circle in the document, and what is moved with a group is noticed."""
 import itertools
-import os
 
 import FreeCAD as App
 import numpy as np
@@ -89,10 +88,7 @@ class Containers(Case):
         self.assertEqual(convert.pairs_of(check.Neighbours), [(self.outer, "Group.Wall.")])
 
     def test_moved_wire_moves_the_motion(self):
-        import Part
-
-        wire = self.doc.addObject("Part::Feature", "Wire")
-        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        wire = self.straight_wire()
         self.group.addObject(wire)
         path = motion.motion_from_source(self.doc, "Curve", [wire], count=3)
         self.recompute()
@@ -102,10 +98,7 @@ class Containers(Case):
 
     def test_a_motion_keeps_its_place_in_the_world_where_its_source_does(self):
         """Wherever a motion with a source is put: what is drawn lies on the source."""
-        import Part
-
-        wire = self.doc.addObject("Part::Feature", "Wire")
-        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        wire = self.straight_wire()
         path = motion.motion_from_source(self.doc, "Curve", [wire])
         self.outer.Placement = turn(90, base=V(1, 2, 3))
         self.group.Placement = turn(30, V(1, 1, 1), V(0, 7, 0))
@@ -129,19 +122,14 @@ class Containers(Case):
         obj = self.envelope([self.part], self.path)
         self.group.addObject(obj)
         self.recompute()
-        path = os.path.join(self.folder, "r.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         self.assertEqual([o.Name for o in self.doc.Objects if "Touched" in o.State], [])
         obj = self.doc.getObject("Envelope")
         self.recompute()
         self.assert_seen(obj, self.doc.getObject("Outer"))
         # A circle that an older version has left is opened.
         obj.Generators = [(self.doc.getObject("Group"), "Slide.")]
-        self.doc.save()
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         self.recompute()
         self.assert_seen(self.doc.getObject("Envelope"), self.doc.getObject("Outer"))
 

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a part is made of, as a text: another geometry gives another, nothing else does."""
-import os
 import time
 
-import FreeCAD as App
 import Mesh
 import Part
 
@@ -47,10 +45,7 @@ class Contents(Case):
         obj.Shape.tessellate(0.1)
         obj.Placement = net.Placement = turn(31, V(1, 2, 3), V(1000.1, 7, 0.3))
         self.assertEqual((contents.text_of(obj), contents.text_of(net)), first)
-        path = os.path.join(self.folder, "c.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         obj, net = self.doc.getObject("Plate"), self.doc.getObject("Net")
         self.assertEqual((contents.text_of(obj), contents.text_of(net)), first)
 

@@ -17,9 +17,7 @@ class Frames(Case):
 
     def hinge(self, count, **values):
         """A bar that turns by 90 degrees about z at the origin, driven by a cell of a sheet."""
-        sheet = self.doc.addObject("Spreadsheet::Sheet", "Values")
-        sheet.set("A1", "0")
-        sheet.setAlias("A1", "angle")
+        sheet = self.sheet("angle", "0")
         self.doc.recompute()
         self.bar = self.doc.addObject("Part::Box", "Bar")
         self.bar.Length, self.bar.Width, self.bar.Height = 60, 5, 5

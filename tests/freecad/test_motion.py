@@ -154,10 +154,8 @@ class Spline(Case):
         obj.Velocities = [V(), V(0, 9, 1)]
         self.doc.recompute()
         before, name = motion.words(obj), obj.Name
-        path = os.path.join(self.folder, "s.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        obj = App.openDocument(path).getObject(name)
+        self.reopen()
+        obj = self.doc.getObject(name)
         self.assertEqual(motion.words(obj), before)
         at = course(motion.poses_of(obj), obj.Interpolation)
         self.assertLess((self.velocity(at, 1, 1e-6)[0] - V(0, 9, 1)).Length, 1e-2)

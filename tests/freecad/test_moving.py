@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Envelopes of parts with motions of their own, seen from a moving reference, and of smooth motions."""
 import math
-import os
 
-import FreeCAD as App
 import numpy as np
 
 from case import Case, V, shift, turn
@@ -136,10 +134,7 @@ class Moving(Case):
         envelope.compute(obj)
         names = way.Name, obj.Name
         self.file("m.csv", text + "2,9,9,0,0,0,0,1\n")
-        document = os.path.join(self.folder, "d.FCStd")
-        self.doc.saveAs(document)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(document)
+        self.reopen()
         way, obj = map(self.doc.getObject, names)
         self.assertEqual((way.Status, obj.Status), (motion.STALE, envelope.STALE))
         motion.reload_source(way)

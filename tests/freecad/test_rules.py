@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Rules of neighbours in a document: what they do to a check, and that they stay with their parts."""
-import os
-
-import FreeCAD as App
-
 from case import shift
 from neighbour_case import Neighbours
 from sweptvolume import convert, core
@@ -101,10 +97,7 @@ class Rules(Neighbours):
         for row in report["neighbours"]:
             del row["rule"], row["meets_rule"]
         obj.Report = clearance.json.dumps(report)
-        path = os.path.join(self.folder, "old.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         again = self.doc.getObject("Clearance")
         self.assertEqual((again.Status, again.InputHash), (clearance.UP_TO_DATE, hash_then))
         self.assertEqual(neighbour_rules.read(again), {})
@@ -129,10 +122,7 @@ class Rules(Neighbours):
         self.assertEqual(self.kept(obj), {"Wall": "contact:0.5"})
         self.doc.undo()
         self.doc.recompute()
-        path = os.path.join(self.folder, "kept.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         again = self.doc.getObject("Clearance")
         self.assertEqual(self.kept(again), self.USUAL)
         self.assertEqual((again.Status, again.Verdict), (clearance.UP_TO_DATE, "clear"))

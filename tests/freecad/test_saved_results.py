@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results in documents that were saved: by this version, and as version 1 left them."""
-import os
-
-import FreeCAD as App
-
 from case import Case, V, shift, turn
 from scene_case import Scene, plate
 from sweptvolume import core
@@ -24,10 +20,7 @@ class Saved(Scene):
         self.doc.recompute()
         self.assert_states(*[envelope.UP_TO_DATE] * 3)
         names = [obj.Name for obj in (self.swept, self.check, self.body)]
-        path = os.path.join(self.folder, "digits.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         for obj in self.doc.Objects:
             obj.enforceRecompute()  # as "Mark to recompute" in the tree does
         self.doc.recompute(None, True)
@@ -54,10 +47,7 @@ class OfBefore(Scene):
         self.body.removeProperty("TriedHash")
         for obj, _ in before:
             obj.purgeTouched()
-        path = os.path.join(self.folder, "before.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         self.assertEqual([o.Name for o in self.doc.Objects if "Touched" in o.State], [])
         self.doc.recompute(None, True)
         self.swept, self.check, self.body = map(self.doc.getObject, names)
@@ -85,10 +75,7 @@ class BeforePivots(Case):
         path.Pivot = V()
         envelope.compute(hull)
         path.removeProperty("Pivot")
-        file = os.path.join(self.folder, "before.FCStd")
-        self.doc.saveAs(file)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(file)
+        self.reopen()
         path, hull = map(self.doc.getObject, names)
         self.doc.recompute(None, True)
         self.assertEqual(tuple(path.Pivot), (0, 0, 0))

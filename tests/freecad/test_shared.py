@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shared volumes in the document: against formulas and OpenCASCADE's booleans, states, places, bad input."""
-import FreeCAD as App
+import Mesh
 
 from case import Case, V, shift, turn
-from sweptvolume import core, convert
-from sweptvolume.features import shared, solid
+from sweptvolume import convert, core
+from sweptvolume.features import envelope, shared, solid
 from sweptvolume.features.base import FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
 
 
@@ -60,8 +60,6 @@ class Shared(Case):
         left, post = self.box("Left"), self.box("Post", 4.0)
         post.Placement = shift(15, 8, 3)
         swept = self.envelope([left], self.line(30))
-        from sweptvolume.features import envelope
-
         envelope.compute(swept)
         obj = self.make([swept], [post])
         shared.compute(obj)
@@ -123,10 +121,7 @@ class Shared(Case):
         copied = self.doc.copyObject(obj, False)
         self.doc.recompute()
         self.assertEqual((copied.Status, copied.Volume), (UP_TO_DATE, obj.Volume))
-        path = self.folder + "/shared.FCStd"
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         again = self.doc.getObject("SharedVolume")
         self.doc.recompute()
         self.assertEqual((again.Status, again.Mesh.CountFacets > 0), (UP_TO_DATE, True))
@@ -147,8 +142,6 @@ class Shared(Case):
             shared.compute(self.make([left], [left, right]))
         with self.assertRaisesRegex(convert.InputProblem, "two sides are needed"):
             shared.compute(self.make([left], []))
-        import Mesh
-
         mesh = self.doc.addObject("Mesh::Feature", "Open")
         facets = Mesh.createBox(10, 10, 10)
         facets.removeFacets([0, 1])

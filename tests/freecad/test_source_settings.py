@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings of a motion's source: properties with types, driven by expressions; those of older documents."""
 import json
-import os
 
-import FreeCAD as App
 import Part
 
 from case import Case, V
@@ -120,10 +118,7 @@ class Older(Made):
         for name in NAMES.values():
             obj.removeProperty(name)
         obj.SourceSettings, obj.SourceHash = settings, hashed
-        path = os.path.join(self.folder, "before.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         return self.doc.getObject("Motion")
 
     def test_settings_of_older_documents_become_properties(self):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Each source of a motion on a real document of its kind; the path editor's operations."""
 import math
-import os
 
 import FreeCAD as App
 import Part
@@ -110,9 +109,7 @@ class Sources(Case):
         self.assert_placement(obj.Placements[-1], last, 1e-9)
 
     def test_driven_property_is_put_back(self):
-        sheet, box = self.doc.addObject("Spreadsheet::Sheet", "Values"), self.box()
-        sheet.set("A1", "15")
-        sheet.setAlias("A1", "angle")
+        sheet, box = self.sheet("angle", "15"), self.box()
         self.doc.recompute()
         box.setExpression("Placement.Rotation.Angle", "Values.angle")
         self.doc.recompute()
@@ -284,10 +281,7 @@ class RoundTrip(Case):
         obj = motion.motion_from_source(self.doc, kind, objects, **values)
         self.doc.recompute()
         name, before = obj.Name, list(obj.Placements)
-        path = os.path.join(self.folder, "r.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         obj = self.doc.getObject(name)
         self.assertEqual((obj.SourceType, obj.Status), (kind, ""))
         for a, b in zip(obj.Placements, before):
@@ -377,9 +371,7 @@ class RoundTrip(Case):
         self.assert_placement(after[-1], shift(8))
 
     def test_driven_turns_stale(self):
-        sheet, box = self.doc.addObject("Spreadsheet::Sheet", "Values"), self.box()
-        sheet.set("A1", "15")
-        sheet.setAlias("A1", "way")
+        sheet, box = self.sheet("way", "15"), self.box()
         self.doc.recompute()
         box.setExpression("Placement.Base.x", "Values.way * 2")
         self.doc.recompute()

@@ -11,7 +11,7 @@ from case import Case, V, shift, turn
 from sweptvolume import core
 from sweptvolume.features import clearance, envelope, motion, solid
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
-from table_case import Table, changes, rows
+from table_case import Table, add_box, changes, put_into, rows
 
 #: name -> what a user does to the document of States.setUp().
 CHANGES, change = changes()
@@ -69,7 +69,7 @@ def hidden_part_moves(doc):
 
 @change
 def new_part(doc):
-    doc.addObject("Part::Box", "Fresh").Placement = shift(0, 0, 90)
+    add_box(doc, "Fresh", shift(0, 0, 90))
 
 
 @change
@@ -174,8 +174,7 @@ def wire_moves(doc):
 
 @change
 def wire_into_a_group(doc):
-    doc.Group.Placement = turn(10, base=V(0, 2, 0))
-    doc.Group.addObject(doc.Wire)
+    put_into(doc.Group, doc.Wire, turn(10, base=V(0, 2, 0)))
 
 
 @change
@@ -274,20 +273,17 @@ def group_moves(doc):
 
 @change
 def part_into_a_group(doc):
-    doc.Group.Placement = shift(0, 2)
-    doc.Group.addObject(doc.Box)
+    put_into(doc.Group, doc.Box, shift(0, 2))
 
 
 @change
 def envelope_into_a_group(doc):
-    doc.Group.Placement = shift(0, 2)
-    doc.Group.addObject(doc.Envelope)
+    put_into(doc.Group, doc.Envelope, shift(0, 2))
 
 
 @change
 def motion_into_a_group(doc):
-    doc.Group.Placement = shift(0, 2)
-    doc.Group.addObject(doc.Motion)
+    put_into(doc.Group, doc.Motion, shift(0, 2))
 
 
 @change
@@ -352,13 +348,10 @@ class States(Table):
         wall, hidden = self.box("Wall"), self.box("Hidden")
         wall.Placement, hidden.Placement = shift(60), shift(0, -80)
         hidden.Visibility = False
-        sheet = doc.addObject("Spreadsheet::Sheet", "Values")
-        sheet.set("A1", "5 mm")
-        sheet.setAlias("A1", "length")
+        self.sheet("length", "5 mm")
         doc.recompute()
         box.setExpression("Width", "Values.length * 2")
-        wire = doc.addObject("Part::Feature", "Wire")
-        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        wire = self.straight_wire()
         self.line()
         motion.motion_from_source(doc, "Curve", [wire])
         self.envelope([box, plate, link], doc.Motion, Resolution=20)

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Table: a check of a mechanism whose parts, neighbours and motions are seen through links and groups, with
 rules; the state after each change is what a fresh computation justifies."""
-import os
-
-import FreeCAD as App
 import Part
 
 from case import V, shift, turn
 from sweptvolume.features import envelope, mechanism, motion
 from sweptvolume.features.base import UP_TO_DATE
-from table_case import Table, changes, rows
+from table_case import Table, add_box, changes, put_into, rows
 
 #: name -> what a user does to the document of Grouped.setUp().
 CHANGES, change = changes()
@@ -47,8 +44,7 @@ def the_arm_is_turned(doc):
 
 @change
 def the_group_of_the_arm_is_in_another(doc):
-    doc.Frame.Placement = shift(0, 3)
-    doc.Frame.addObject(doc.Arm)
+    put_into(doc.Frame, doc.Arm)
 
 
 @change
@@ -58,9 +54,7 @@ def a_part_of_the_arm_is_hidden(doc):
 
 @change
 def the_arm_gets_a_part(doc):
-    more = doc.addObject("Part::Box", "More")
-    more.Placement = shift(0, -2)
-    doc.Arm.addObject(more)
+    doc.Arm.addObject(add_box(doc, "More", shift(0, -2)))
 
 
 @change
@@ -80,9 +74,7 @@ def the_walls_move(doc):
 
 @change
 def the_walls_get_one_more(doc):
-    more = doc.addObject("Part::Box", "Third")
-    more.Placement = shift(0, -40)
-    doc.Walls.addObject(more)
+    doc.Walls.addObject(add_box(doc, "Third", shift(0, -40)))
 
 
 @change
@@ -102,8 +94,7 @@ def the_wire_is_bent(doc):
 
 @change
 def the_wire_is_in_a_group(doc):
-    doc.Frame.Placement = shift(0, 3)
-    doc.Frame.addObject(doc.Wire)
+    put_into(doc.Frame, doc.Wire)
 
 
 @change
@@ -118,8 +109,7 @@ def the_wire_goes(doc):
 
 @change
 def a_motion_is_in_a_group(doc):
-    doc.Frame.Placement = shift(0, 3)
-    doc.Frame.addObject(doc.Motion001)
+    put_into(doc.Frame, doc.Motion001)
 
 
 @change
@@ -170,8 +160,7 @@ def another_unit_of_the_sheet(doc):
 
 @change
 def the_check_is_in_a_group(doc):
-    doc.Frame.Placement = shift(0, 3)
-    doc.Frame.addObject(doc.Mechanism)
+    put_into(doc.Frame, doc.Mechanism)
 
 
 @change
@@ -187,7 +176,7 @@ def all_that_is_visible(doc):
 @change
 def all_that_is_visible_and_one_more(doc):
     doc.Mechanism.AllVisible = True
-    doc.addObject("Part::Box", "Fourth").Placement = shift(0, -60)
+    add_box(doc, "Fourth", shift(0, -60))
 
 
 @change
@@ -228,11 +217,8 @@ class Grouped(Table):
         walls.addObject(near)
         walls.addObject(far)
         near.Placement, far.Placement = shift(50), shift(90)
-        wire = doc.addObject("Part::Feature", "Wire")
-        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
-        sheet = doc.addObject("Spreadsheet::Sheet", "Values")
-        sheet.set("A1", "6 mm")
-        sheet.setAlias("A1", "distance")
+        wire = self.straight_wire()
+        self.sheet("distance", "6 mm")
         doc.recompute()
         motion.motion_from_source(doc, "Curve", [wire])
         relative = motion.motion_from_poses(doc, [0, 1], [shift(), turn(20, base=V(10, -5, 0))])
@@ -258,10 +244,7 @@ class Grouped(Table):
 
     def test_saved_and_opened(self):
         before = {obj.Name: self.content(obj) for obj in self.results()}
-        path = os.path.join(self.folder, "saved.FCStd")
-        self.doc.saveAs(path)
-        App.closeDocument(self.doc.Name)
-        self.doc = App.openDocument(path)
+        self.reopen()
         self.doc.recompute(None, True)
         self.assertEqual({obj.Name: self.content(obj) for obj in self.results()}, before)
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})

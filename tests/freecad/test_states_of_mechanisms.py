@@ -5,15 +5,10 @@ from case import V, shift, turn
 from sweptvolume.features import mechanism
 from sweptvolume.features.base import UP_TO_DATE
 from sweptvolume.features.motion import motion_from_poses
-from table_case import Table, rows
+from table_case import Table, changes, put_into, rows
 
 #: name -> what a user does to the document of Mechanisms.setUp().
-CHANGES = {}
-
-
-def change(action):
-    CHANGES[action.__name__] = action
-    return action
+CHANGES, change = changes()
 
 
 @change
@@ -140,8 +135,7 @@ def all_that_is_visible(doc):
 
 @change
 def into_a_group(doc):
-    doc.Group.Placement = turn(20, base=V(0, 2, 0))
-    doc.Group.addObject(doc.Box)
+    put_into(doc.Group, doc.Box, turn(20, base=V(0, 2, 0)))
 
 
 @rows

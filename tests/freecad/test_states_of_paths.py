@@ -5,7 +5,7 @@ from case import V, shift, turn
 from sweptvolume.features import clearance, envelope, made_by, path_plan
 from sweptvolume.features.base import UP_TO_DATE, kind_of
 from sweptvolume.trajectory.poses import Poses
-from table_case import Table, changes, rows
+from table_case import Table, add_box, changes, rows
 
 #: name -> what a user does to the document of Paths.setUp().
 CHANGES, change = changes()
@@ -58,9 +58,7 @@ def the_wall_is_hidden(doc):
 
 @change
 def another_wall_is_chosen(doc):
-    other = doc.addObject("Part::Box", "Other")
-    other.Placement = shift(0, 40)
-    doc.Clearance.Neighbours = [(other, "")]
+    doc.Clearance.Neighbours = [(add_box(doc, "Other", shift(0, 40)), "")]
 
 
 @change

@@ -119,8 +119,7 @@ class OfADocument(Table):
             Jobs=1,
         )
         doc.recompute()
-        for obj in self.results():
-            self.modules()[obj.Proxy.KIND].compute(obj)
+        study.compute(doc.Study)
         doc.recompute()
 
     def results(self):

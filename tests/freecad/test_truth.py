@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the document says of its results is what a fresh computation would justify."""
 import FreeCAD as App
-import Part
 
 from case import Case, V, shift, turn
 from scene_case import Scene
@@ -62,8 +61,7 @@ class Lost(Scene):
         self.assertEqual(self.swept.Status, envelope.UP_TO_DATE)
 
     def test_the_envelope_of_a_solid_and_the_wire_of_a_motion(self):
-        wire = self.doc.addObject("Part::Feature", "Wire")
-        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        wire = self.straight_wire()
         self.swept.Motion = path = motion.motion_from_source(self.doc, "Curve", [wire])
         self.doc.recompute()
         envelope.compute(self.swept)
@@ -211,8 +209,7 @@ class Neighbours(Scene):
         self.assertEqual(check.Status, clearance.STALE)
         envelope.compute(other)
         self.assertEqual(check.Status, clearance.STALE)
-        wire = self.doc.addObject("Part::Feature", "Wire")
-        wire.Shape = Part.makeLine(V(), V(20, 0, 0))
+        wire = self.straight_wire()
         for chosen, words in ((wire, "no solid"), (self.part, "moving part itself")):
             check.Neighbours = [(self.wall, ""), (chosen, "")]
             self.doc.recompute()

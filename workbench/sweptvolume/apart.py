@@ -7,8 +7,8 @@ shape's as long as the object holds the very same shape (wherever it is placed),
 that it was changed.
 Cost: about 0.1 to 0.3 ms a face when a shape is new, 0.3 s for a new mesh of 1M triangles, else some
 microseconds. FreeCAD writes the triangles that it draws into the topology of its shapes, so no other thread
-may read those. Where a window waits, a shape is therefore taken down as the bytes of a binary file (0.01 ms a
-face; a copy by FreeCAD takes 0.05), and another thread makes a shape of its own of them (0.01 ms).
+may read those. For another thread a shape is therefore written as the bytes of a binary file (0.01 ms a face
+in the window's thread; a copy by FreeCAD takes 0.05), and that thread makes its own shape of them (0.01 ms).
 """
 import collections
 import hashlib
@@ -51,11 +51,11 @@ class Apart:
         return self.is_mesh or self.shape.isPartner(obj.Shape)
 
     def detached(self):
-        """Makes copy() ready for any thread; window's thread. Gives itself."""
+        """Lets any thread call text() and, of a shape, copy(). Called in the window's thread; returns
+        itself."""
         if not self.is_detached():
             if self.is_mesh:
-                self._copy = self._mesh.copy()
-                self._copy.Placement = App.Placement()
+                self._copy = self._local_mesh()
             elif self.shape.isNull():
                 self._copy = self.shape
             else:
@@ -66,8 +66,8 @@ class Apart:
         return self._taken is not None or self._copy is not None
 
     def copy(self):
-        """What no other thread changes: a mesh, or a shape without triangles, which the caller leaves as it
-        is; any thread, once detached."""
+        """The shape without triangles, which FreeCAD does not draw into; callers must not change it. Any
+        thread, once detached."""
         with self._locks["copy"]:
             if self._copy is None:
                 self._copy, self._taken = _shape_of(self._taken), None
@@ -115,19 +115,24 @@ class Apart:
         if not self.is_mesh and self.shape.isNull():
             return None
         if self.is_mesh:
-            given = self._mesh.copy()
-            given.Placement = App.Placement()
-            box = given.BoundBox
+            box = self._local_mesh().BoundBox
         else:
-            box = self.detached().copy().BoundBox  # of one that was drawn: of its triangles
+            # Not of the shape itself: once it was drawn, its box is that of its triangles.
+            box = self.detached().copy().BoundBox
         if not box.isValid():
             return None
         ranges = (box.XMin, box.XMax), (box.YMin, box.YMax), (box.ZMin, box.ZMax)
         return np.array(list(itertools.product(*ranges)))
 
+    def _local_mesh(self):
+        """A copy of the mesh without its placement."""
+        mesh = self._mesh.copy()
+        mesh.Placement = App.Placement()
+        return mesh
+
 
 def _bytes_of(shape):
-    """A shape without its placement and triangles."""
+    """The bytes of FreeCAD's binary file of a shape, without its placement and triangles."""
     local = _local(shape)
     with passing(".bin") as path:
         local.exportBinary(path)
@@ -136,7 +141,7 @@ def _bytes_of(shape):
 
 
 def _shape_of(taken):
-    """The shape that bytes were taken of."""
+    """The shape that _bytes_of() has written."""
     import Part
 
     shape = Part.Shape()

@@ -48,7 +48,7 @@ def texts(found):
 
 
 def short(lines):
-    """Text of 32 letters that stands for these."""
+    """A text of 32 characters that stands for these lines."""
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:32]
 
 

@@ -9,9 +9,9 @@
 
 namespace swept {
 
-/// What is wrong with what was read: not sound, other numbers of solids and shells than the mesh
-/// has, another volume, or, in a solid with recognised surfaces, an edge or vertex whose tolerance
-/// (mm) is above the solid's. Empty: nothing.
+/// Says what is wrong with a solid that was read back: it is not sound, it has other numbers of
+/// solids and shells than the mesh, or another volume, or, where surfaces were recognised, the
+/// tolerance (mm) of an edge or vertex is larger than the solid's. Empty where nothing is wrong.
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
                             const StepOptions& options);
 

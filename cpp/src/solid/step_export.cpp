@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "base/number_text.h"

@@ -4,9 +4,9 @@ that place, and clashes as bodies; nothing is left in the view when the panel is
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 from driver import (  # noqa: E402
-    App,
     Close,
     Gaps,
     Gui,
@@ -22,30 +22,21 @@ from driver import (  # noqa: E402
     say,
     select,
     shot,
+    view_from,
 )
+from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def scene(doc):
-    """A slide that goes 100 mm along x, past a block with a bore of 30 mm in which a bolt stands (clash), and
-    a wall 2 mm beside its way."""
-    from sweptvolume.features import envelope, motion
-
-    slide = doc.addObject("Part::Box", "Slide")
-    slide.Length = slide.Width = slide.Height = 10
-    places = [App.Placement(App.Vector(x, 0, 0), App.Rotation()) for x in (0, 100)]
-    path = motion.motion_from_poses(doc, [0, 2], places)
-    path.ViewObject.Visibility = False
+    """A slide that goes 100 mm along x: 3 mm into a bolt (clash), and past a wall 2 mm beside its way.
+    Returns the envelope of the slide."""
+    slide = add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
+    path = hidden_motion(doc, at(0), at(100), 2)
     bolt = doc.addObject("Part::Cylinder", "Bolt")
     bolt.Radius, bolt.Height = 6, 30
-    bolt.Placement.Base = App.Vector(50, 13, -10)
-    wall = doc.addObject("Part::Box", "Wall")
-    wall.Length, wall.Width, wall.Height = 20, 5, 20
-    wall.Placement.Base = App.Vector(70, -7, -5)
-    doc.recompute()
-    swept = envelope.make_envelope(doc, [slide], path, Resolution=64)
-    doc.recompute()
-    envelope.compute(swept)
-    return slide, path, swept
+    bolt.Placement = at(50, 13, -10)
+    add_box(doc, "Wall", (20, 5, 20), (70, -7, -5))
+    return swept_space(doc, slide, path, 64)
 
 
 def planes_of(graph):
@@ -64,10 +55,8 @@ def scenario():
     open_workbench()
     yield
     doc = new_document("Closest")
-    slide, path, swept = scene(doc)
-    view = Gui.activeDocument().activeView()
-    view.viewTop()
-    Gui.SendMsgToActiveView("ViewFit")
+    swept = scene(doc)
+    view = view_from("Top")
     yield 0.3
     graph = view.getSceneGraph()
     drawn = graph.getNumChildren()
@@ -102,8 +91,7 @@ def scenario():
     shot("93_closest_line")
     yield 1.0
     section = find(QtWidgets.QCheckBox, "SweptVolumeSection")
-    view.viewIsometric()
-    Gui.SendMsgToActiveView("ViewFit")
+    view_from("Isometric")
     click(section)
     yield 0.3
     assert len(planes_of(graph)) == 1
@@ -152,26 +140,18 @@ def scenario():
 
 def two_that_move():
     """Two cubes that pass through each other, 3 mm deep: the line and the clash volume of both at a time."""
-    from sweptvolume.features import mechanism, motion, shared
+    from sweptvolume.features import mechanism, shared
 
     doc = new_document("Passing")
     cubes, paths = [], []
     for name, y, ends in (("One", 0, (0, 30)), ("Other", 7, (30, 0))):
-        cube = doc.addObject("Part::Box", name)
-        cube.Placement.Base = App.Vector(ends[0], y, 0)
-        places = [App.Placement(App.Vector(x, y, 0), App.Rotation()) for x in ends]
-        path = motion.motion_from_poses(doc, [0, 1], places)
-        path.ViewObject.Visibility = False
-        cubes.append(cube)
-        paths.append(path)
+        cubes.append(add_box(doc, name, (10, 10, 10), (ends[0], y, 0)))
+        paths.append(hidden_motion(doc, *[at(x, y) for x in ends]))
     doc.recompute()
     obj = mechanism.make_mechanism(doc, Generators=[(c, "") for c in cubes], Motions=paths)
     doc.recompute()
     mechanism.compute(obj)
-    view = Gui.activeDocument().activeView()
-    view.viewTop()
-    Gui.SendMsgToActiveView("ViewFit")
-    graph = view.getSceneGraph()
+    graph = view_from("Top").getSceneGraph()
     select(obj)
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.5
@@ -179,9 +159,8 @@ def two_that_move():
     assert table.item(0, 1).text() == "Clash", table.item(0, 1).text()
     click(find(QtWidgets.QPushButton, "SweptVolumeNextWorst"))
     yield 0.5
-    find(QtWidgets.QSlider, "SweptVolumeTime").setValue(
-        100
-    )  # one ends at 13, the other begins at 27
+    # At 0.1 s the one ends at x = 13, and the other begins at x = 27.
+    find(QtWidgets.QSlider, "SweptVolumeTime").setValue(100)
     yield lambda: line_of(graph) is not None and abs(line_of(graph)[0][0] - 13) < 0.1
     assert abs(line_of(graph)[1][0] - 27) < 0.1, line_of(graph)
     click(find(QtWidgets.QPushButton, "SweptVolumeKeepClash"))

@@ -138,6 +138,14 @@ def to_3d_view():
     Gui.getMainWindow().setActiveWindow(view)
 
 
+def view_from(side):
+    """Shows all objects from a side by FreeCAD's name for it: "Top", "Isometric". Returns the view."""
+    view = Gui.activeDocument().activeView()
+    getattr(view, "view" + side)()
+    Gui.SendMsgToActiveView("ViewFit")
+    return view
+
+
 def select(*items):
     """Selects objects, or (object, sub path) tuples, and nothing else."""
     Gui.Selection.clearSelection()
@@ -364,5 +372,6 @@ __all__ = [
     "say",
     "select",
     "shot",
+    "view_from",
     "widen",
 ]

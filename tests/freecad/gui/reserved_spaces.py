@@ -4,7 +4,8 @@ stale and computed again, undo; large ones with the window going on, stopped."""
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 from driver import (  # noqa: E402
     App,
     Close,
@@ -22,35 +23,21 @@ from driver import (  # noqa: E402
     say,
     select,
     shot,
+    view_from,
 )
-
-
-def box(doc, name, size, place):
-    made = doc.addObject("Part::Box", name)
-    made.Length, made.Width, made.Height = size
-    made.Placement.Base = App.Vector(*place)
-    return made
+from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def envelopes(doc):
-    """Two that cross: 10 x 10 mm along x, and along y, 4 mm higher; and a post that stands 2 mm off."""
-    from sweptvolume.features import envelope, motion
-
+    """Two that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm higher."""
     found = []
-    for name, place, end in (
+    for name, start, end in (
         ("First", (0, 0, 0), (60, 0, 0)),
-        ("Second", (30, -30, 4), (0, 60, 0)),
+        ("Second", (30, -30, 4), (30, 30, 4)),
     ):
-        part = box(doc, name + "Part", (10, 10, 10), place)
-        ends = [App.Placement(), App.Placement(App.Vector(*end), App.Rotation())]
-        standing = [end.multiply(part.Placement) for end in ends]
-        path = motion.motion_from_poses(doc, [0, 1], standing)
-        path.ViewObject.Visibility = False
-        doc.recompute()
-        swept = envelope.make_envelope(doc, [part], path, Resolution=64)
+        part = add_box(doc, name + "Part", (10, 10, 10), start)
+        swept = swept_space(doc, part, hidden_motion(doc, at(*start), at(*end)), 64)
         swept.Label = name
-        doc.recompute()
-        envelope.compute(swept)
         found.append(swept)
     return found
 
@@ -66,11 +53,9 @@ def scenario():
     yield
     doc = new_document("Spaces")
     first, second = envelopes(doc)
-    post = box(doc, "Post", (4, 4, 30), (72, 3, -10))
+    post = add_box(doc, "Post", (4, 4, 30), (72, 3, -10))  # 2 mm off the first
     doc.recompute()
-    view = Gui.activeDocument().activeView()
-    view.viewIsometric()
-    Gui.SendMsgToActiveView("ViewFit")
+    view = view_from("Isometric")
     yield
     graph = view.getSceneGraph()
     drawn, undo = graph.getNumChildren(), doc.UndoCount

@@ -5,7 +5,8 @@ neighbours and names what is pointed at, the places from the worst on, parts in 
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 from driver import (  # noqa: E402
     App,
     Close,
@@ -24,33 +25,25 @@ from driver import (  # noqa: E402
     say,
     select,
     shot,
+    view_from,
 )
-
-
-def box(doc, name, size, place):
-    made = doc.addObject("Part::Box", name)
-    made.Length, made.Width, made.Height = size
-    made.Placement.Base = App.Vector(*place)
-    return made
+from spaces import add_box, at, hidden_motion  # noqa: E402
 
 
 def scene(doc):
     """A slide that passes a post (clash), a wall (2 mm), a stop (4 mm) and stays far from a frame; the stop
     hangs on a link, the wall has faces of several colours."""
-    from sweptvolume.features import motion
-
-    slide = box(doc, "Slide", (10, 10, 10), (0, 0, 0))
-    places = [App.Placement(App.Vector(x, 0, 0), App.Rotation()) for x in (0, 100)]
-    path = motion.motion_from_poses(doc, [0, 2], places)
-    box(doc, "Post", (6, 20, 6), (50, 7, 2))
-    wall = box(doc, "Wall", (20, 5, 20), (20, -7, 0))
+    slide = add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
+    path = hidden_motion(doc, at(0), at(100), 2)
+    add_box(doc, "Post", (6, 20, 6), (50, 7, 2))
+    wall = add_box(doc, "Wall", (20, 5, 20), (20, -7, 0))
     wall.ViewObject.DiffuseColor = [(0.1, 0.1 * k, 1.0) for k in range(6)]
-    stop = box(doc, "Model", (5, 30, 30), (0, 0, 0))
+    stop = add_box(doc, "Model", (5, 30, 30), (0, 0, 0))
     stop.ViewObject.Visibility = False
     link = doc.addObject("App::Link", "Stop")
     link.LinkedObject = stop
-    link.Placement.Base = App.Vector(114, 0, 0)
-    box(doc, "Frame", (100, 5, 5), (0, 365, 0))
+    link.Placement = at(114)
+    add_box(doc, "Frame", (100, 5, 5), (0, 365, 0))
     doc.recompute()
     return slide, path, wall
 
@@ -123,11 +116,8 @@ def scenario():
     yield
     doc = new_document("Places")
     slide, path, wall = scene(doc)
-    view = Gui.activeDocument().activeView()
-    view.viewTop()
-    view.setCameraType("Orthographic")
-    path.ViewObject.Visibility = False
-    Gui.SendMsgToActiveView("ViewFit")
+    Gui.activeDocument().activeView().setCameraType("Orthographic")
+    view = view_from("Top")
     yield 0.5
     seen = {"Post": (53, 25, 8), "Wall": (30, -4, 20), "Stop": (116, 28, 30)}
     camera = view.getCamera()
