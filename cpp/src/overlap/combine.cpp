@@ -13,7 +13,7 @@
 #include "geometry/mesh_parts.h"
 #include "geometry/shells.h"
 #include "overlap/meetings.h"
-#include "overlap/polygons.h"
+#include "geometry/flat_polygons.h"
 
 namespace swept::overlap {
 namespace {

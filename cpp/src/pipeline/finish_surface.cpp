@@ -3,6 +3,7 @@
 
 #include "base/number_text.h"
 #include "contour/mend/mend.h"
+#include "contour/mend/rebuild.h"
 #include "contour/mend/specks.h"
 #include "contour/mend/surface_intersections.h"
 #include "pipeline/require_passed.h"
@@ -48,6 +49,7 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
           const Finishing& with, Report& report) {
   const std::int64_t before = pairs.count;
   pairs = mendSelfIntersections(surface, hermite, pairs, with.run);
+  if (pairs.count > 0) pairs = rebuildCells(surface, hermite, pairs, with.run);
   report.warnings.push_back({"Mended",
                              before - pairs.count,
                              {},

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace swept::overlap {
+namespace swept {
 
 using Loop = std::vector<std::int32_t>;
 
@@ -24,4 +24,4 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
                       const Eigen::Vector3d& normal,
                       std::vector<std::array<std::int32_t, 3>>& triangles);
 
-}  // namespace swept::overlap
+}  // namespace swept

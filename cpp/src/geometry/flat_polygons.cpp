@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "overlap/polygons.h"
+#include "geometry/flat_polygons.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace swept::overlap {
+namespace swept {
 namespace {
 
 using Point = Eigen::Vector2d;
@@ -203,4 +203,4 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
     if (polygon.size() >= 3) EarClipper(polygon, kFlat * size).clip(triangles);
 }
 
-}  // namespace swept::overlap
+}  // namespace swept

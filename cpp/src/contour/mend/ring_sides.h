@@ -1,0 +1,57 @@
+// The walls of a cell on both sides of a ring.
+// In:    the rings of a cell. Out: for each ring, its left and its right side as flat polygons of
+//        the six faces; which rings lie on which side of another.
+// Units: the coordinates of the cell. Cost: microseconds.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contour/mend/cell_rings.h"
+#include "geometry/flat_polygons.h"
+
+namespace swept {
+
+/// A side of every ring, so that of two rings' sides one contains the other or they are apart.
+struct Nesting {
+  std::vector<bool> left;   ///< the ring's left side, seen from outside the cell; else its right
+  std::vector<int> height;  ///< 1 for a side that contains no other ring's
+};
+
+class RingSides {
+ public:
+  RingSides(const Cell& cell, const Crossing* crossings, const std::vector<CellRing>& rings);
+
+  Nesting nesting() const;
+
+  /// The crossings of a ring, each with the point on the chord behind it, then the corners of the
+  /// cell.
+  std::vector<Eigen::Vector3d> wallPoints(std::size_t ring) const;
+
+  struct Piece {
+    int face;
+    Loop corners;  ///< counter-clockwise as seen from outside the cell; numbers of wallPoints()
+  };
+  /// One side of a ring.
+  std::vector<Piece> pieces(std::size_t ring, bool left) const;
+
+ private:
+  enum class Side : std::int8_t { Unknown = -1, Right = 0, Left = 1 };
+  struct Cut {
+    std::vector<Piece> pieces;
+    std::vector<Side> sides;  // per piece
+    std::array<Side, 8> corners;
+  };
+  Cut cut(const CellRing& ring) const;
+  void cutFace(const CellRing& ring, int face, Cut& out) const;
+  /// On which side of one ring another lies.
+  bool isLeft(std::size_t of, std::size_t other) const;
+
+  const Cell& cell_;
+  const Crossing* crossings_;
+  const std::vector<CellRing>& rings_;
+  std::vector<Cut> cuts_;
+};
+
+}  // namespace swept
