@@ -188,13 +188,14 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
   finish(std::move(surface), hermite);
 }
 
-void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite) {
+void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite, SettlingMoves settlingMoves) {
   requireSurface(surface.mesh, prepared_, run_);
   if (sketch_) {
     report_.warnings.push_back(
         {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
   } else {
-    const Finishing with{options_, prepared_, run_, [&](const char* name) { stage(name); }};
+    const Finishing with{options_, prepared_, run_, [&](const char* name) { stage(name); },
+                         std::move(settlingMoves)};
     topology_ = checkAndMend(surface, hermite, with, report_);
   }
   result_.mesh = std::move(surface.mesh);
@@ -257,7 +258,11 @@ void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, dou
   requireCrossings(hermite, prepared_, run_);
   Surface surface = contourUniform(hermite, options_, run_);
   stage("contour");
-  finish(std::move(surface), hermite);
+  SettlingMoves settlingMoves;
+  if (!options_.conservative) {  // a proof is made with room to spare
+    settlingMoves = [&](const TriMesh& mesh) { return sweep.settlingMoves(mesh, distance, run_); };
+  }
+  finish(std::move(surface), hermite, std::move(settlingMoves));
   hermite = HermiteGrid{};
   simplify();
 }

@@ -12,6 +12,7 @@
 #include "check/mesh_check.h"
 #include "contour/surface.h"
 #include "geometry/body_topology.h"
+#include "pipeline/finish_surface.h"
 #include "pipeline/grown_sweep.h"
 #include "pipeline/plan.h"
 #include "sampling/cpu/sample_cache.h"
@@ -55,7 +56,7 @@ class EnvelopeRun {
 
   /// The swept volume as it is: result_.mesh.
   void envelope(const BodyTopology& topology);
-  void finish(Surface surface, const HermiteGrid& hermite);
+  void finish(Surface surface, const HermiteGrid& hermite, SettlingMoves settlingMoves = {});
 
   /// The swept volume grown by the safety distance, or so far that it is proven to be held.
   void grow(const BodyTopology& topology);

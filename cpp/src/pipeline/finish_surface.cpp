@@ -3,6 +3,7 @@
 
 #include "base/number_text.h"
 #include "contour/mend/mend.h"
+#include "contour/mend/move_vertices.h"
 #include "contour/mend/rebuild.h"
 #include "contour/mend/specks.h"
 #include "contour/mend/surface_intersections.h"
@@ -62,9 +63,17 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
 MeshTopology mendAll(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
                      Report& report) {
   MeshTopology topology;
+  if (with.settlingMoves) {
+    for (const VertexMove& move : with.settlingMoves(surface.mesh))
+      surface.mesh.vertices[move.vertex] = move.position;
+    with.stage("settle");
+  }
   SelfIntersections pairs = findSurfaceIntersections(surface, hermite, with.run);
   with.stage("intersections");
   if (pairs.count > 0) mend(surface, hermite, pairs, with, report);
+  if (with.settlingMoves && pairs.count == 0) {
+    moveWithoutPairs(surface, hermite.plan, with.settlingMoves(surface.mesh), with.run);
+  }
   dropSpecks(surface, pairs, with, report);
   report.check = checkMesh(surface.mesh, topology, with.run);
   if (!report.check.oriented && turnInsideOut(surface, topology, with, report)) {

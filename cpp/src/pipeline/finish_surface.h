@@ -11,15 +11,20 @@
 
 #include "check/mesh_check.h"
 #include "contour/surface.h"
+#include "geometry/vertex_move.h"
 #include "pipeline/plan.h"
 
 namespace swept {
+
+/// Which vertices of a surface belong elsewhere, and where.
+using SettlingMoves = std::function<std::vector<VertexMove>(const TriMesh&)>;
 
 struct Finishing {
   const Options& options;
   const Prepared& prepared;
   RunContext& run;
   std::function<void(const char*)> stage;  ///< told the name of each stage at its end
+  SettlingMoves settlingMoves = {};        ///< not set: every vertex is where it belongs
 };
 
 /// Returns the neighbours of the mesh's triangles, if they were found on the way.

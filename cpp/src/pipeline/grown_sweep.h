@@ -8,6 +8,7 @@
 
 #include "grid/hermite_grid.h"
 #include "offset/containment.h"
+#include "offset/settle.h"
 #include "signs/cavities.h"
 #include "swept/report.h"
 
@@ -24,6 +25,11 @@ class GrownSweep {
   /// Which lattice points the outside reaches; those within the distance are solid.
   using FindSigns = std::function<SignRuns(const MarkedEdges&, const SolidPoint&)>;
   HermiteGrid hermite(double distance, const FindSigns& findSigns, RunContext& run) const;
+  /// Which vertices of a surface made from such a grid are not at the distance.
+  std::vector<VertexMove> settlingMoves(const TriMesh& mesh, double distance,
+                                        RunContext& run) const {
+    return offset::settlingMoves(mesh, tree_, distance, grid_, run);
+  }
   offset::Containment prove(const TriMesh& mesh, double least, RunContext& run) const {
     return offset::proveContainment(cover_, tree_, mesh, grid_, least, run);
   }
