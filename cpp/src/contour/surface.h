@@ -41,6 +41,8 @@ struct Surface {
   std::uint8_t cellFlagsOf(std::int32_t v) const {
     return static_cast<std::size_t>(v) < cellFlags.size() ? cellFlags[v] : std::uint8_t{0};
   }
+  /// Vertices that mending has moved or added, in rising order.
+  std::vector<std::int32_t> mended;
   std::int64_t fans = 0;         ///< quads cut into fans about their crossing
   std::int64_t facePoints = 0;   ///< vertices added on cell faces
   std::int64_t rimPolygons = 0;  ///< polygons that close the ends of thin walls

@@ -38,20 +38,23 @@ Vector3d settled(const Vector3d& start, const CoverSearch& tree, double distance
 
 }  // namespace
 
-std::vector<VertexMove> settlingMoves(const TriMesh& mesh, const CoverSearch& tree, double distance,
+std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
+                                      const std::vector<std::int32_t>& vertices,
+                                      const CoverSearch& tree, double distance,
                                       const GridPlan& grid, RunContext& run) {
   if (distance < kMinDistance) return {};
   constexpr std::size_t kBlock = 1 << 10;
-  const std::size_t count = mesh.vertices.size();
+  const std::size_t count = vertices.size();
   std::vector<std::vector<VertexMove>> parts(count / kBlock + 1);
   parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Contour, begin, count);
     std::int32_t hint = -1;
-    for (std::size_t v = begin; v < end; ++v) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::int32_t v = vertices[n];
       const Vector3d start = (mesh.vertices[v] - grid.origin) / grid.cell;
       const Vector3d x = settled(start, tree, distance, hint);
       if (x == start) continue;
-      parts[begin / kBlock].push_back({static_cast<std::int32_t>(v), grid.origin + grid.cell * x});
+      parts[begin / kBlock].push_back({v, grid.origin + grid.cell * x});
     }
   });
   std::vector<VertexMove> moves;

@@ -22,8 +22,10 @@
 namespace swept::offset {
 
 /// Does nothing below a distance of half a cell, where a vertex may lie on the wrong side of the
-/// cover. In the order of the vertices.
-std::vector<VertexMove> settlingMoves(const TriMesh& mesh, const CoverSearch& tree, double distance,
+/// cover. vertices: those to look at; the moves are in their order.
+std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
+                                      const std::vector<std::int32_t>& vertices,
+                                      const CoverSearch& tree, double distance,
                                       const GridPlan& grid, RunContext& run);
 
 }  // namespace swept::offset

@@ -260,7 +260,9 @@ void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, dou
   stage("contour");
   SettlingMoves settlingMoves;
   if (!options_.conservative) {  // a proof is made with room to spare
-    settlingMoves = [&](const TriMesh& mesh) { return sweep.settlingMoves(mesh, distance, run_); };
+    settlingMoves = [&](const TriMesh& mesh, const std::vector<std::int32_t>& vertices) {
+      return sweep.settlingMoves(mesh, vertices, distance, run_);
+    };
   }
   finish(std::move(surface), hermite, std::move(settlingMoves));
   hermite = HermiteGrid{};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/finish_surface.h"
 
+#include <numeric>
+
 #include "base/number_text.h"
 #include "contour/mend/mend.h"
 #include "contour/mend/move_vertices.h"
@@ -64,7 +66,9 @@ MeshTopology mendAll(Surface& surface, const HermiteGrid& hermite, const Finishi
                      Report& report) {
   MeshTopology topology;
   if (with.settlingMoves) {
-    for (const VertexMove& move : with.settlingMoves(surface.mesh))
+    std::vector<std::int32_t> all(surface.mesh.vertices.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const VertexMove& move : with.settlingMoves(surface.mesh, all))
       surface.mesh.vertices[move.vertex] = move.position;
     with.stage("settle");
   }
@@ -72,7 +76,8 @@ MeshTopology mendAll(Surface& surface, const HermiteGrid& hermite, const Finishi
   with.stage("intersections");
   if (pairs.count > 0) mend(surface, hermite, pairs, with, report);
   if (with.settlingMoves && pairs.count == 0) {
-    moveWithoutPairs(surface, hermite.plan, with.settlingMoves(surface.mesh), with.run);
+    moveWithoutPairs(surface, hermite.plan, with.settlingMoves(surface.mesh, surface.mended),
+                     with.run);
   }
   dropSpecks(surface, pairs, with, report);
   report.check = checkMesh(surface.mesh, topology, with.run);

@@ -16,8 +16,9 @@
 
 namespace swept {
 
-/// Which vertices of a surface belong elsewhere, and where.
-using SettlingMoves = std::function<std::vector<VertexMove>(const TriMesh&)>;
+/// Which vertices of a mesh belong elsewhere, and where. The list: those to look at.
+using SettlingMoves =
+    std::function<std::vector<VertexMove>(const TriMesh&, const std::vector<std::int32_t>&)>;
 
 struct Finishing {
   const Options& options;

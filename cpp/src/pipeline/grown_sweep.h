@@ -25,10 +25,11 @@ class GrownSweep {
   /// Which lattice points the outside reaches; those within the distance are solid.
   using FindSigns = std::function<SignRuns(const MarkedEdges&, const SolidPoint&)>;
   HermiteGrid hermite(double distance, const FindSigns& findSigns, RunContext& run) const;
-  /// Which vertices of a surface made from such a grid are not at the distance.
-  std::vector<VertexMove> settlingMoves(const TriMesh& mesh, double distance,
+  /// Which of some vertices of a surface made from such a grid are not at the distance.
+  std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
+                                        const std::vector<std::int32_t>& vertices, double distance,
                                         RunContext& run) const {
-    return offset::settlingMoves(mesh, tree_, distance, grid_, run);
+    return offset::settlingMoves(mesh, vertices, tree_, distance, grid_, run);
   }
   offset::Containment prove(const TriMesh& mesh, double least, RunContext& run) const {
     return offset::proveContainment(cover_, tree_, mesh, grid_, least, run);

@@ -72,6 +72,25 @@ Deviation deviation(const Result& result, double d,
   return out;
 }
 
+/// Vertices of an offset of at least half a cell lie at the distance, but for the chord of the
+/// motion: never short, and outside by no more than roundness asks for. The few that would make
+/// triangles meet stay where contouring has put them.
+void expectVerticesAt(const Result& result, double d,
+                      const std::function<double(const V3&)>& distance, double chord = 0) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  const std::size_t stride = 1 + result.mesh.vertices.size() / 40000;
+  std::size_t looked = 0, longer = 0;
+  for (std::size_t v = 0; v < result.mesh.vertices.size(); v += stride, ++looked) {
+    const double off = (distance(result.mesh.vertices[v]) - d) / result.report.cellSize;
+    least = std::min(least, off);
+    most = std::max(most, off);
+    longer += off > 0.081 + chord ? 1 : 0;
+  }
+  EXPECT_GT(least, -0.003 - chord);
+  EXPECT_LT(most, 0.25);
+  EXPECT_LE(1000 * longer, looked);
+}
+
 /// Farthest from the result of the points that lie d above the body's faces and belong to its
 /// offset: a missing part, or a crease that was cut.
 double missing(const Result& result, const TriMesh& body, const MeshDistance& distance, double d) {
@@ -99,6 +118,7 @@ void expectStill(const std::string& name, const TriMesh& body, double size) {
     const Result result = grown(body, still(), d, cell);
     if (result.mesh.triangles.empty()) continue;
     const Deviation out = deviation(result, d, [&](const V3& x) { return distance.distance(x); });
+    if (cells > 0.5) expectVerticesAt(result, d, [&](const V3& x) { return distance.distance(x); });
     const double back = missing(result, body, distance, d);
     std::printf(
         "%s grown by %.1f cells: out to truth mean %.4f p95 %.4f max %.4f, truth to out %.4f\n",
@@ -123,6 +143,22 @@ TEST(Offset, StillFandisk) {
   const std::string path = std::string(SWEPT_SHARED_DATA) + "/meshes/fandisk_13k.ply";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "shared test data not found: " << path;
   expectStill("fandisk", readMesh(path, 1000), 2000);
+}
+
+/// Valleys between balls that are narrower than a cell at their ground.
+TEST(Offset, NothingIsShortBetweenBalls) {
+  TriMesh heap;
+  for (int n = 0; n < 40; ++n) {
+    const double a = 2.4 * n;
+    append(heap, makeBall({0.09 * n * std::cos(a), 0.09 * n * std::sin(a), 0.5 * std::sin(7 * a)},
+                          0.6 + 0.2 * std::sin(3 * a), 2));
+  }
+  const double cell = 0.1;
+  const MeshDistance distance(heap);
+  for (const double d : {0.06, 0.1, 0.23}) {
+    const Result result = grown(heap, still(), d, cell);
+    expectVerticesAt(result, d, [&](const V3& x) { return distance.distance(x); });
+  }
 }
 
 TEST(Offset, BoxHasTheVolumeOfItsRoundedBox) {
@@ -192,6 +228,8 @@ TEST(Offset, TurningBoxAgreesWithTheDistanceOverTime) {
                 out.mean, out.p95, out.most);
     EXPECT_LT(out.mean, 0.01);
     EXPECT_LT(out.most, 0.25);
+    expectVerticesAt(
+        result, d, [&](const V3& x) { return truth.distance(x); }, 0.02);
   }
 }
 

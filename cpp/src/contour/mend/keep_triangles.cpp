@@ -57,6 +57,11 @@ void keepTriangles(Surface& surface, const std::vector<std::uint8_t>& keeps,
   compact(mesh.vertices, vertex);
   compact(surface.contactTime, vertex);
   compact(surface.cellFlags, vertex);
+  std::vector<std::int32_t> mended;
+  for (const std::int32_t v : surface.mended) {
+    if (vertex[v] >= 0) mended.push_back(vertex[v]);
+  }
+  surface.mended = std::move(mended);
   SelfIntersections left;
   for (const auto& [a, b] : pairs.pairs) {
     if (triangle[a] >= 0 && triangle[b] >= 0) left.pairs.emplace_back(triangle[a], triangle[b]);

@@ -43,9 +43,19 @@ class Mender {
         grid_(grid),
         run_(run),
         blocks_(mesh_, grid.plan),
+        vertexCount_(mesh_.vertices.size()),
         pairs_(found) {
     marked_.resize(mesh_.vertices.size());
     region_ = nearPairs(nullptr);
+  }
+
+  /// Tells the surface which vertices were moved or added.
+  void noteVertices() {
+    std::vector<std::int32_t>& mended = surface_.mended;
+    for (const auto& [v, place] : before_) mended.push_back(v);
+    for (std::size_t v = vertexCount_; v < mesh_.vertices.size(); ++v)
+      mended.push_back(static_cast<std::int32_t>(v));
+    sortUnique(mended);
   }
 
   bool done() const { return pairs_.count == 0; }
@@ -309,6 +319,7 @@ class Mender {
   const HermiteGrid& grid_;
   RunContext& run_;
   TriangleBlocks blocks_;
+  std::size_t vertexCount_;  // of the surface as it was
   SelfIntersections pairs_;
   std::vector<std::int32_t> region_;                          // triangles near the first pairs
   std::vector<std::uint8_t> marked_;                          // per vertex; zero between uses
@@ -329,6 +340,7 @@ SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& gri
     mender.mendRound(round);
   }
   mender.restoreAreas();
+  mender.noteVertices();
   return mender.left();
 }
 

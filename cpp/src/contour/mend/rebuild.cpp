@@ -92,6 +92,8 @@ class Rebuilder {
   void dropRemoved(SelfIntersections& pairs) {
     std::vector<std::uint8_t> keeps(mesh_.triangles.size(), 1);
     for (const std::int32_t t : removed_) keeps[t] = 0;
+    for (std::size_t v = vertexCount_; v < mesh_.vertices.size(); ++v)
+      surface_.mended.push_back(static_cast<std::int32_t>(v));
     keepTriangles(surface_, keeps, pairs);
   }
 
