@@ -9,11 +9,11 @@
 #include "base/limits.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
+#include "geometry/flat_polygons.h"
 #include "geometry/half_edges.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/shells.h"
 #include "overlap/meetings.h"
-#include "geometry/flat_polygons.h"
 
 namespace swept::overlap {
 namespace {
