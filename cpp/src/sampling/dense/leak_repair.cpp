@@ -7,8 +7,6 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
-#include "geometry/box_tree.h"
-#include "geometry/ray_columns.h"
 #include "signs/contributing_edges.h"
 
 namespace swept::dense {
@@ -22,17 +20,17 @@ using Lattice = std::array<std::int32_t, 3>;
 
 class LeakFinder {
  public:
-  LeakFinder(const SamplerInput& input, const PlacementSpace& space, const MarkedEdges& marked,
-             const SignRuns& signs, double margin, ClearPoints& clear, RunContext& run)
+  LeakFinder(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
+             const MarkedEdges& marked, const SignRuns& signs, double margin, ClearPoints& clear,
+             RunContext& run)
       : input_(input),
+        tests_(tests),
         space_(space),
         marked_(marked),
         signs_(signs),
         margin_(margin),
         clear_(clear),
-        run_(run),
-        rays_(input.body),
-        tree_(boxTreeOf(input.body.vertices, input.body.triangles)) {}
+        run_(run) {}
 
   LeakSearch find() {
     seed();
@@ -74,7 +72,7 @@ class LeakFinder {
         input_.grid.origin + input_.grid.cell * Eigen::Vector3d(g[0], g[1], g[2]);
     return p.rotation.transpose() * (world - p.translation);
   }
-  bool isInside(const Eigen::Vector3d& x) const { return rays_.winding(x) > 0; }
+  bool isInside(const Eigen::Vector3d& x) const { return tests_.rays.winding(x) > 0; }
 
   /// The segment passes through the triangle, borders included.
   bool meets(std::uint32_t triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
@@ -93,8 +91,8 @@ class LeakFinder {
   void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                 std::vector<std::uint32_t>& out) const {
     out.clear();
-    tree_.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
-      const auto t = static_cast<std::uint32_t>(tree_.item(place));
+    tests_.tree.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
+      const auto t = static_cast<std::uint32_t>(tests_.tree.item(place));
       if (meets(t, from, to)) out.push_back(t);
     });
     std::sort(out.begin(), out.end());
@@ -235,14 +233,13 @@ class LeakFinder {
   }
 
   const SamplerInput& input_;
+  const BodyTests& tests_;
   const PlacementSpace& space_;
   const MarkedEdges& marked_;
   const SignRuns& signs_;
   double margin_;
   ClearPoints& clear_;
   RunContext& run_;
-  RayColumns rays_;
-  BoxTree tree_;
   std::unordered_map<std::uint64_t, std::uint32_t> cover_;
   std::vector<Covered> front_;
   LeakSearch out_;
@@ -250,10 +247,10 @@ class LeakFinder {
 
 }  // namespace
 
-LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
+LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run) {
-  return LeakFinder(input, space, marked, signs, margin, clear, run).find();
+  return LeakFinder(input, tests, space, marked, signs, margin, clear, run).find();
 }
 
 }  // namespace swept::dense

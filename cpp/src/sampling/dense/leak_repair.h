@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/box_tree.h"
+#include "geometry/ray_columns.h"
 #include "grid/marked_edges.h"
 #include "sampling/dense/placement_space.h"
 #include "sampling/sampler.h"
@@ -46,9 +48,18 @@ struct ClearPoints {
   std::vector<std::vector<Point>> layers;
 };
 
+/// Exact tests of points and segments against the body; made once for all calls.
+struct BodyTests {
+  explicit BodyTests(const TriMesh& body)
+      : rays(body), tree(boxTreeOf(body.vertices, body.triangles)) {}
+
+  RayColumns rays;
+  BoxTree tree;
+};
+
 /// margin: mm by which a placement must reach beyond a point to count as missed; the same for all
 /// calls that share `clear`.
-LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
+LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run);
 
