@@ -70,7 +70,7 @@ class DenseRun {
       sampler_.addWhole(k);
     }
     sampler_.flush();
-    const double margin = settings_.marginCells * cell + 0.25 * space_.remainder();
+    const double margin = settings_.margin(cell, space_.remainder());
     const BodyTests tests(input_.body);
     LeakSearch leaks;
     ClearPoints clear;

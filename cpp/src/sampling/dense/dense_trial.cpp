@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,8 +24,9 @@ constexpr std::size_t kPatches = 12, kFewestFaces = 4000, kMostFaces = 16000, kP
 constexpr std::size_t kPartOfPatch = 6;
 /// Faces round a vertex: the hub of a fan touches faces far apart, and passes on what they find.
 constexpr std::size_t kMostOfStar = 48;
-/// Points that are compared with all placements.
-constexpr std::size_t kTests = 1000;
+/// Points that are tested exactly, and such tests while what is open round a point is followed.
+constexpr std::size_t kTests = 500;
+constexpr double kFollowed = 3;
 /// Bytes of a placement in the tree and in cells, of a face in the lists of candidates, whole
 /// copies and leaks, of a candidate while the lists of blocks become one, and of a crossing of the
 /// batch that is sorted.
@@ -34,7 +36,8 @@ constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
 /// Faces of the body, with their vertices.
 struct Patches {
   TriMesh mesh;
-  std::vector<std::uint8_t> inner;  ///< per face: in the middle of a patch
+  std::vector<std::uint8_t> inner;    ///< per face: in the middle of a patch
+  std::vector<std::uint32_t> faceOf;  ///< its number in the body
 };
 
 enum Place : std::uint8_t { kNone, kRim, kMiddle };
@@ -67,7 +70,11 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
 Patches somePatchesOf(const TriMesh& body) {
   const std::size_t faces = body.triangles.size();
   const std::size_t wanted = std::clamp(faces / kPartOfFaces, kFewestFaces, kMostFaces);
-  if (faces <= wanted) return {body, std::vector<std::uint8_t>(faces, 1)};
+  if (faces <= wanted) {
+    Patches all{body, std::vector<std::uint8_t>(faces, 1), std::vector<std::uint32_t>(faces)};
+    std::iota(all.faceOf.begin(), all.faceOf.end(), 0u);
+    return all;
+  }
   ListsByKey<> corners = halfEdgesByVertex(body);
   for (std::size_t v = 0; v < corners.keys(); ++v) corners.of(v);
   std::vector<Place> places(faces, kNone);
@@ -87,26 +94,19 @@ Patches somePatchesOf(const TriMesh& body) {
     }
     some.mesh.triangles.push_back(t);
     some.inner.push_back(places[f] == kMiddle);
+    some.faceOf.push_back(static_cast<std::uint32_t>(f));
   }
   return some;
 }
 
-/// What one face's point takes that is compared with all placements, as the search for leaks does:
-/// CPU seconds.
-double secondsOfTest(const SamplerInput& input, const PlacementSpace& space,
-                     const FacePlacements& candidates) {
-  const std::size_t faces = input.body.triangles.size(), step = 1 + faces / kTests;
+/// CPU seconds of an exact test of a point.
+double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
+  const std::size_t step = 1 + body.vertices.size() / kTests;
   const double start = threadSeconds();
-  std::size_t tests = 0;
-  for (std::size_t f = 0; f < faces; f += step) {
-    const Eigen::Vector3d& corner =
-        input.body.vertices[static_cast<std::size_t>(input.body.triangles[f][0])];
-    const Point6 gradient = space.gradient(corner, input.topology.normals[f].cast<double>());
-    const PlacementSpace::Best best =
-        space.support(gradient, candidates.placement[candidates.start[f]]);
-    tests += best.advance > -1e30f;
-  }
-  return (threadSeconds() - start) / static_cast<double>(std::max<std::size_t>(1, tests));
+  double count = 0, inside = 0;
+  for (std::size_t v = 0; v < body.vertices.size(); v += step, ++count)
+    inside += tests.rays.winding(body.vertices[v]);
+  return inside < 0 ? 0 : (threadSeconds() - start) / count;
 }
 
 /// Per copy of the body, and of the inner faces: crossings as they are expected.
@@ -128,7 +128,7 @@ DenseCost tryDense(const SamplerInput& input, double surface, RunContext& run) {
   const BodyTests tests(input.body);
   DenseCost cost;
   cost.seconds = lap();
-  const auto [part, inner] = somePatchesOf(input.body);
+  const auto [part, inner, faceOf] = somePatchesOf(input.body);
   const BodyTopology topology = buildTopology(part);
   const SamplerInput some{part, topology, input.motion, input.grid, input.cull, input.orientable};
   ListsByKey<> corners = halfEdgesByVertex(part);
@@ -137,8 +137,6 @@ DenseCost tryDense(const SamplerInput& input, double surface, RunContext& run) {
   lap();
   const FacePlacements candidates = findCandidates(some, space, settings, corners, run);
   cost.seconds += lap() * faces / static_cast<double>(inner.size());
-  cost.seconds += secondsOfTest(some, space, candidates) * surface;
-  lap();
   PairSampler sampler(some, run);
   Work work;
   double count = 0;
@@ -152,6 +150,12 @@ DenseCost tryDense(const SamplerInput& input, double surface, RunContext& run) {
   }
   sampler.flush();
   const double sampled = lap();
+  const LeakTrial leaks = tryLeaks(
+      input, tests, space,
+      {faceOf, candidates, sampler.marked(), static_cast<std::size_t>(sampler.crossings())},
+      settings.margin(input.grid.cell, space.remainder()));
+  cost.seconds +=
+      surface * (leaks.seconds + leaks.open * kFollowed * secondsOfTest(input.body, tests));
   const PairSampler whole(input, run);
   for (std::uint32_t f = 0; f < input.body.triangles.size(); ++f) work.body += whole.workOf(f);
   const double all = work.body * (work.pairs / work.inner + settings.wholeCopies);
