@@ -17,9 +17,9 @@
 namespace swept::dense {
 namespace {
 
-/// Patches, evenly spaced in the order of the faces, and their faces together: a part of the
-/// body's, but no less nor more than so many.
-constexpr std::size_t kPatches = 12, kFewestFaces = 4000, kMostFaces = 16000, kPartOfFaces = 4;
+/// Patches, evenly spaced in the order of the faces; about a part of the body's faces, all
+/// together.
+constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
 /// Of a patch, the middle: what a rim lacks of its surroundings does not reach it.
 constexpr std::size_t kPartOfPatch = 6;
 /// Faces round a vertex: the hub of a fan touches faces far apart, and passes on what they find.
@@ -44,19 +44,19 @@ enum Place : std::uint8_t { kNone, kRim, kMiddle };
 
 /// Adds the faces round one, the nearest first.
 void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t number,
-              std::size_t count, std::vector<Place>& places) {
-  const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * kPatches);
+              std::size_t patches, std::vector<Place>& places) {
+  const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * patches);
   std::vector<std::uint32_t> faces{static_cast<std::uint32_t>(first)};
   std::vector<bool> taken(body.triangles.size()), spread(body.vertices.size());
   taken[first] = true;
-  for (std::size_t n = 0; n < faces.size() && faces.size() < count; ++n) {
+  for (std::size_t n = 0; n < faces.size() && faces.size() < kFacesOfPatch; ++n) {
     for (const std::int32_t v : body.triangles[faces[n]]) {
       if (spread[static_cast<std::size_t>(v)]) continue;
       spread[static_cast<std::size_t>(v)] = true;
       const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
       const std::size_t some = std::min(star.size(), kMostOfStar);
-      const std::size_t from = star.size() * number / kPatches;  // other faces of a hub than others
-      for (std::size_t i = 0; i < some && faces.size() < count; ++i) {
+      const std::size_t from = star.size() * number / patches;  // other faces of a hub than others
+      for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
         if (!taken[face]) faces.push_back(face);
         taken[face] = true;
@@ -64,13 +64,15 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
     }
   }
   for (std::size_t n = 0; n < faces.size(); ++n)
-    places[faces[n]] = std::max(places[faces[n]], n < count / kPartOfPatch ? kMiddle : kRim);
+    places[faces[n]] =
+        std::max(places[faces[n]], n < kFacesOfPatch / kPartOfPatch ? kMiddle : kRim);
 }
 
 Patches somePatchesOf(const TriMesh& body) {
   const std::size_t faces = body.triangles.size();
-  const std::size_t wanted = std::clamp(faces / kPartOfFaces, kFewestFaces, kMostFaces);
-  if (faces <= wanted) {
+  const std::size_t patches =
+      std::clamp(faces / (kPartOfFaces * kFacesOfPatch), kFewestPatches, kMostPatches);
+  if (faces <= patches * kFacesOfPatch) {
     Patches all{body, std::vector<std::uint8_t>(faces, 1), std::vector<std::uint32_t>(faces)};
     std::iota(all.faceOf.begin(), all.faceOf.end(), 0u);
     return all;
@@ -78,7 +80,7 @@ Patches somePatchesOf(const TriMesh& body) {
   ListsByKey<> corners = halfEdgesByVertex(body);
   for (std::size_t v = 0; v < corners.keys(); ++v) corners.of(v);
   std::vector<Place> places(faces, kNone);
-  for (std::size_t n = 0; n < kPatches; ++n) addPatch(body, corners, n, wanted / kPatches, places);
+  for (std::size_t n = 0; n < patches; ++n) addPatch(body, corners, n, patches, places);
   Patches some;
   std::vector<std::int32_t> number(body.vertices.size(), -1);
   for (std::size_t f = 0; f < faces; ++f) {
