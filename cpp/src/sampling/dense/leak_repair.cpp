@@ -261,7 +261,7 @@ LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const Plac
   const CoverSearch search(input, tests, space, margin);
   CoverSearch::Scratch scratch;
   const MarkedEdges& marked = chosen.marked;
-  std::size_t ends = 0, open = 0, closed = 0;
+  std::size_t ends = 0, tried = 0, open = 0, closed = 0;
   const std::size_t step = 1 + chosen.crossings / kTrialPoints;
   const double start = threadSeconds();
   const auto test = [&](std::uint32_t number, int axis, bool high, const Lattice& g) {
@@ -270,6 +270,7 @@ LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const Plac
     const Eigen::Vector3d normal =
         input.motion.placements[e.placement].rotation * input.topology.normals[face].cast<double>();
     if ((normal[axis] > 0) != high || ends++ % step != 0) return;
+    ++tried;
     CoverSearch::Covered cover{};
     if (!search.findCover(g, face, e.placement, scratch, cover)) {
       ++closed;
@@ -296,8 +297,9 @@ LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const Plac
       }
     }
   }
-  const double known = static_cast<double>(std::max<std::size_t>(1, open + closed));
-  return {static_cast<double>(open) / known, (threadSeconds() - start) / known};
+  const double seconds = threadSeconds() - start;
+  return {static_cast<double>(open) / static_cast<double>(std::max<std::size_t>(1, open + closed)),
+          seconds / static_cast<double>(std::max<std::size_t>(1, tried))};
 }
 
 LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
