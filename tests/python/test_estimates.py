@@ -46,6 +46,7 @@ def test_the_inputs_are_the_same_for_a_seed_and_solids():
         53000180,
         67000227,
         73000231,
+        403000357,
     ],
 )
 def test_estimates_are_near_what_runs_take(seed):

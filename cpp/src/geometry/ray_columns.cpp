@@ -145,6 +145,8 @@ void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
     const auto& tri = mesh_.triangles[t];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
                &c = mesh_.vertices[tri[2]];
+    // Beside the line, the sides of a triangle are all passed, or none of them.
+    if (std::min({a.y(), b.y(), c.y()}) > y || std::max({a.y(), b.y(), c.y()}) < y) continue;
     const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
     if (turn == 0) continue;
     const Eigen::Vector3d n = (b - a).cross(c - a);

@@ -84,7 +84,7 @@ RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
 }
 
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
-                          std::optional<MarkedEdges> known, ComponentMethod components, bool probes,
+                          std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run) {
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
@@ -98,7 +98,6 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   RoughSurface found;
   const auto crossings = static_cast<double>(countCrossings(marked, grid, run).crossings);
   found.crossings = crossings * times * times;
-  if (!probes) return found;
   if (crossings > kRoughCrossings && !known) {
     const double fewer = static_cast<double>(part.placements.size()) * kRoughCrossings / crossings;
     part = thinned(whole.motion, std::max<std::size_t>(2, static_cast<std::size_t>(fewer)));

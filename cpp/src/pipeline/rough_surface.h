@@ -26,12 +26,12 @@ RoughRoom roomBeside(const SamplingCost& sampling, double copies);
 
 struct RoughSurface {
   double crossings = 0;
-  ProbeCost probes;  ///< of contouring; none where not asked for
+  ProbeCost probes;  ///< of contouring
 };
 
 /// `known`: the whole motion as sampled on the run's grid, where that has been done; consumed.
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
-                          std::optional<MarkedEdges> known, ComponentMethod components, bool probes,
+                          std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run);
 
 }  // namespace swept

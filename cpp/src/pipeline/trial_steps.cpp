@@ -39,8 +39,8 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   RoughSurface surface;
   const auto look = [&] {
     if (dense) {
-      surface = roughSurface(input, {}, std::nullopt, options.components, false, run);
-      const dense::DenseCost cost = dense::tryDense(input, run);
+      surface = roughSurface(input, {}, std::nullopt, options.components, run);
+      const dense::DenseCost cost = dense::tryDense(input, surface.crossings, run);
       seconds += cost.seconds / threads;
       // It ends before the mesh is made: the larger of both counts.
       bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
@@ -51,7 +51,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     SamplingTrial::Whole whole = trial.whole();
     const double copies = faces * static_cast<double>(p.motion.placements.size());
     surface = roughSurface(input, roomBeside(whole.cost, copies), std::move(whole.marked),
-                           options.components, true, run);
+                           options.components, run);
     seconds += (whole.cost.seconds + trial.insideSeconds()) / threads;
     bytes = trial.bytesOf(whole.cost, surface.crossings, threads);
   };

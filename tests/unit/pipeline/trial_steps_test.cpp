@@ -190,8 +190,8 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
     SCOPED_TRACE(kind.body.triangles.size());
     Planned planned(kind.body, kind.path, kind.resolution);
     const Counted run = counted(planned);
-    const RoughSurface surface = roughSurface(planned.input(), RoughRoom(), std::nullopt,
-                                              Options().components, true, planned.run);
+    const RoughSurface surface =
+        roughSurface(planned.input(), RoughRoom(), std::nullopt, Options().components, planned.run);
     EXPECT_NEAR(surface.crossings / run.crossings, 1, 0.1);
     ASSERT_GT(run.casts, 40);
     EXPECT_GT(surface.probes.casts / run.casts, 0.5);
@@ -204,7 +204,7 @@ TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
   Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
   const Counted run = counted(planned);
   const auto guessed = [&](double room) {
-    return roughSurface(planned.input(), {1e9, room}, std::nullopt, Options().components, false,
+    return roughSurface(planned.input(), {1e9, room}, std::nullopt, Options().components,
                         planned.run)
         .crossings;
   };

@@ -148,8 +148,10 @@ class ItemSampler {
 /// Samples one work item of a union of copies.
 class UnionSampler {
  public:
-  UnionSampler(const SamplerInput& input, RecordChunk& out, CrossingBudget& budget)
-      : sampler_(input, out), out_(out), budget_(budget), posed_(input) {}
+  /// `posed`: for the items of one thread, which often share a placement.
+  UnionSampler(const SamplerInput& input, PosedVertices& posed, RecordChunk& out,
+               CrossingBudget& budget)
+      : sampler_(input, out), out_(out), budget_(budget), posed_(posed) {}
 
   void sample(const WorkItem& item, RunContext& run) {
     std::size_t before = 0;
@@ -167,7 +169,7 @@ class UnionSampler {
   ItemSampler sampler_;
   const RecordChunk& out_;
   CrossingBudget& budget_;
-  PosedVertices posed_;
+  PosedVertices& posed_;
 };
 
 /// Samples one work item of a continuous motion.
@@ -251,8 +253,9 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   if (input.groups == nullptr) ownGroups.emplace(input, clusters, run);
   const PlaceGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
   CrossingBudget budget(run, input.grid.cell);
-  // One buffer per thread, which grows once.
+  // One per thread: buffers that grow once, and the vertices of a union.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
+  tbb::enumerable_thread_specific<PosedVertices> posed([&] { return PosedVertices(input); });
   parallelFor(items.size(), [&](std::size_t i) {
     if (known[i] != 0) return;
     std::vector<CrossingRecord>& room = rooms.local();
@@ -260,11 +263,12 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     if (input.motion.continuous) {
       SweepSampler(input, clusters, groups, chunks[i], budget).sample(items[i], run);
     } else {
-      UnionSampler(input, chunks[i], budget).sample(items[i], run);
+      UnionSampler(input, posed.local(), chunks[i], budget).sample(items[i], run);
     }
     orderByLayer(chunks[i], input.grid, room);
   });
   rooms.clear();
+  posed.clear();
   if (!keys.empty()) input.cache->replace(keys, chunks);
   if (input.crossings != nullptr) {
     *input.crossings = 0;

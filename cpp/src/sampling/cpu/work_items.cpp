@@ -9,6 +9,8 @@ namespace {
 /// Faces of an item of a union: one item is some milliseconds of work, and large bodies are shared
 /// by all cores.
 constexpr std::size_t kFaces = 8192;
+/// About so many items of a union are enough for all cores: each has a list of the grid's layers.
+constexpr std::size_t kUnionItems = 4096;
 
 }  // namespace
 
@@ -16,7 +18,8 @@ std::size_t placementsOfItem(const SamplerInput& input) {
   const std::size_t placements = input.motion.placements.size();
   if (!input.motion.continuous) {
     const std::size_t faces = input.body.triangles.size();
-    return std::max<std::size_t>(1, std::min(kFaces / faces, placements / 64));
+    return std::max(
+        {std::size_t{1}, std::min(kFaces / faces, placements / 64), placements / kUnionItems});
   }
   // The direction of a face is decided once per step within an item, and once more where two items
   // meet, so that items should be long. With a cache, items of one placement are kept for the next
@@ -29,7 +32,9 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   const std::size_t placements = input.motion.placements.size();
   const std::size_t faces = input.body.triangles.size();
   const std::size_t group = placementsOfItem(input);
-  const std::size_t facesOfItem = input.motion.continuous ? faces : kFaces;
+  const bool whole = input.motion.continuous || placements >= kUnionItems;
+  const std::size_t facesOfItem =
+      whole ? faces : std::max(kFaces, faces * placements / kUnionItems);
   std::vector<WorkItem> items;
   const std::size_t end = std::min(placements, input.only.end);
   for (std::size_t k = input.only.begin; k < end; k += group) {

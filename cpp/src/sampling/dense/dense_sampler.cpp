@@ -70,13 +70,14 @@ class DenseRun {
       sampler_.addWhole(k);
     }
     sampler_.flush();
-    const double margin = settings_.marginCells * cell + 0.25 * space_.remainder();
+    const double margin = settings_.margin(cell, space_.remainder());
+    const BodyTests tests(input_.body);
     LeakSearch leaks;
     ClearPoints clear;
     int round = 0;
     for (;; ++round) {
       const SignRuns signs = findOutside(sampler_.marked(), input_.grid, run_);
-      leaks = findLeaks(input_, space_, sampler_.marked(), signs, margin, clear, run_);
+      leaks = findLeaks(input_, tests, space_, sampler_.marked(), signs, margin, clear, run_);
       if (leaks.missing.empty() || round == settings_.rounds) break;
       close(leaks);
     }

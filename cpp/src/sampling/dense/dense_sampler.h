@@ -31,6 +31,10 @@ struct DenseSettings {
   double slackCells = 0.3;
   /// A placement that reaches less far beyond a point does not count as missed.
   double marginCells = 0.05;
+  /// mm; `remainder`: of the linearisation.
+  double margin(double cell, double remainder) const {
+    return marginCells * cell + 0.25 * remainder;
+  }
   int freeRings = 1;  ///< rings of vertices over which winners spread whatever their advance
   int rings = 8;      ///< rings over which they spread within the slack
   std::size_t maxAtVertex = 96;  ///< a vertex accepts no more placements beyond this number

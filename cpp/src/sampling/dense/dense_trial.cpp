@@ -2,84 +2,172 @@
 #include "sampling/dense/dense_trial.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "base/timer.h"
 #include "geometry/half_edges.h"
 #include "sampling/dense/candidates.h"
 #include "sampling/dense/dense_sampler.h"
+#include "sampling/dense/leak_repair.h"
 #include "sampling/dense/pair_sampler.h"
 
 namespace swept::dense {
 namespace {
 
-constexpr std::size_t kTrialFaces = 2000;
-/// The search for leaks, and closing them, beside candidates and samples.
-constexpr double kWithRepair = 1.5;
-/// Bytes of a placement in the tree and in cells, of a face in the lists of candidates and leaks,
-/// and of a crossing of the batch that is sorted.
-constexpr double kPlacementBytes = 250, kFaceBytes = 300, kSortedBytes = 2 * sizeof(CrossingRecord);
+/// Patches, evenly spaced in the order of the faces; about a part of the body's faces, all
+/// together.
+constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
+/// Of a patch, the middle: what a rim lacks of its surroundings does not reach it.
+constexpr std::size_t kPartOfPatch = 6;
+/// Faces round a vertex: the hub of a fan touches faces far apart, and passes on what they find.
+constexpr std::size_t kMostOfStar = 48;
+/// Points that are tested exactly, and such tests while what is open round a point is followed.
+constexpr std::size_t kTests = 500;
+constexpr double kFollowed = 3;
+/// Bytes of a placement in the tree and in cells, of a face in the lists of candidates, whole
+/// copies and leaks, of a candidate while the lists of blocks become one, and of a crossing of the
+/// batch that is sorted.
+constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
+                 kSortedBytes = 2 * sizeof(CrossingRecord);
 
-double areaOf(const TriMesh& mesh) {
-  double area = 0;
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.vertices[t[0]];
-    area += (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm() / 2;
+/// Faces of the body, with their vertices.
+struct Patches {
+  TriMesh mesh;
+  std::vector<std::uint8_t> inner;    ///< per face: in the middle of a patch
+  std::vector<std::uint32_t> faceOf;  ///< its number in the body
+};
+
+enum Place : std::uint8_t { kNone, kRim, kMiddle };
+
+/// Adds the faces round one, the nearest first.
+void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t number,
+              std::size_t patches, std::vector<Place>& places) {
+  const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * patches);
+  std::vector<std::uint32_t> faces{static_cast<std::uint32_t>(first)};
+  std::vector<bool> taken(body.triangles.size()), spread(body.vertices.size());
+  taken[first] = true;
+  for (std::size_t n = 0; n < faces.size() && faces.size() < kFacesOfPatch; ++n) {
+    for (const std::int32_t v : body.triangles[faces[n]]) {
+      if (spread[static_cast<std::size_t>(v)]) continue;
+      spread[static_cast<std::size_t>(v)] = true;
+      const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
+      const std::size_t some = std::min(star.size(), kMostOfStar);
+      const std::size_t from = star.size() * number / patches;  // other faces of a hub than others
+      for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
+        const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
+        if (!taken[face]) faces.push_back(face);
+        taken[face] = true;
+      }
+    }
   }
-  return area;
+  for (std::size_t n = 0; n < faces.size(); ++n)
+    places[faces[n]] =
+        std::max(places[faces[n]], n < kFacesOfPatch / kPartOfPatch ? kMiddle : kRim);
 }
 
-/// Neighbouring faces as far as their numbers tell: most files keep neighbours together.
-TriMesh someFacesOf(const TriMesh& body) {
-  const std::size_t count = std::min(kTrialFaces, body.triangles.size());
-  const std::size_t first = (body.triangles.size() - count) / 2;
-  TriMesh part;
+Patches somePatchesOf(const TriMesh& body) {
+  const std::size_t faces = body.triangles.size();
+  const std::size_t patches =
+      std::clamp(faces / (kPartOfFaces * kFacesOfPatch), kFewestPatches, kMostPatches);
+  if (faces <= patches * kFacesOfPatch) {
+    Patches all{body, std::vector<std::uint8_t>(faces, 1), std::vector<std::uint32_t>(faces)};
+    std::iota(all.faceOf.begin(), all.faceOf.end(), 0u);
+    return all;
+  }
+  ListsByKey<> corners = halfEdgesByVertex(body);
+  for (std::size_t v = 0; v < corners.keys(); ++v) corners.of(v);
+  std::vector<Place> places(faces, kNone);
+  for (std::size_t n = 0; n < patches; ++n) addPatch(body, corners, n, patches, places);
+  Patches some;
   std::vector<std::int32_t> number(body.vertices.size(), -1);
-  for (std::size_t f = first; f < first + count; ++f) {
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (places[f] == kNone) continue;
     auto t = body.triangles[f];
     for (std::int32_t& v : t) {
       std::int32_t& known = number[static_cast<std::size_t>(v)];
       if (known < 0) {
-        known = static_cast<std::int32_t>(part.vertices.size());
-        part.vertices.push_back(body.vertices[static_cast<std::size_t>(v)]);
+        known = static_cast<std::int32_t>(some.mesh.vertices.size());
+        some.mesh.vertices.push_back(body.vertices[static_cast<std::size_t>(v)]);
       }
       v = known;
     }
-    part.triangles.push_back(t);
+    some.mesh.triangles.push_back(t);
+    some.inner.push_back(places[f] == kMiddle);
+    some.faceOf.push_back(static_cast<std::uint32_t>(f));
   }
-  return part;
+  return some;
 }
+
+/// CPU seconds of an exact test of a point.
+double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
+  const std::size_t step = 1 + body.vertices.size() / kTests;
+  const double start = threadSeconds();
+  double count = 0, inside = 0;
+  for (std::size_t v = 0; v < body.vertices.size(); v += step, ++count)
+    inside += tests.rays.winding(body.vertices[v]);
+  return inside < 0 ? 0 : (threadSeconds() - start) / count;
+}
+
+/// Per copy of the body, and of the inner faces: crossings as they are expected.
+struct Work {
+  double body = 0, inner = 0;
+  double pairs = 0;  ///< of the pairs of inner faces
+};
 
 }  // namespace
 
-DenseCost tryDense(const SamplerInput& input, RunContext& run) {
+DenseCost tryDense(const SamplerInput& input, double surface, RunContext& run) {
   const DenseSettings settings;
-  const double start = threadSeconds();
+  double start = threadSeconds();
+  const auto lap = [&start] {
+    const double before = std::exchange(start, threadSeconds());
+    return start - before;
+  };
   const PlacementSpace space(input.body, input.motion.placements);
-  const double built = threadSeconds();
-  const TriMesh part = someFacesOf(input.body);
+  const BodyTests tests(input.body);
+  DenseCost cost;
+  cost.seconds = lap();
+  const auto [part, inner, faceOf] = somePatchesOf(input.body);
   const BodyTopology topology = buildTopology(part);
   const SamplerInput some{part, topology, input.motion, input.grid, input.cull, input.orientable};
   ListsByKey<> corners = halfEdgesByVertex(part);
   for (std::size_t v = 0; v < corners.keys(); ++v) corners.of(v);
+  const double faces = static_cast<double>(input.body.triangles.size());
+  lap();
   const FacePlacements candidates = findCandidates(some, space, settings, corners, run);
+  cost.seconds += lap() * faces / static_cast<double>(inner.size());
   PairSampler sampler(some, run);
+  Work work;
+  double count = 0;
   for (std::uint32_t f = 0; f < part.triangles.size(); ++f) {
-    sampler.add(f, candidates.placement.data() + candidates.start[f],
-                candidates.placement.data() + candidates.start[f + 1]);
+    if (inner[f] == 0) continue;
+    const std::uint64_t begin = candidates.start[f], end = candidates.start[f + 1];
+    sampler.add(f, candidates.placement.data() + begin, candidates.placement.data() + end);
+    count += 1;
+    work.inner += sampler.workOf(f);
+    work.pairs += sampler.workOf(f) * static_cast<double>(end - begin);
   }
   sampler.flush();
-  const double faces = static_cast<double>(input.body.triangles.size());
-  const double times = faces / static_cast<double>(part.triangles.size());
-  const double pairs = times * static_cast<double>(sampler.pairs()) + settings.wholeCopies * faces;
-  const double each = areaOf(part) / static_cast<double>(part.triangles.size()) /
-                      (input.grid.cell * input.grid.cell);
-  const double crossings = static_cast<double>(sampler.crossings()) /
-                           std::max(1.0, static_cast<double>(sampler.pairs()));  // of a pair
-  DenseCost cost;
-  cost.seconds = built - start + kWithRepair * times * (threadSeconds() - built);
+  const double sampled = lap();
+  const LeakTrial leaks = tryLeaks(
+      input, tests, space,
+      {faceOf, candidates, sampler.marked(), static_cast<std::size_t>(sampler.crossings())},
+      settings.margin(input.grid.cell, space.remainder()));
+  cost.seconds +=
+      surface * (leaks.seconds + leaks.open * kFollowed * secondsOfTest(input.body, tests));
+  const PairSampler whole(input, run);
+  for (std::uint32_t f = 0; f < input.body.triangles.size(); ++f) work.body += whole.workOf(f);
+  const double all = work.body * (work.pairs / work.inner + settings.wholeCopies);
+  const double times = all / work.pairs;
+  cost.pairs = faces / count * static_cast<double>(sampler.pairs());
+  cost.seconds += times * sampled;
   cost.bytes = static_cast<double>(input.motion.placements.size()) * kPlacementBytes +
-               faces * kFaceBytes + 4 * pairs +
-               std::min(pairs, PairSampler::pairsOfBatch(each)) * crossings * kSortedBytes;
+               faces * kFaceBytes + cost.pairs * kPairBytes +
+               std::min(1.0, PairSampler::kBatchWork / all) * times *
+                   static_cast<double>(sampler.crossings()) * kSortedBytes;
   return cost;
 }
 

@@ -7,8 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
-#include "geometry/box_tree.h"
-#include "geometry/ray_columns.h"
+#include "base/timer.h"
 #include "signs/contributing_edges.h"
 
 namespace swept::dense {
@@ -17,31 +16,17 @@ namespace {
 // Limit of memory and time: the table of covered points then takes some hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly at one point
+constexpr std::size_t kTrialPoints = 4000;
 
 using Lattice = std::array<std::int32_t, 3>;
 
-class LeakFinder {
+/// Looks for placements that cover lattice points.
+class CoverSearch {
  public:
-  LeakFinder(const SamplerInput& input, const PlacementSpace& space, const MarkedEdges& marked,
-             const SignRuns& signs, double margin, ClearPoints& clear, RunContext& run)
-      : input_(input),
-        space_(space),
-        marked_(marked),
-        signs_(signs),
-        margin_(margin),
-        clear_(clear),
-        run_(run),
-        rays_(input.body),
-        tree_(boxTreeOf(input.body.vertices, input.body.triangles)) {}
+  CoverSearch(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
+              double margin)
+      : input_(input), tests_(tests), space_(space), margin_(margin) {}
 
-  LeakSearch find() {
-    seed();
-    while (!front_.empty() && out_.complete) follow();
-    sortUnique(out_.missing);
-    return std::move(out_);
-  }
-
- private:
   struct Covered {
     std::uint64_t point;
     std::uint32_t placement;
@@ -59,46 +44,13 @@ class LeakFinder {
     return static_cast<std::uint64_t>(g[0]) << 26 | static_cast<std::uint64_t>(g[1]) << 13 |
            static_cast<std::uint64_t>(g[2]);
   }
-  /// A key that rises in the order in which the edges of a layer are visited.
-  static std::uint64_t orderOf(int axis, std::int32_t j, std::int32_t k, std::uint64_t side) {
-    return static_cast<std::uint64_t>(axis) << 32 | static_cast<std::uint64_t>(j) << 17 |
-           static_cast<std::uint64_t>(k) << 1 | side;
-  }
-  static Lattice unpack(std::uint64_t key) {
-    return {static_cast<std::int32_t>(key >> 26), static_cast<std::int32_t>(key >> 13 & 0x1fff),
-            static_cast<std::int32_t>(key & 0x1fff)};
-  }
   Eigen::Vector3d inBody(const Lattice& g, std::uint32_t placement) const {
     const Placement& p = input_.motion.placements[placement];
     const Eigen::Vector3d world =
         input_.grid.origin + input_.grid.cell * Eigen::Vector3d(g[0], g[1], g[2]);
     return p.rotation.transpose() * (world - p.translation);
   }
-  bool isInside(const Eigen::Vector3d& x) const { return rays_.winding(x) > 0; }
-
-  /// The segment passes through the triangle, borders included.
-  bool meets(std::uint32_t triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-    const auto& t = input_.body.triangles[triangle];
-    const Eigen::Vector3d &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
-                          &c = input_.body.vertices[t[2]];
-    const Eigen::Vector3d n = (b - a).cross(c - a);
-    const double above = n.dot(from - a), below = n.dot(to - a);
-    if ((above > 0) == (below > 0) || above == below) return false;
-    const Eigen::Vector3d x = from + (to - from) * (above / (above - below));
-    const double room = -1e-9 * n.squaredNorm();
-    return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
-           n.dot((a - c).cross(x - c)) >= room;
-  }
-  /// Triangles of the body that the segment meets, sorted.
-  void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                std::vector<std::uint32_t>& out) const {
-    out.clear();
-    tree_.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
-      const auto t = static_cast<std::uint32_t>(tree_.item(place));
-      if (meets(t, from, to)) out.push_back(t);
-    });
-    std::sort(out.begin(), out.end());
-  }
+  bool isInside(const Eigen::Vector3d& x) const { return tests_.rays.winding(x) > 0; }
 
   /// Lattice point g lies near `face` at `placement`, outside of that copy. Looks for another
   /// placement whose copy covers it.
@@ -123,6 +75,65 @@ class LeakFinder {
       if (c.placement != best.placement && accept(c)) return true;
     }
     return false;
+  }
+
+ protected:
+  const SamplerInput& input_;
+  const BodyTests& tests_;
+  const PlacementSpace& space_;
+  double margin_;
+};
+
+class LeakFinder : CoverSearch {
+ public:
+  LeakFinder(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
+             const MarkedEdges& marked, const SignRuns& signs, double margin, ClearPoints& clear,
+             RunContext& run)
+      : CoverSearch(input, tests, space, margin),
+        marked_(marked),
+        signs_(signs),
+        clear_(clear),
+        run_(run) {}
+
+  LeakSearch find() {
+    seed();
+    while (!front_.empty() && out_.complete) follow();
+    sortUnique(out_.missing);
+    return std::move(out_);
+  }
+
+ private:
+  /// A key that rises in the order in which the edges of a layer are visited.
+  static std::uint64_t orderOf(int axis, std::int32_t j, std::int32_t k, std::uint64_t side) {
+    return static_cast<std::uint64_t>(axis) << 32 | static_cast<std::uint64_t>(j) << 17 |
+           static_cast<std::uint64_t>(k) << 1 | side;
+  }
+  static Lattice unpack(std::uint64_t key) {
+    return {static_cast<std::int32_t>(key >> 26), static_cast<std::int32_t>(key >> 13 & 0x1fff),
+            static_cast<std::int32_t>(key & 0x1fff)};
+  }
+  /// The segment passes through the triangle, borders included.
+  bool meets(std::uint32_t triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    const auto& t = input_.body.triangles[triangle];
+    const Eigen::Vector3d &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
+                          &c = input_.body.vertices[t[2]];
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    const double above = n.dot(from - a), below = n.dot(to - a);
+    if ((above > 0) == (below > 0) || above == below) return false;
+    const Eigen::Vector3d x = from + (to - from) * (above / (above - below));
+    const double room = -1e-9 * n.squaredNorm();
+    return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
+           n.dot((a - c).cross(x - c)) >= room;
+  }
+  /// Triangles of the body that the segment meets, sorted.
+  void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                std::vector<std::uint32_t>& out) const {
+    out.clear();
+    tests_.tree.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
+      const auto t = static_cast<std::uint32_t>(tests_.tree.item(place));
+      if (meets(t, from, to)) out.push_back(t);
+    });
+    std::sort(out.begin(), out.end());
   }
 
   void seed() {
@@ -234,15 +245,10 @@ class LeakFinder {
     accept(all);
   }
 
-  const SamplerInput& input_;
-  const PlacementSpace& space_;
   const MarkedEdges& marked_;
   const SignRuns& signs_;
-  double margin_;
   ClearPoints& clear_;
   RunContext& run_;
-  RayColumns rays_;
-  BoxTree tree_;
   std::unordered_map<std::uint64_t, std::uint32_t> cover_;
   std::vector<Covered> front_;
   LeakSearch out_;
@@ -250,10 +256,56 @@ class LeakFinder {
 
 }  // namespace
 
-LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
+LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
+                   const ChosenFaces& chosen, double margin) {
+  const CoverSearch search(input, tests, space, margin);
+  CoverSearch::Scratch scratch;
+  const MarkedEdges& marked = chosen.marked;
+  std::size_t ends = 0, tried = 0, open = 0, closed = 0;
+  const std::size_t step = 1 + chosen.crossings / kTrialPoints;
+  const double start = threadSeconds();
+  const auto test = [&](std::uint32_t number, int axis, bool high, const Lattice& g) {
+    const SweptElement& e = marked.elements[number];
+    const std::uint32_t face = chosen.faces[e.index()];
+    const Eigen::Vector3d normal =
+        input.motion.placements[e.placement].rotation * input.topology.normals[face].cast<double>();
+    if ((normal[axis] > 0) != high || ends++ % step != 0) return;
+    ++tried;
+    CoverSearch::Covered cover{};
+    if (!search.findCover(g, face, e.placement, scratch, cover)) {
+      ++closed;
+      return;
+    }
+    const auto& all = chosen.placements;
+    const auto first = all.placement.begin();
+    open += !std::binary_search(first + static_cast<std::ptrdiff_t>(all.start[e.index()]),
+                                first + static_cast<std::ptrdiff_t>(all.start[e.index() + 1]),
+                                cover.placement);
+  };
+  for (std::int32_t i = 0; i < input.grid.points[0]; ++i) {
+    const LayerEdges& layer = marked.layers[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t j = 0; j + 1 < layer.columnStart[axis].size(); ++j) {
+        for (std::uint32_t n = layer.columnStart[axis][j]; n < layer.columnStart[axis][j + 1];
+             ++n) {
+          const MarkedEdge& edge = layer.edges[axis][n];
+          Lattice g{i, static_cast<std::int32_t>(j), edge.k};
+          test(edge.lowElement, axis, false, g);
+          ++g[axis];
+          test(edge.highElement, axis, true, g);
+        }
+      }
+    }
+  }
+  const double seconds = threadSeconds() - start;
+  return {static_cast<double>(open) / static_cast<double>(std::max<std::size_t>(1, open + closed)),
+          seconds / static_cast<double>(std::max<std::size_t>(1, tried))};
+}
+
+LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run) {
-  return LeakFinder(input, space, marked, signs, margin, clear, run).find();
+  return LeakFinder(input, tests, space, marked, signs, margin, clear, run).find();
 }
 
 }  // namespace swept::dense

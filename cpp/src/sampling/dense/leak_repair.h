@@ -18,7 +18,10 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/box_tree.h"
+#include "geometry/ray_columns.h"
 #include "grid/marked_edges.h"
+#include "sampling/dense/candidates.h"
 #include "sampling/dense/placement_space.h"
 #include "sampling/sampler.h"
 #include "signs/signs.h"
@@ -46,10 +49,37 @@ struct ClearPoints {
   std::vector<std::vector<Point>> layers;
 };
 
+/// Exact tests of points and segments against the body; made once for all calls.
+struct BodyTests {
+  explicit BodyTests(const TriMesh& body)
+      : rays(body), tree(boxTreeOf(body.vertices, body.triangles)) {}
+
+  RayColumns rays;
+  BoxTree tree;
+};
+
 /// margin: mm by which a placement must reach beyond a point to count as missed; the same for all
 /// calls that share `clear`.
-LeakSearch findLeaks(const SamplerInput& input, const PlacementSpace& space,
+LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run);
+
+/// Some faces of the body as they have been chosen and sampled, numbered from 0.
+struct ChosenFaces {
+  const std::vector<std::uint32_t>& faces;  ///< their numbers in the body
+  const FacePlacements& placements;
+  const MarkedEdges& marked;
+  std::size_t crossings;
+};
+
+struct LeakTrial {
+  double open = 0;     ///< part of the points next to the surface that the choice leaves open
+  double seconds = 0;  ///< of the CPU, for a point
+};
+
+/// For estimates, without signs: points that a placement covers which has not been chosen for the
+/// face count as open; those that another chosen one covers do not lie next to the surface.
+LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
+                   const ChosenFaces& chosen, double margin);
 
 }  // namespace swept::dense

@@ -11,7 +11,6 @@
 namespace swept::dense {
 namespace {
 
-constexpr double kBatchCrossings = 24e6;  // 12 bytes each, twice while they are sorted
 // Crossings per task: a batch makes 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
@@ -20,8 +19,6 @@ constexpr double kTaskCrossings = 150e3;
 double expectedCrossings(double area) { return 1.74 * area + 0.5; }
 
 }  // namespace
-
-double PairSampler::pairsOfBatch(double area) { return kBatchCrossings / expectedCrossings(area); }
 
 PairSampler::PairSampler(const SamplerInput& input, RunContext& run)
     : input_(input), run_(run), identity_(input.motion.placements.size()) {
@@ -41,7 +38,7 @@ void PairSampler::addWhole(std::uint32_t placement) {
     items_.push_back({f, at, at + 1});
 }
 
-double PairSampler::crossingsOf(std::uint32_t face) const {
+double PairSampler::workOf(std::uint32_t face) const {
   const auto& t = input_.body.triangles[face];
   const Eigen::Vector3d& a = input_.body.vertices[t[0]];
   const double area =
@@ -116,12 +113,12 @@ void PairSampler::flush() {
   while (next < total) {
     std::vector<std::pair<std::size_t, std::size_t>> tasks;
     double inBatch = 0;
-    while (next < total && inBatch < kBatchCrossings) {
+    while (next < total && inBatch < kBatchWork) {
       const std::size_t begin = next;
       double inTask = 0;
       while (next < total && inTask < kTaskCrossings) {
         const auto count = static_cast<double>(items_[next].end - items_[next].begin);
-        inTask += crossingsOf(items_[next].face) * count;
+        inTask += workOf(items_[next].face) * count;
         pairs_ += items_[next].end - items_[next].begin;
         ++next;
       }

@@ -28,8 +28,9 @@ class PairSampler {
   std::int64_t pairs() const { return pairs_; }
   /// That the pairs have given, before those of one edge became one.
   std::int64_t crossings() const { return crossings_; }
-  /// Of faces of this area (cells^2).
-  static double pairsOfBatch(double area);
+  /// Crossings of a face at one placement, as they are expected; a batch has about so many.
+  double workOf(std::uint32_t face) const;
+  static constexpr double kBatchWork = 24e6;  ///< 12 bytes each, twice while they are sorted
 
  private:
   struct Item {
@@ -37,7 +38,6 @@ class PairSampler {
     const std::uint32_t* begin;
     const std::uint32_t* end;
   };
-  double crossingsOf(std::uint32_t face) const;
   void sampleItem(const Item& item, RecordChunk& chunk) const;
   void carryOver(std::vector<RecordChunk>& chunks);
 
