@@ -234,6 +234,11 @@ class Plan(StillParts):
         """As clearance_plan.Plan.checked_hash()."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
+    def count_pairs(self):
+        """How many asked_pairs() gives."""
+        count = len(self.pairs)
+        return count * (count - 1) // 2 + count * len(self.leaves())
+
     def asked_pairs(self):
         """Keys of pair_rules of all pairs that are looked at: one of the two moves at least."""
         moving, still = self.pairs, self.leaves()

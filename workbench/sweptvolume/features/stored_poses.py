@@ -14,27 +14,27 @@ from .. import contents, convert
 
 #: Bytes of a pose in a file: three numbers for the place, four for the turn (a quaternion x, y, z, w).
 _BYTES = 7 * 8
+#: Where the check sum stands in the head of a file in an archive, behind the hour.
+_CHECK_SUM = 14
 
 
 class Stored:
     """times (n,); translations (n,3); rotations (n,4) as x, y, z, w: none of them to be changed.
 
-    times: those of the object; packed: as _packed() gives its placements; data: what lies in there, b"" where
-    that is not known; numbers: the same (n,7)."""
+    times: those of the object; packed: as _packed() gives its placements; part: the slice of it by which it
+    is known again, None: there is none; numbers: place and turn of each placement (n,7)."""
 
-    def __init__(self, times, packed, data, numbers):
-        self._given, self._data = times, data
-        self._size, self._at = len(packed), packed.find(data) if data else -1
+    def __init__(self, times, packed, part, numbers):
+        self._given, self._size, self._part = times, len(packed), part
+        self._known = packed[part] if part else b""
         self.times = np.array(times, dtype=float)
         self.translations, self.rotations = numbers[:, :3], numbers[:, 3:]
         self._words = None
 
     def is_of(self, times, packed):
-        """Whether an object with this has the same poses. Of what is packed all but the data, which lie at
-        the same place in as many bytes, may differ: it tells the hour as well."""
-        end = self._at + len(self._data)
-        same = self._at >= 0 and len(packed) == self._size and packed[self._at : end] == self._data
-        return same and self._given == times
+        """Whether an object with this has the same poses."""
+        same = self._part and len(packed) == self._size and packed[self._part] == self._known
+        return bool(same) and self._given == times
 
     def words(self):
         """Texts that change with the times and with the placements."""
@@ -49,11 +49,10 @@ def of(obj):
     times, packed = obj.Times, _packed(obj)
     known = getattr(obj.Proxy, "_stored", None)
     if known is None or not known.is_of(times, packed):
-        data = _unpacked(packed)
-        numbers = _numbers(data)
+        part, numbers = _unpacked(packed)
         if numbers is None:  # there are no poses, or this FreeCAD writes them otherwise
-            data, numbers = b"", np.hstack(convert.pose_arrays(obj.Placements))
-        known = obj.Proxy._stored = Stored(times, packed, data, numbers)
+            part, numbers = None, np.hstack(convert.pose_arrays(obj.Placements))
+        known = obj.Proxy._stored = Stored(times, packed, part, numbers)
     return known
 
 
@@ -67,16 +66,15 @@ def _packed(obj):
 
 
 def _unpacked(packed):
+    """(slice, numbers (n,7)) of an archive. The slice holds the numbers with their check sum, and not the hour
+    at which the archive was made. (None, None) where it is not built so."""
     try:
         with zipfile.ZipFile(io.BytesIO(packed)) as file:
-            return file.read("Placements")
+            data, begin = file.read("Placements"), file.getinfo("Placements").header_offset
+            part = slice(begin + _CHECK_SUM, file.start_dir)
     except (KeyError, zipfile.BadZipFile):
-        return b""
-
-
-def _numbers(data):
-    """(n,7): place and turn of each placement; None where the data are not built so."""
+        return None, None
     count = int(np.frombuffer(data, "<u4", 1)[0]) if len(data) >= 4 else 0
     if not count or len(data) != 4 + _BYTES * count:
-        return None
-    return np.frombuffer(data, "<f8", 7 * count, 4).reshape(-1, 7)
+        return None, None
+    return part, np.frombuffer(data, "<f8", 7 * count, 4).reshape(-1, 7)

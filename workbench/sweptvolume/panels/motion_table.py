@@ -11,7 +11,7 @@ from .widgets import QtWidgets
 #: More rows than this are not measured one by one.
 MOST_MEASURED = 200
 #: Boxes made before the window goes on: more than are seen at first.
-BOXES_AT_ONCE = 10
+BOXES_AT_ONCE = 6
 
 
 class MotionTable(QtCore.QObject):

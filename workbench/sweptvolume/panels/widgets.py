@@ -74,16 +74,11 @@ def forget_with(widget):
     return widget
 
 
-_loader = []
-
-
 def _quantity_field():
     """A field that Python can use: not one with the dead wrapper of another that stood at its address,
     which another workbench may still hold (forget_with)."""
-    if not _loader:
-        _loader.append(Gui.UiLoader())  # takes 5 ms to make
     for attempt in range(10):
-        field = _loader[0].createWidget("Gui::QuantitySpinBox")
+        field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         try:
             field.objectName()
             return forget_with(field)
