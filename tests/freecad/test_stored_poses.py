@@ -34,8 +34,9 @@ def nothing(doc):
 @change
 def one_placement_in_its_last_digit(doc):
     places = doc.Motion.Placements
-    places[1].Base.x = float(np.nextafter(places[1].Base.x, 1e9))
-    doc.Motion.Placements = places
+    place = places[2]
+    place.Base = V(float(np.nextafter(place.Base.x, 1e9)), 0, 0)
+    doc.Motion.Placements = places[:2] + [place]
 
 
 @change
@@ -66,13 +67,16 @@ def other_times(doc):
 
 @change
 def by_an_expression(doc):
-    doc.Motion.setExpression("Placements[1].Base.x", "3 + 4")
+    """FreeCAD sets whole lists by expressions, not single numbers of theirs."""
+    place = "create(<<placement>>; create(<<vector>>; {}; 2; 3); create(<<rotation>>; 0; 0; 1; 0))"
+    three = "; ".join(place.format(x) for x in (1, 5, 7))
+    doc.Motion.setExpression("Placements", "list({})".format(three))
     doc.recompute()
 
 
 @change
-def times_by_an_expression(doc):
-    doc.Motion.setExpression("Times[2]", "2 * 4")
+def its_pivot_by_an_expression(doc):
+    doc.Motion.setExpression("Pivot.x", "3 mm + 4 mm")
     doc.recompute()
 
 
@@ -124,7 +128,8 @@ class KeptPoses(Case):
         before = self.assert_told()
         self.doc.openTransaction("a change")
         CHANGES[name](_ByLabel(self.doc, linked))
-        self.assertEqual(self.assert_told() == before, name == "nothing")
+        same = name in ("nothing", "one_placement_in_its_last_digit")  # words are rounded
+        self.assertEqual(self.assert_told() == before, same)
         self.doc.commitTransaction()
         for step in (self.doc.undo, self.doc.redo, self.doc.undo):
             step()
