@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A mechanism of fifty parts with motions of 1,000 poses: the panel opens, the check begins and ends, and a
-motion is changed. Judged by what FreeCAD takes here to tell all poses one by one, as the run once did: no piece
-of work of the window takes half as long."""
+motion is changed. Judged by what FreeCAD takes here to tell all poses one by one: no piece of work of the
+window takes half as long."""
 import math
 import os
 import sys

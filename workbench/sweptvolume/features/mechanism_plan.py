@@ -18,7 +18,8 @@ from .still_parts import StillParts, chord_of, left_out_text
 
 class Part:
     """name: of its own; pair: (root, sub); body: what has vertices and triangles; chord: mm; way: of
-    moving.Way, None where it stands; straight: mm by which straight pieces may leave a curved way."""
+    moving.Way, None where it stands; straight: mm by which straight pieces may leave a curved way.
+    """
 
     def __init__(self, name, pair, body, chord, way=None, straight=0.0):
         self.name, self.pair, self.body, self.chord = name, pair, body, chord

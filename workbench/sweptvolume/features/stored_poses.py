@@ -66,8 +66,8 @@ def _packed(obj):
 
 
 def _unpacked(packed):
-    """(slice, numbers (n,7)) of an archive. The slice holds the numbers with their check sum, and not the hour
-    at which the archive was made. (None, None) where it is not built so."""
+    """(slice, numbers (n,7)) of an archive. The slice holds the numbers with their check sum, and not the
+    hour at which the archive was made. (None, None) where it is not built so."""
     try:
         with zipfile.ZipFile(io.BytesIO(packed)) as file:
             data, begin = file.read("Placements"), file.getinfo("Placements").header_offset
