@@ -22,6 +22,8 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
         commands.load()
         commands.register()
         commands.fill_workbench(self)
+        # The first one looks for plug-ins, 16 ms that no panel has to wait for then.
+        FreeCADGui.UiLoader()
 
     def Activated(self):
         from sweptvolume import core

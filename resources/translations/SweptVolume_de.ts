@@ -877,6 +877,10 @@ Versucht:
    <translation>Es gibt keine gemeinsame Zeit: „{0}“ endet bei {1} s, und „{2}“ beginnt bei {3} s.</translation>
   </message>
   <message>
+   <source>the document was changed while its parts were read: start again.</source>
+   <translation>das Dokument wurde geändert, während seine Teile gelesen wurden: noch einmal starten.</translation>
+  </message>
+  <message>
    <source>"{0}" has no motion: choose one for it.</source>
    <translation>„{0}“ hat keine Bewegung: eine wählen.</translation>
   </message>
@@ -921,6 +925,10 @@ Versucht:
    <translation>Bewegung von {0}</translation>
   </message>
   <message>
+   <source>the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them by about {2}. Read the motion with smaller steps.</source>
+   <translation>die Bilder von "{0}" liegen weit auseinander: bei {1} s kann das Teil seinen Weg zwischen zweien um etwa {2} verlassen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
+  </message>
+  <message>
    <source>no motion is given: make one with New motion and choose it.</source>
    <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
   </message>
@@ -931,10 +939,6 @@ Versucht:
   <message>
    <source>a motion of the reference is given, but no reference part: choose it as well.</source>
    <translation>eine Bewegung des Bezugs ist angegeben, aber kein Bezugsteil: auch dieses wählen.</translation>
-  </message>
-  <message>
-   <source>the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them by about {2}. Read the motion with smaller steps.</source>
-   <translation>die Bilder von "{0}" liegen weit auseinander: bei {1} s kann das Teil seinen Weg zwischen zweien um etwa {2} verlassen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
   </message>
   <message>
    <source>"{0}" is no motion: choose another one.</source>
@@ -1507,6 +1511,14 @@ Versucht:
    <translation>„{0}“ hat keine Platzierung und kann keine Lage sein.</translation>
   </message>
   <message>
+   <source>pose {0}: its time ({1:g}) is no moment.</source>
+   <translation>Lage {0}: ihre Zeit ({1:g}) ist kein Zeitpunkt.</translation>
+  </message>
+  <message>
+   <source>pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may not go back.</source>
+   <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor den {2:g} s der Lage davor; Zeiten dürfen nicht zurückgehen.</translation>
+  </message>
+  <message>
    <source>the motion has no poses: add at least one.</source>
    <translation>Die Bewegung hat keine Lagen: mindestens eine hinzufügen.</translation>
   </message>
@@ -1517,14 +1529,6 @@ Versucht:
   <message>
    <source>the motion has {0} times and {1} placements.</source>
    <translation>Die Bewegung hat {0} Zeiten und {1} Platzierungen.</translation>
-  </message>
-  <message>
-   <source>pose {0}: its time ({1:g}) is no moment.</source>
-   <translation>Lage {0}: ihre Zeit ({1:g}) ist kein Zeitpunkt.</translation>
-  </message>
-  <message>
-   <source>pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may not go back.</source>
-   <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor den {2:g} s der Lage davor; Zeiten dürfen nicht zurückgehen.</translation>
   </message>
   <message>
    <source>poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from a moving reference, need different ones.</source>
@@ -2702,12 +2706,12 @@ bis etwa {2}, {3}</translation>
    <translation>Studie</translation>
   </message>
   <message>
-   <source>Runs</source>
-   <translation>Läufe</translation>
-  </message>
-  <message>
    <source>Results</source>
    <translation>Ergebnisse</translation>
+  </message>
+  <message>
+   <source>Runs</source>
+   <translation>Läufe</translation>
   </message>
   <message>
    <source>beside the file</source>

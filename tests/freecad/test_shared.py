@@ -38,6 +38,26 @@ class Shared(Case):
         self.doc.recompute()
         self.assertEqual(obj.Status, UP_TO_DATE)
 
+    def test_a_solid_of_what_is_shared(self):
+        """Make solid takes a shared volume; the solid is stale when the volume is another one."""
+        if not core.has_solids():
+            self.skipTest("built without OpenCASCADE")
+        left, right = self.sides(5)
+        obj = self.make([left], [right])
+        shared.compute(obj)
+        self.assertTrue(solid.can_be_source(obj))
+        made = solid.make_solid(self.doc, obj)
+        solid.compute(made)
+        self.assertEqual((made.Status, len(made.Shape.Faces)), (UP_TO_DATE, 6))
+        self.assertTrue(made.Shape.isValid())
+        self.assertAlmostEqual(made.Shape.Volume, 5 * 9 * 9, 4)
+        right.Placement = shift(6, 1, 1)
+        self.doc.recompute()
+        self.assertEqual(made.Status, STALE)
+        shared.compute(obj)
+        solid.compute(made)
+        self.assertAlmostEqual(made.Shape.Volume, 4 * 9 * 9, 4)
+
     def test_solids_against_the_booleans_of_opencascade(self):
         for k, degrees in enumerate((10, 33, 71)):
             one = self.doc.addObject("Part::Torus", "Ring{}".format(k))

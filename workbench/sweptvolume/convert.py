@@ -32,6 +32,26 @@ def pose_arrays(placements):
     return translations, rotations
 
 
+def matrices_from(translations, rotations):
+    """The same as 4x4 matrices (n,4,4), to the last bit as matrix_of() has them."""
+    x, y, z, w = np.asarray(rotations).T
+    size = np.sqrt(x * x + y * y + z * z + w * w)
+    x, y, z, w = x / size, y / size, z / size, w / size
+    found = np.zeros((len(translations), 4, 4))
+    found[:, 0, 0] = 1.0 - 2.0 * (y * y + z * z)
+    found[:, 0, 1] = 2.0 * (x * y - z * w)
+    found[:, 0, 2] = 2.0 * (x * z + y * w)
+    found[:, 1, 0] = 2.0 * (x * y + z * w)
+    found[:, 1, 1] = 1.0 - 2.0 * (x * x + z * z)
+    found[:, 1, 2] = 2.0 * (y * z - x * w)
+    found[:, 2, 0] = 2.0 * (x * z - y * w)
+    found[:, 2, 1] = 2.0 * (y * z + x * w)
+    found[:, 2, 2] = 1.0 - 2.0 * (x * x + y * y)
+    found[:, :3, 3] = translations
+    found[:, 3, 3] = 1.0
+    return found
+
+
 def placements_from(translations, rotations):
     """The way back from pose_arrays."""
     return [

@@ -51,7 +51,7 @@ struct TimeInterval {
 
 struct CurvePoint {
   double timeSeconds = 0;
-  double distance = 0;  ///< mm between the surfaces; 0 where they meet
+  double distance = 0;  ///< mm; 0 where the parts meet or one lies in the other
 };
 
 struct PenetrationResult {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <queue>
 
 namespace swept::clearance {
@@ -71,13 +73,29 @@ class MinimumSearch {
       nodes.swap(finer);
     }
     result_.distance = c_.within;
+    std::optional<double> overlapping;  // a moment at which the solids share a point
     for (const MotionNode& node : nodes) {
       const MotionBound b = c_.motion.bound(node);
-      const PairDistance d = c_.pair.distanceAt(b.R, b.t, result_.distance, result_.at.pair);
+      const bool overlap = c_.pair.containedAt(b.R, b.t);
+      // Then all that matters is whether the surfaces meet: how far they are from each other where
+      // one part lies in the middle of the other is a long search (all around is about as near).
+      const double below = overlap ? std::min(meeting(), result_.distance) : result_.distance;
+      const PairDistance d = c_.pair.distanceAt(b.R, b.t, below, result_.at.pair);
       ++c_.queries;
+      if (overlap && !overlapping) overlapping = b.parameter;
       take(d, b.parameter, node.to - node.from);
-      push(node, d.distance - b.reach, d.pair, 0);
+      push(node, overlap ? -b.reach : d.distance - b.reach, d.pair, 0);
     }
+    if (overlapping && result_.distance > slack_) takeInside(*overlapping);
+  }
+
+  /// mm, from which on surfaces count as apart.
+  double meeting() const { return std::max(slack_, std::numeric_limits<double>::min()); }
+
+  void takeInside(double parameter) {
+    result_.inside = true;
+    result_.distance = 0;
+    result_.parameter = parameter;
   }
 
   void take(const PairDistance& d, double parameter, double span) {
@@ -123,11 +141,7 @@ class MinimumSearch {
     c_.run.checkpoint(Phase::Check);
     for (std::size_t i = 0; i < batch_.size(); ++i) {
       const Examined& e = examined_[i];
-      if (e.inside && !result_.inside) {
-        result_.inside = true;
-        result_.distance = 0;
-        result_.parameter = e.parameter;
-      }
+      if (e.inside && !result_.inside) takeInside(e.parameter);
       take(e.at, e.parameter, e.span);
       if (e.finished) continue;
       children_.clear();
@@ -328,8 +342,12 @@ std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int sam
     for (std::size_t i = r * kRun; i < std::min(parameters.size(), (r + 1) * kRun); ++i) {
       if (c.run.isCancelled()) return;
       const Pose pose = c.motion.poseAt(parameters[i]);
-      const PairDistance d =
-          c.pair.distanceAt(pose.rotation.toRotationMatrix(), pose.translation, c.within, hint);
+      const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+      if (c.pair.containedAt(R, pose.translation)) {
+        result[i] = {parameters[i], 0.0};
+        continue;
+      }
+      const PairDistance d = c.pair.distanceAt(R, pose.translation, c.within, hint);
       ++c.queries;
       hint = d.pair;
       result[i] = {parameters[i], d.distance};

@@ -50,7 +50,8 @@ class PairSearch {
   Certificate certify(const MotionBound& motion, double apart, std::int64_t effort,
                       LeafPair hint = {}) const;
 
-  /// One part has a piece inside the other, given that the surfaces do not meet at this pose.
+  /// One part has a point of one of its pieces inside the other: they overlap. Where the surfaces
+  /// do not meet at this pose, nothing else can make them overlap.
   bool containedAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) const;
 
   /// All pairs of triangles that are at most `apart` from each other at this pose (0: that meet),

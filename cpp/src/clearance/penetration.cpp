@@ -19,7 +19,8 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Of a piece's radius and of the reach of a motion: how much deeper than its centre a point of it
 /// may well be.
 constexpr double kPromise = 0.3;
-constexpr std::size_t kRound = 64;  // pieces a round; fixed, see motion_search.cpp
+constexpr std::size_t kMostPieces = 1000;  // of a part that are tried to begin with
+constexpr std::size_t kRound = 64;         // pieces a round; fixed, see motion_search.cpp
 
 struct Item {
   double bound = 0;    // mm, no point of the piece can be deeper in this part of the motion
@@ -200,6 +201,14 @@ void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& 
 // Corners of the triangles that come near, and the nearest points, at moments round the nearest
 // one.
 void DepthSearch::begin(const Minimum& touch) {
+  if (touch.inside) {  // one of these points is why
+    const auto tryPieces = [&](bool ofBody, const Part& own) {
+      const std::size_t count = std::min(own.pieces().size(), kMostPieces);
+      for (std::size_t i = 0; i < count; ++i) tryAt(touch.parameter, ofBody, own.pieces()[i]);
+    };
+    tryPieces(true, c_.pair.body());
+    tryPieces(false, c_.pair.neighbour());
+  }
   if (touch.at.pair.body < 0) return;
   const Pose pose = c_.motion.poseAt(touch.parameter);
   const Vector3d onBody = pose.rotation.conjugate() * (touch.at.onBody - pose.translation);

@@ -269,6 +269,25 @@ TEST(Clearance, SmallPartInsideABigOne) {
     ASSERT_EQ(row.contact.size(), 1u);
     EXPECT_EQ(row.contact[0].from, 0);
     EXPECT_EQ(row.contact[0].to, 1);
+    ASSERT_FALSE(row.curve.empty());
+    for (const CurvePoint& point : row.curve) EXPECT_EQ(point.distance, 0) << point.timeSeconds;
+  }
+}
+
+// Nearly every triangle is as near as any other: the middles move from 1 mm apart to 2 mm.
+TEST(Clearance, BallInTheMiddleOfABall) {
+  const TriMesh small = makeBall(Vector3d::Zero(), 3, 3), big = makeBall(Vector3d::Zero(), 10, 4);
+  const Trajectory motion = motionOf({shifted(0, {1, 0, 0}), shifted(1, {2, 0, 0})});
+  for (const bool swap : {false, true}) {
+    const NeighbourClearance row =
+        swap ? checkOne(big, motion, small) : checkOne(small, motion, big);
+    EXPECT_TRUE(row.inside);
+    EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
+    // The surface of the small ball comes as near to the middle of the other as 3 - 2 mm.
+    EXPECT_LE(row.penetration.depth, 9);
+    EXPECT_GE(row.penetration.depthBound, 9 - chordOf(big, Vector3d::Zero(), 10) - 0.05);
+    EXPECT_GE(row.penetration.depth, 0.99 * row.penetration.depthBound - 0.01);
+    for (const CurvePoint& point : row.curve) EXPECT_EQ(point.distance, 0) << point.timeSeconds;
   }
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all our document objects share: properties added once, nothing stored in the proxy."""
+"""What all our document objects share: properties added once, nothing of the proxy written to files."""
 import contextlib
 import json
 
@@ -108,6 +108,15 @@ def set_changed(obj, name, value):
     """Sets a property only if that changes it: no needless touch, no needless undo entry."""
     if getattr(obj, name) != value:
         setattr(obj, name, value)
+
+
+def whole(pieces):
+    """What a generator returns, all its pieces done at once."""
+    while True:
+        try:
+            next(pieces)
+        except StopIteration as end:
+            return end.value
 
 
 @contextlib.contextmanager

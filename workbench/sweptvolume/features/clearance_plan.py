@@ -152,7 +152,8 @@ class Plan(StillParts):
         """As mechanism_plan.Plan.seen(): of all that moves."""
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
-        return [(Seen(body, moving.into_base()), moving.course())]
+        way = moving.way()
+        return [(Seen(body, way.into_base), way.course())]
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""
@@ -193,13 +194,12 @@ class Plan(StillParts):
         moving = self.moving()
         deflection = max(float(self.values["Deflection"]), 1e-4)
         straight = 0.5 * float(self.values["Tolerance"])
-        body = moving.body_request(deflection, straight, {})
-        chord = chord_of(self.pairs, deflection)
-        if moving.curved():
-            chord += straight
+        way, parts = moving.way(), convert.body_from(self.pairs, deflection)
+        body = way.request(Seen(parts, way.into_base, moving.motion), straight, {})
+        chord = chord_of(self.pairs, deflection) + (straight if way.curved() else 0.0)
         neighbours, notes, ignored = self.still_parts(deflection)
         notes += self.moved_too()
-        off, text = moving.hidden()
+        off, text = way.hidden()
         if off > float(self.values["Tolerance"]):
             notes.append(text)
         if moving.motion.Message:

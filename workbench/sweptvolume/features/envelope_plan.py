@@ -160,8 +160,7 @@ class Plan:
             return float(self.values["CellSize"])
         low, high = np.full(3, np.inf), np.full(3, -np.inf)
         for group in groups:
-            poses = group.trajectory(np.inf)[0]
-            box = swept_box(group.corners(), poses.placements)
+            box = swept_box(group.corners(), group.trajectory(np.inf)[0])
             low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
         return max(float((high - low).max()) / max(self.values["Resolution"], 1), 1e-9)
 

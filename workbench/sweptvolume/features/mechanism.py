@@ -92,7 +92,7 @@ def offered(request, control):
     core.CoreError, InputProblem."""
     request.rows()
     parts = request.parts
-    start = max(float(part.run.times[0]) for part in parts if part.run is not None)
+    start = max(float(part.run.times[0]) for part in parts if part.moves())
     placed = [(part, part.points_at(start)) for part in parts]
     still = np.array([0.0]), np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]])
     found = {}

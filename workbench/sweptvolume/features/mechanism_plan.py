@@ -11,44 +11,54 @@ from ..texts import translate
 from ..trajectory.poses import Poses, at_time
 from . import containers, missing, pair_rules, status
 from . import motion as motion_feature
-from .base import set_changed
+from .base import set_changed, whole
 from .moving import Seen, grouped
 from .still_parts import StillParts, chord_of, left_out_text
 
 
 class Part:
-    """name: of its own; pair: (root, sub); body: what has vertices and triangles; chord: mm; run: its motion
-    as core.Request, None where it stands."""
+    """name: of its own; pair: (root, sub); body: what has vertices and triangles; chord: mm; way: of
+    moving.Way, None where it stands; straight: mm by which straight pieces may leave a curved way.
+    """
 
-    def __init__(self, name, pair, body, chord, run=None):
-        self.name, self.pair, self.body, self.chord, self.run = name, pair, body, chord, run
+    def __init__(self, name, pair, body, chord, way=None, straight=0.0):
+        self.name, self.pair, self.body, self.chord = name, pair, body, chord
+        self._way, self._straight = way, straight
 
     def moves(self):
-        return self.run is not None
+        return self._way is not None
+
+    @property
+    def run(self):
+        """Any thread: its motion as core.Request, None where it stands. Raises InputProblem."""
+        return self._way.request(self.body, self._straight, {}) if self.moves() else None
 
     def row(self):
         """Any thread: as core.mechanism() takes it. Raises InputProblem."""
         arrays = self.name, self.body.vertices, self.body.triangles
-        if self.run is None:
+        run = self.run
+        if run is None:
             return (*arrays, None, "linear", self.chord)
-        motion = self.run.times, self.run.rotations, self.run.translations
-        return (*arrays, motion, self.run.interpolation, self.chord)
+        motion = run.times, run.rotations, run.translations
+        return (*arrays, motion, run.interpolation, self.chord)
 
     def points_at(self, time):
         """Any thread: its vertices in the world at a time (s)."""
-        if self.run is None:
+        run = self.run
+        if run is None:
             return self.body.vertices
-        placements = convert.placements_from(self.run.translations, self.run.rotations)
-        kind = "Screw" if self.run.interpolation == "screw" else "Linear"
-        there = at_time(Poses(self.run.times, placements), kind, time)
+        placements = convert.placements_from(run.translations, run.rotations)
+        kind = "Screw" if run.interpolation == "screw" else "Linear"
+        there = at_time(Poses(run.times, placements), kind, time)
         return convert.transform(convert.matrix_of(there), self.body.vertices)
 
 
 class Request:
     """Input of one check as plain arrays, no document behind it."""
 
-    def __init__(self, parts, rules, all_visible, options, notes):
+    def __init__(self, parts, ways, rules, all_visible, options, notes):
         self.parts = parts
+        self.ways = ways  # moving.Way of each group
         self.rules = rules  # {key of pair_rules: Rule}
         self.all_visible = all_visible
         self.options = options
@@ -57,16 +67,17 @@ class Request:
     def rows(self):
         """Any thread: the parts for the core. One that stands, and of which no triangles can be had, is left
         out with a note where all that are visible are taken. Raises InputProblem."""
-        rows, kept = [], []
+        rows, kept, far = [], [], [way.hidden() for way in self.ways]
+        self.notes[:0] = [text for off, text in far if off > self.options["tolerance"]]
         for part in self.parts:
             try:
                 rows.append(part.row())
                 kept.append(part)
             except InputProblem as problem:
-                if part.run is not None or not self.all_visible:
+                if part.moves() or not self.all_visible:
                     raise
                 self.notes.append(left_out_text(problem))
-        self.parts = kept
+        self.parts, self.notes = kept, list(dict.fromkeys(self.notes))
         return rows
 
     def asked(self):
@@ -201,17 +212,33 @@ class Plan(StillParts):
     def words(self):
         """As clearance_plan.Plan.words()."""
         if self._words is None:
-            beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
-            words = [word for group in self.groups() for word in group.words()]
-            words += contents.words(beside) if beside else []
-            words.append(json.dumps(contents.steady(self.values), sort_keys=True))
-            words.append(pair_rules.words(self.pair_rules))
-            self._words = words
+            self._words = self._words_now()
         return self._words
+
+    def _words_now(self):
+        beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
+        words = [word for group in self.groups() for word in group.words()]
+        words += contents.words(beside) if beside else []
+        words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+        words.append(pair_rules.words(self.pair_rules))
+        return words
+
+    def check_unchanged(self):
+        """Raises InputProblem where the document is no longer what it was when words() was first asked."""
+        if self.words() != self._words_now():
+            text = translate(
+                "Messages", "the document was changed while its parts were read: start again."
+            )
+            raise InputProblem(text)
 
     def checked_hash(self):
         """As clearance_plan.Plan.checked_hash()."""
         return status.VERSION + contents.short(contents.texts(self.words()))
+
+    def count_pairs(self):
+        """How many asked_pairs() gives."""
+        count = len(self.pairs)
+        return count * (count - 1) // 2 + count * len(self.leaves())
 
     def asked_pairs(self):
         """Keys of pair_rules of all pairs that are looked at: one of the two moves at least."""
@@ -229,14 +256,20 @@ class Plan(StillParts):
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""
+        return whole(self.reading())
+
+    def reading(self):
+        """The same in pieces: a generator that returns it. Between them the window may go on, and the
+        document must not change (check_unchanged())."""
         deflection = max(float(self.values["Deflection"]), 1e-4)
         tolerance = float(self.values["Tolerance"])
-        parts, notes, names = [], [], self.names()
+        parts, ways, notes, names = [], [], [], self.names()
         for group in self.groups():
-            parts += self._moving_parts(group, names, deflection, 0.5 * tolerance)
-            off, text = group.hidden()
-            notes += [text] if off > tolerance else []
+            yield
+            ways.append(group.way())
+            parts += self._moving_parts(group, ways[-1], names, deflection, 0.5 * tolerance)
             notes += [group.motion.Message] if group.motion.Message else []
+        yield
         if self._has_standing():
             still, more, _ = self.still_parts(deflection)
             parts += [Part(names[n.pair], n.pair, n.body, n.chord) for n in still]
@@ -253,29 +286,26 @@ class Plan(StillParts):
             "tolerance": tolerance,
             "range": float(self.values["Range"]),
         }
-        return Request(
-            parts, self.pair_rules, self.all_visible, options, list(dict.fromkeys(notes))
-        )
+        return Request(parts, ways, self.pair_rules, self.all_visible, options, notes)
 
     def seen(self):
         """(body in the frame that its motion places, placement at a time (s) as a function) of each moving
         part, for pictures: coarse. Raises InputProblem."""
         found, deflection = [], self.seen_deflection()
         for group in self.groups():
-            into_base, course = group.into_base(), group.course()
+            way = group.way()
+            course = way.course()
             for pair in group.pairs:
-                body = Seen(convert.body_from([pair], deflection), into_base)
+                body = Seen(convert.body_from([pair], deflection), way.into_base)
                 found.append((pair, (body, course)))
         order = {pair: seen for pair, seen in found}
         return [order[pair] for pair in self.pairs]
 
-    def _moving_parts(self, group, names, deflection, straight):
+    def _moving_parts(self, group, way, names, deflection, straight):
         """The parts of one motion; straight: mm by which straight pieces may leave a curved way."""
-        into_base, run = group.into_base(), None
-        parts = []
+        parts, more = [], straight if way.curved() else 0.0
         for pair in group.pairs:
-            body = Seen(convert.body_from([pair], deflection), into_base, group.motion)
-            run = run or group.request(body, straight, {})
-            chord = chord_of([pair], deflection) + (straight if group.curved() else 0.0)
-            parts.append(Part(names[pair], pair, body, chord, run))
+            body = Seen(convert.body_from([pair], deflection), way.into_base, group.motion)
+            chord = chord_of([pair], deflection) + more
+            parts.append(Part(names[pair], pair, body, chord, way, straight))
         return parts

@@ -8,7 +8,7 @@ from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import Poses, even_times
-from . import containers, missing, motion_source, moved_parts, status
+from . import containers, missing, motion_source, moved_parts, status, stored_poses
 from .base import STALE, Feature, attach_view, kind_of, quietly, set_changed
 from .motion_frame import container_of, from_world, seen_from_document
 from .motion_properties import PROPERTIES, SETTINGS, UNITS
@@ -80,7 +80,7 @@ def is_stale(obj):
 
 def check_usable(obj):
     """Raises InputProblem where a motion cannot follow its source: its poses are those of before."""
-    if len(obj.Placements) and obj.Status not in ("", STALE):
+    if obj.Status not in ("", STALE) and len(obj.Placements):
         raise InputProblem('"{}": {}'.format(obj.Label, obj.Status))
 
 
@@ -91,9 +91,12 @@ def is_motion(obj):
 def poses_of(obj):
     """Poses of a motion object; raises InputProblem naming it."""
     try:
-        return Poses(obj.Times, obj.Placements, tangents_of(obj), pivot=obj.Pivot)
+        poses = Poses(obj.Times, obj.Placements, tangents_of(obj), pivot=obj.Pivot)
     except InputProblem as problem:
         raise InputProblem('"{}": {}'.format(obj.Label, problem)) from None
+    stored = stored_poses.of(obj)
+    poses.know_arrays(stored.translations, stored.rotations)
+    return poses
 
 
 def parts_of(obj):
@@ -129,8 +132,7 @@ def set_tangents(obj, tangents):
 
 def words(obj):
     """Texts that change with the way that the motion takes, for hashes."""
-    found = [obj.Interpolation, obj.Frame, contents.digest(np.round(obj.Times, 9))]
-    found.append(contents.matrices([placement.toMatrix().A for placement in obj.Placements]))
+    found = [obj.Interpolation, obj.Frame] + stored_poses.of(obj).words()
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
     if obj.Pivot.Length and obj.Interpolation in PIVOTED:

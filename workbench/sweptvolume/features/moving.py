@@ -12,8 +12,10 @@ from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import (
     INTERPOLATIONS,
+    Poses,
     at_time,
     base_of,
+    between,
     course,
     shift_to,
     straightened,
@@ -79,6 +81,97 @@ def grouped(pairs, motions, *reference):
     return groups
 
 
+class Way:
+    """The way of parts that move rigidly together, read off the document in the thread of the GUI: what it
+    tells, it tells in any thread. moving: a Moving that was checked."""
+
+    def __init__(self, moving):
+        motion = moving.motion
+        self.label, self.from_joints = motion.Label, motion.SourceType in sources.FROM_JOINTS
+        self.interpolation = motion.Interpolation
+        self.poses, base = _in_world(motion, convert.global_placement(*moving.pairs[0]))
+        self.into_base = matrix_of(base.inverse())
+        self._reference, self._found = None, {}
+        if moving.reference_motion is not None:
+            standing = convert.global_placement(*moving.reference)
+            kind = moving.reference_motion.Interpolation
+            self._reference = (*_in_world(moving.reference_motion, standing), kind)
+        self._corners = None
+        if self.curved() or self.from_joints:
+            self._corners = transform(self.into_base, convert.box_corners(moving.pairs))
+
+    def curved(self):
+        """Whether the core gets straight pieces in place of a curved way."""
+        return self._reference is not None or self.interpolation == "Spline"
+
+    def course(self):
+        """The placements, as trajectory() has them, as a function of time (s)."""
+        return course(self.poses, self.interpolation)
+
+    def hidden(self):
+        """As Moving.hidden()."""
+        if not self.from_joints or self.interpolation == "None":
+            return 0.0, ""
+        poses = self.poses
+        if len(poses) < 3:
+            return 0.0, ""
+        there = [self._without(k) for k in range(1, len(poses) - 1)]
+        off = convert.matrices_from(*convert.pose_arrays(there))
+        off -= convert.matrices_from(*poses.arrays())[1:-1]
+        moved = np.einsum("kij,pj->kpi", off[:, :3, :3], self._corners) + off[:, None, :3, 3]
+        reach = SINGLE_STEP * np.linalg.norm(moved, axis=2).max(axis=1)
+        most, where = float(reach.max()), poses.times[1 + int(reach.argmax())]
+        text = translate(
+            "Messages",
+            'the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them '
+            "by about {2}. Read the motion with smaller steps.",
+        ).format(self.label, number(where), quantity(most))
+        return most, text
+
+    def _without(self, k):
+        """Where the frames before and behind frame k lead at its time."""
+        times, placements = self.poses.times, self.poses.placements
+        a, b = times[k - 1], times[k + 1]
+        if self.interpolation == "Spline" or a == b:
+            two = Poses([a, b], [placements[k - 1], placements[k + 1]])
+            return at_time(two, self.interpolation, times[k])
+        u = (times[k] - a) / (b - a)
+        return between(placements[k - 1], placements[k + 1], u, self.interpolation)
+
+    def trajectory(self, tolerance):
+        """As Moving.trajectory()."""
+        if not self.curved():
+            return self.poses, INTERPOLATIONS[self.interpolation]
+        at, knots = self.course(), self.poses.times
+        if self._reference is not None:
+            self.poses.check_function()
+            at, knots, steps = self._seen_from_reference(at, knots)
+            if steps or self.interpolation == "None":
+                return Poses(knots, [at(t) for t in knots]), INTERPOLATIONS["None"]
+        reach = float(np.linalg.norm(self._corners, axis=1).max())
+        return straightened(at, knots, reach, tolerance), INTERPOLATIONS["Linear"]
+
+    def _seen_from_reference(self, at, knots):
+        poses, base, kind = self._reference
+        poses.check_function()
+        there = course(poses, kind)
+
+        def seen(time):
+            return base.multiply(there(time).inverse()).multiply(at(time))
+
+        inside = [t for t in poses.times if knots[0] < t < knots[-1]]
+        return seen, sorted(set(knots).union(inside)), kind == "None"
+
+    def request(self, body, tolerance, options):
+        """A run of the core for a body (as core.Request has it) in the base frame; tolerance: as
+        trajectory() has it."""
+        if tolerance not in self._found:
+            poses, interpolation = self.trajectory(tolerance)
+            times = np.array(poses.times, dtype=float)
+            self._found[tolerance] = (times, *poses.arrays(), interpolation)
+        return core.Request(body, *self._found[tolerance], options)
+
+
 class Moving:
     """Generators with one motion. reference: (root, sub) of a part that moves itself by
     reference_motion; the generators are then seen from it, where it stands now."""
@@ -142,14 +235,14 @@ class Moving:
             words += motion_feature.words_of_before(self.reference_motion)
         return words
 
+    def way(self):
+        """What is read off the document. Raises InputProblem."""
+        self.check()
+        return Way(self)
+
     def into_base(self):
         """4x4: from the world as it stands to the frame to which the placements apply."""
-        return convert.matrix_of(self._base()[1].inverse())
-
-    def _base(self):
-        self.check()
-        standing = convert.global_placement(*self.pairs[0])
-        return _in_world(self.motion, standing)
+        return self.way().into_base
 
     def corners(self):
         """Corners of the boxes of the parts in the base frame (k,3): cheap."""
@@ -159,24 +252,7 @@ class Moving:
         """(mm, text): how far the part may leave its way between two frames of a mechanism, told from how
         far a frame lies off the way that leads from the one before it to the one behind it. 0 for poses that
         are keys of their own."""
-        if self.motion.SourceType not in sources.FROM_JOINTS or self.motion.Interpolation == "None":
-            return 0.0, ""
-        poses, base = self._base()
-        points, most, where = self.corners(), 0.0, 0.0
-        for k in range(1, len(poses) - 1):
-            a, b = poses.times[k - 1], poses.times[k + 1]
-            two = motion_feature.Poses([a, b], [poses.placements[k - 1], poses.placements[k + 1]])
-            there = matrix_of(at_time(two, self.motion.Interpolation, poses.times[k]))
-            off = transform(there, points) - transform(matrix_of(poses.placements[k]), points)
-            reach = float(np.linalg.norm(off, axis=1).max()) * SINGLE_STEP
-            if reach > most:
-                most, where = reach, poses.times[k]
-        text = translate(
-            "Messages",
-            'the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them '
-            "by about {2}. Read the motion with smaller steps.",
-        ).format(self.motion.Label, number(where), quantity(most))
-        return most, text
+        return self.way().hidden()
 
     def outline(self):
         """A function for any thread: outermost points of the parts in the base frame (k,3), and triangles
@@ -192,53 +268,20 @@ class Moving:
 
     def course(self):
         """The placements, as trajectory() has them, as a function of time (s)."""
-        return course(self._base()[0], self.motion.Interpolation)
-
-    def curved(self):
-        """Whether the core gets straight pieces in place of a curved way."""
-        return self.reference_motion is not None or self.motion.Interpolation == "Spline"
+        return self.way().course()
 
     def trajectory(self, tolerance):
         """(Poses, interpolation as the core knows it). tolerance: mm by which straight pieces may
         leave a curved way."""
-        poses = self._base()[0]
-        kind = self.motion.Interpolation
-        if not self.curved():
-            return poses, INTERPOLATIONS[kind]
-        at, knots = course(poses, kind), poses.times
-        if self.reference_motion is not None:
-            poses.check_function()
-            at, knots, steps = self._seen_from_reference(at, knots)
-            if steps or kind == "None":
-                seen = motion_feature.Poses(knots, [at(t) for t in knots])
-                return seen, INTERPOLATIONS["None"]
-        points = self.corners()
-        reach = float(np.linalg.norm(points, axis=1).max())
-        return straightened(at, knots, reach, tolerance), INTERPOLATIONS["Linear"]
-
-    def _seen_from_reference(self, at, knots):
-        standing = convert.global_placement(*self.reference)
-        poses, base = _in_world(self.reference_motion, standing)
-        poses.check_function()
-        there = course(poses, self.reference_motion.Interpolation)
-
-        def seen(time):
-            return base.multiply(there(time).inverse()).multiply(at(time))
-
-        inside = [t for t in poses.times if knots[0] < t < knots[-1]]
-        knots = sorted(set(knots).union(inside))
-        return seen, knots, self.reference_motion.Interpolation == "None"
+        return self.way().trajectory(tolerance)
 
     def request(self, body, tolerance, options):
         """A run of the core for a body (as core.Request has it) in the base frame."""
-        poses, interpolation = self.trajectory(tolerance)
-        translations, rotations = convert.pose_arrays(poses.placements)
-        times = np.array(poses.times, dtype=float)
-        return core.Request(body, times, translations, rotations, interpolation, options)
+        return self.way().request(body, tolerance, options)
 
     def body_request(self, deflection, tolerance, options, read=convert.body_from):
         """A run of the core for the parts themselves. deflection: mm, for solids; read: as
         convert.body_from."""
-        self.check()
-        body = Seen(read(self.pairs, deflection), self.into_base(), self.motion)
-        return self.request(body, tolerance, options)
+        way = self.way()
+        body = Seen(read(self.pairs, deflection), way.into_base, self.motion)
+        return way.request(body, tolerance, options)

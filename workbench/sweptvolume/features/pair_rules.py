@@ -11,7 +11,8 @@ from .neighbour_rules import Rule
 
 def key(one, other):
     """Two parts, each (root, sub), in an order of their own."""
-    return tuple(sorted((one, other), key=lambda pair: (pair[0].Name, pair[1])))
+    a, b = (one[0].Name, one[1]), (other[0].Name, other[1])
+    return (one, other) if a <= b else (other, one)
 
 
 def label_of(pair):

@@ -21,10 +21,16 @@ class CheckRun:
         raise NotImplementedError
 
     def start(self):
+        plans = []  # one for both: what it has read, it keeps
+
+        def plan():
+            plans[:] = plans or [self.plan()]
+            return plans[0]
+
         if not self.begin(
-            lambda: self.TASK(self.document, self.plan(), self.obj),
+            lambda: self.TASK(self.document, plan(), self.obj),
             self.ended,
-            lambda: self.plan().words(),
+            lambda: plan().words(),
             self.start,
         ):
             return False

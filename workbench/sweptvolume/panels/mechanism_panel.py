@@ -124,7 +124,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         """What stands, and the pairs with their rules."""
         try:
             plan = self.plan()
-            standing, pairs = plan.leaves(), plan.asked_pairs()
+            standing, pairs = plan.leaves(), self._listed(plan)
         except (InputProblem, RuntimeError) as problem:
             self.chosen.setText(str(problem))
             return
@@ -132,11 +132,16 @@ class MechanismPanel(CheckRun, ResultPanel):
         more = "" if len(names) <= 6 else " ..."
         text = translate("Panels", "{0} parts that stand: {1}")
         self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
-        if len(pairs) > MOST_PAIRS:
-            near = self._near(plan)
-            pairs = [p for p in pairs if p in near or pair_rules.of(self.rules, *p).asks()]
         new = [pair for pair in pairs if pair not in self.asked.pairs]
         self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})
+
+    def _listed(self, plan):
+        """The pairs that are listed with their rules."""
+        if plan.count_pairs() <= MOST_PAIRS:
+            return plan.asked_pairs()
+        near, rules = self._near(plan), self.rules
+        found = plan.asked_pairs() if near or rules else []
+        return [p for p in found if p in near or rules and pair_rules.of(rules, *p).asks()]
 
     def _near(self, plan):
         """Keys of the pairs of the stored result."""

@@ -10,6 +10,8 @@ from .widgets import QtWidgets
 
 #: More rows than this are not measured one by one.
 MOST_MEASURED = 200
+#: Boxes made before the window goes on: more than are seen at first.
+BOXES_AT_ONCE = 6
 
 
 class MotionTable(QtCore.QObject):
@@ -44,13 +46,26 @@ class MotionTable(QtCore.QObject):
         """texts: of the parts; name: of the boxes, with a number; empty: what stands for no motion."""
         known = self.known()
         names, labels = [""] + [m.Name for m in known], [empty] + [m.Label for m in known]
-        before = self.table
         self.table.setRowCount(len(self.pairs))
         for row, text in enumerate(texts):
             item = QtWidgets.QTableWidgetItem(text)
             item.setToolTip(text)
             self.table.setItem(row, 0, item)
-            now = self.motions[row]
+            self.table.removeCellWidget(row, 1)
+        self._filling = self._boxes(name, names, labels)
+        self._fill_on(self._filling)
+        self.changed.emit()
+
+    def _fill_on(self, filling):
+        """The next boxes of the table; the others follow between the events of the window."""
+        if filling is self._filling and widgets.shiboken.isValid(self.table):
+            if next(filling, None) is not None:
+                QtCore.QTimer.singleShot(0, lambda: self._fill_on(filling))
+
+    def _boxes(self, name, names, labels):
+        """Makes the boxes; a generator, which yields between some of them."""
+        before = self.table
+        for row, now in enumerate(list(self.motions)):
             box = widgets.choice(names, now.Name if motion.is_motion(now) else "", labels)
             box.setFrame(False)
             box.setObjectName("{}{}".format(name, row + 1))
@@ -58,10 +73,11 @@ class MotionTable(QtCore.QObject):
             self.table.setCellWidget(row, 1, box)
             QtWidgets.QWidget.setTabOrder(before, box)  # else they come last of the whole window
             before = box
+            if row % BOXES_AT_ONCE == BOXES_AT_ONCE - 1:
+                yield row
         QtWidgets.QWidget.setTabOrder(before, self.add)
         if len(self.pairs) <= MOST_MEASURED:
             self.table.resizeRowsToContents()
-        self.changed.emit()
 
     def show_parts(self):
         """Fills the table."""

@@ -4,6 +4,7 @@ import contextlib
 import os
 import shutil
 import tempfile
+import time
 
 import FreeCAD as App
 
@@ -12,6 +13,9 @@ from ..features import clearance, envelope, mechanism, overlap_plan, shared, sol
 from ..runner import Task
 from ..texts import mark, translate
 from ..views import surface
+
+#: s that parts may be read at one go: a third of what a window may stand.
+AT_ONCE = 0.015
 
 
 class PlanTask(Task):
@@ -79,6 +83,23 @@ class PlanTask(Task):
     def fail(self, text, cancelled=False):
         if self.obj is not None:
             self.FEATURE.fail(self.obj, text, self.hash, cancelled)
+
+
+def read_in_pieces(plan):
+    """Task.steps(): returns a plan's request, and the window goes on between its pieces. Raises
+    InputProblem, also where the document was changed meanwhile."""
+    plan.words()
+    pieces, began = plan.reading(), 0.0
+    while True:
+        if time.perf_counter() - began > AT_ONCE:
+            yield 0
+            began = time.perf_counter()
+        try:
+            next(pieces)
+        except StopIteration as end:
+            yield 0
+            plan.check_unchanged()
+            return end.value
 
 
 class EnvelopeTask(PlanTask):
@@ -157,6 +178,12 @@ class MechanismTask(PlanTask):
     TITLE = mark("Messages", "Check mechanism")
     FEATURE = mechanism
 
+    def read(self):
+        return None  # in steps()
+
+    def steps(self, control):
+        self.request = yield from read_in_pieces(self.plan)
+
     def make(self):
         return mechanism.make_mechanism(self.document)
 
@@ -203,9 +230,12 @@ class PairContactsTask(Task):
 
     def __init__(self, plan):
         self.title = translate("Messages", "Look for contacts")
-        self.document, self.found = plan.document, {}
-        self.request = plan.request()
+        self.document, self.found, self.plan, self.request = plan.document, {}, plan, None
+        contents.prepared(plan.words())
         self.watched = [o for o in plan.objects() if o.Document is plan.document]
+
+    def steps(self, control):
+        self.request = yield from read_in_pieces(self.plan)
 
     def work(self, control):
         return mechanism.offered(self.request, control)

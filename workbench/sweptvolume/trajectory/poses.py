@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A motion as a plain value: times (s) and placements (mm), with the rules for using it."""
-import math
-
 import FreeCAD as App
 import numpy as np
 
-from ..convert import InputProblem, matrix_of, transform
+from ..convert import InputProblem, matrices_from, pose_arrays
 from ..texts import mark, translate
 from .spline import Spline, rotation_vector
 
@@ -40,32 +38,39 @@ class Poses:
         self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
         self.tangents = list(tangents)
         self.times = [float(t) for t in times]
-        self.placements = [App.Placement(p) for p in placements]
+        self.placements = list(placements)
+        self._arrays = None
         if len(self.times) != len(self.placements):
             raise InputProblem(
                 translate("Messages", "the motion has {0} times and {1} placements.").format(
                     len(self.times), len(self.placements)
                 )
             )
-        for i, time in enumerate(self.times):
-            if not math.isfinite(time):
-                raise InputProblem(
-                    translate("Messages", "pose {0}: its time ({1:g}) is no moment.").format(
-                        i + 1, time
-                    )
-                )
-        for i in range(1, len(self.times)):
-            if self.times[i] < self.times[i - 1]:
-                raise InputProblem(
-                    translate(
-                        "Messages",
-                        "pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may "
-                        "not go back.",
-                    ).format(i + 1, self.times[i], self.times[i - 1])
-                )
+        self._check_times()
+
+    def _check_times(self):
+        times = np.array(self.times)
+        for i in np.flatnonzero(~np.isfinite(times))[:1]:
+            text = translate("Messages", "pose {0}: its time ({1:g}) is no moment.")
+            raise InputProblem(text.format(i + 1, times[i]))
+        for i in np.flatnonzero(times[1:] < times[:-1])[:1]:
+            text = translate(
+                "Messages",
+                "pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may "
+                "not go back.",
+            )
+            raise InputProblem(text.format(i + 2, times[i + 1], times[i]))
 
     def __len__(self):
         return len(self.times)
+
+    def know_arrays(self, translations, rotations):
+        """What arrays() is to give, from whoever has it already."""
+        self._arrays = translations, rotations
+
+    def arrays(self):
+        """Translations (n,3) in mm and quaternions (n,4) as x, y, z, w, as convert.pose_arrays()."""
+        return self._arrays or pose_arrays(self.placements)
 
     def check_function(self):
         """Raises InputProblem where two poses have one time. The part then goes on between them all the
@@ -118,14 +123,11 @@ def base_of(poses, frame, standing, container=None):
     )
 
 
-def swept_box(points, placements):
-    """Lower and upper corner (mm) of points moved to every placement: the size of the sweep."""
-    low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    for placement in placements:
-        moved = transform(matrix_of(placement), points)
-        low = np.minimum(low, moved.min(axis=0))
-        high = np.maximum(high, moved.max(axis=0))
-    return low, high
+def swept_box(points, poses):
+    """Lower and upper corner (mm) of points (k,3) moved to every pose: the size of the sweep."""
+    matrices = matrices_from(*poses.arrays())
+    moved = np.einsum("nij,kj->nki", matrices[:, :3, :3], points) + matrices[:, None, :3, 3]
+    return moved.min(axis=(0, 1)), moved.max(axis=(0, 1))
 
 
 def at_time(poses, interpolation, time):
@@ -154,13 +156,16 @@ def course(poses, interpolation):
         k = int(np.searchsorted(times, time, side="right")) - 1
         a, b = placements[k], placements[k + 1]
         u = (time - times[k]) / (times[k + 1] - times[k])
-        if interpolation == "None":
-            return App.Placement(a)
-        if interpolation == "Screw":
-            return a.sclerp(b, u)
-        return App.Placement(a.Base + (b.Base - a.Base) * u, a.Rotation.slerp(b.Rotation, u))
+        return App.Placement(a) if interpolation == "None" else between(a, b, u, interpolation)
 
     return at
+
+
+def between(a, b, u, interpolation):
+    """Placement between two others, u: from 0 to 1. interpolation: Linear or Screw."""
+    if interpolation == "Screw":
+        return a.sclerp(b, u)
+    return App.Placement(a.Base + (b.Base - a.Base) * u, a.Rotation.slerp(b.Rotation, u))
 
 
 def straightened(at, knots, reach, tolerance):
