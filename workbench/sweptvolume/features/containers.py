@@ -7,6 +7,7 @@ does not tell that a group was moved, an observer does.
 import FreeCAD as App
 
 from .. import convert
+from . import status
 from .base import kind_of
 
 #: Properties with paths to parts.
@@ -120,10 +121,20 @@ def _touch_users(obj):
                 ours.touch()
 
 
+def _look_behind(broken):
+    """Ours that depend on an object that failed look at their inputs: FreeCAD's recompute stops at what fails,
+    and what stands behind it is not asked. Such is a link that shows nothing, since its target or the
+    document of its target is gone."""
+    for ours in broken.InListRecursive:
+        if kind_of(ours):
+            status.look_again(ours)
+            status.tell_users(ours)
+
+
 class _Observer:
     """Hears of what the links of FreeCAD do not tell: objects that come into a group or leave it, groups
-    that are moved, things that are shown, hidden or made. Undo is heard like any other change, but only
-    marks: it brings the links back by itself.
+    that are moved, things that are shown, hidden or made, and inputs that fail. Undo is heard like any other
+    change, but only marks: it brings the links back by itself.
 
     It is called at every change of every property, which costs nothing that can be measured: 20,000 lengths
     of 200 boxes take 51 to 58 us each without it and 53 to 58 with it."""
@@ -152,6 +163,11 @@ class _Observer:
     def slotCreatedObject(self, obj):  # noqa: N802
         if not obj.Document.Restoring:
             _touch_checks(obj.Document, obj)
+
+    def slotRecomputedDocument(self, document):  # noqa: N802
+        for obj in document.Objects:
+            if "Invalid" in obj.State:
+                _look_behind(obj)
 
     def slotDeletedObject(self, obj):  # noqa: N802
         """Undo takes an object away, but not out of links that were set beside the undo record."""

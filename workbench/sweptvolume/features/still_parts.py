@@ -164,9 +164,7 @@ class StillParts:
                     '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
                 ).format(label)
             )
-        return InputProblem(
-            translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
-        )
+        return convert.holds_nothing(root, sub)
 
     def _moves(self, root, path):
         return any(root is r and path.startswith(s) for r, s in self.pairs)
