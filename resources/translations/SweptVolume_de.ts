@@ -625,6 +625,14 @@
    <translation>Es ist kein bewegtes Teil angegeben: einen Festkörper oder ein Netz wählen, das sich bewegt.</translation>
   </message>
   <message>
+   <source>the link "{0}" shows nothing: what it linked to was deleted, or its document is not open. Open that document, or link to something else.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>"{0}" holds neither a solid nor a mesh.</source>
+   <translation>„{0}“ enthält weder Festkörper noch Netz.</translation>
+  </message>
+  <message>
    <source>the moving part is empty.</source>
    <translation>Das bewegte Teil ist leer.</translation>
   </message>
@@ -639,10 +647,6 @@
   <message>
    <source>"{0}" no longer leads to an object; choose the part again.</source>
    <translation>„{0}“ führt zu keinem Objekt mehr; das Teil neu wählen.</translation>
-  </message>
-  <message>
-   <source>"{0}" holds neither a solid nor a mesh.</source>
-   <translation>„{0}“ enthält weder Festkörper noch Netz.</translation>
   </message>
   <message>
    <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
@@ -2702,12 +2706,12 @@ bis etwa {2}, {3}</translation>
    <translation>Studie</translation>
   </message>
   <message>
-   <source>Runs</source>
-   <translation>Läufe</translation>
-  </message>
-  <message>
    <source>Results</source>
    <translation>Ergebnisse</translation>
+  </message>
+  <message>
+   <source>Runs</source>
+   <translation>Läufe</translation>
   </message>
   <message>
    <source>beside the file</source>

@@ -9,7 +9,7 @@ from ..convert import InputProblem
 from ..quantities import number
 from ..texts import translate
 from ..trajectory.poses import Poses, at_time
-from . import containers, missing, pair_rules, status
+from . import containers, missing, pair_rules, row_names, status
 from . import motion as motion_feature
 from .base import set_changed
 from .moving import Seen, grouped
@@ -22,6 +22,7 @@ class Part:
 
     def __init__(self, name, pair, body, chord, run=None):
         self.name, self.pair, self.body, self.chord, self.run = name, pair, body, chord, run
+        self.place = row_names.place_of(*pair)
 
     def moves(self):
         return self.run is not None
@@ -224,6 +225,26 @@ class Plan(StillParts):
         """{(root, sub): name} of all parts: their labels, with a number where one is there twice."""
         pairs = self.pairs + self.leaves()
         return dict(zip(pairs, convert.own_names(pairs)))
+
+    def rename(self, report):
+        """The pairs of a report get the names that their parts have now."""
+        found = row_names.placed(report, "parts", "places")
+        pairs = {known: row_names.pair_at(self.document, place) for known, place in found}
+        names, new = self.names(), {}
+        for known, pair in pairs.items():
+            new[known] = names.get(pair, known)
+        if all(known == name for known, name in new.items()):
+            return
+        report["parts"] = [new.get(known, known) for known in report["parts"]]
+        for name in ("joined", "ignored"):
+            report[name] = [[new.get(known, known) for known in both] for both in report[name]]
+        for k, pair in enumerate(report["pairs"]):
+            for side in ("first", "second"):
+                pair[side] = new.get(pair[side], pair[side])
+            row, name = pair["clearance"], "{} - {}".format(pair["first"], pair["second"])
+            if k == report.get("smallest"):
+                row_names.rename_in_summary(report, row["name"], name)
+            row["name"] = name
 
     # --- the run
 
