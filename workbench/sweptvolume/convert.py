@@ -251,6 +251,11 @@ def no_part_text():
     return translate("Messages", "no moving part is given: choose a solid or a mesh that moves.")
 
 
+def owner(root, path):
+    """Whose the faces of a solid or mesh are, as features.made_by tells it."""
+    return {"label": label_of(root, path), "root": root.Name, "sub": path}
+
+
 def body_from(pairs, deflection):
     """All generators of a LinkSubList as one body. `deflection`: mm, for solids."""
     if not pairs:
@@ -267,8 +272,7 @@ def body_from(pairs, deflection):
                 how = reader(linked, deflection)
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
-            own = {"label": label_of(root, path), "root": root.Name, "sub": path}
-            read.append((label, global_matrix(root, path), how, own))
+            read.append((label, global_matrix(root, path), how, owner(root, path)))
     return Body(read, global_placement(*pairs[0]), labels)
 
 
