@@ -15,6 +15,7 @@ from .neighbour_rules import PARTS_PROPERTY
 class Check(Feature):
     """Base of their proxies. Subclasses give PLAN, RULES (the module of their rules), report_of()."""
 
+    NAMES_PARTS = True
     PLAN = None
     RULES = None
 

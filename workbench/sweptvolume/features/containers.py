@@ -121,6 +121,14 @@ def _touch_users(obj):
                 ours.touch()
 
 
+def _touch_what_names(obj):
+    """What names an object that was called something else looks again at the next recompute: FreeCAD
+    recomputes nothing for a name."""
+    for ours in obj.InListRecursive:
+        if kind_of(ours) and ours.Proxy.NAMES_PARTS:
+            ours.touch()
+
+
 def _look_behind(broken):
     """Ours that depend on an object that failed look at their inputs: FreeCAD's recompute stops at what fails,
     and what stands behind it is not asked. Such is a link that shows nothing, since its target or the
@@ -133,19 +141,21 @@ def _look_behind(broken):
 
 class _Observer:
     """Hears of what the links of FreeCAD do not tell: objects that come into a group or leave it, groups
-    that are moved, things that are shown, hidden or made, and inputs that fail. Undo is heard like any other
+    that are moved, things that are shown, hidden, renamed or made, and inputs that fail. Undo is heard like any other
     change, but only marks: it brings the links back by itself.
 
     It is called at every change of every property, which costs nothing that can be measured: 20,000 lengths
     of 200 boxes take 51 to 58 us each without it and 53 to 58 with it."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
-        if name not in ("Visibility", "Group", "Placement"):
+        if name not in ("Visibility", "Group", "Placement", "Label"):
             return
         document = obj.Document
         if document.Restoring:
             return
-        if name == "Visibility":
+        if name == "Label":
+            _touch_what_names(obj)
+        elif name == "Visibility":
             if not kind_of(obj):
                 _touch_users(obj)
         elif "Group" in obj.PropertiesList:
