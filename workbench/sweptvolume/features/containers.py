@@ -158,7 +158,7 @@ class _Observer:
         elif name == "Visibility":
             if not kind_of(obj):
                 _touch_users(obj)
-        elif "Group" in obj.PropertiesList:
+        elif hasattr(obj, "Group"):
             if name == "Placement":
                 for member in inside(obj):
                     for ours in [member] + member.InList:
@@ -175,6 +175,8 @@ class _Observer:
             _touch_checks(obj.Document, obj)
 
     def slotRecomputedDocument(self, document):  # noqa: N802
+        if not document.isTouched():  # what fails stays touched
+            return
         for obj in document.Objects:
             if "Invalid" in obj.State:
                 _look_behind(obj)
