@@ -144,8 +144,10 @@ class _Observer:
     that are moved, things that are shown, hidden, renamed or made, and inputs that fail. Undo is heard like any other
     change, but only marks: it brings the links back by itself.
 
-    It is called at every change of every property, which costs nothing that can be measured: 20,000 lengths
-    of 200 boxes take 51 to 58 us each without it and 53 to 58 with it."""
+    It is called at every change of every property: a length takes 58 us of CPU where it takes 55 without, a
+    placement 8 where it takes 4, a name 36 where it takes 28; a recompute of 1,000 objects takes no longer.
+    Without it a moved group, a hidden part or a link that lost its target leaves results "Up to date"
+    (test_states_in_groups.py, test_states_of_other_documents.py)."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
         if name not in ("Visibility", "Group", "Placement", "Label"):

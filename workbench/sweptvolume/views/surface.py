@@ -40,8 +40,8 @@ _VALUES = {
 def fill(field, values):
     """Puts an array into a field of Coin, bit by bit.
 
-    Coin's own call takes Python's lists alone: to make and to read one of a preview takes 20 ms, in
-    which no other thread gets to run."""
+    Coin's own call makes an object of Python of each number: 8 ms of CPU for 40,000 triangles, in which no
+    other thread gets to run, at each step of a drag that has a preview. This takes 0.1 ms."""
     values = np.ascontiguousarray(values)
     kind = field.getTypeId().getName().getString()
     if (values.dtype, values.shape[1:]) != _VALUES[kind]:
