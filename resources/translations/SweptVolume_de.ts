@@ -626,7 +626,7 @@
   </message>
   <message>
    <source>the link "{0}" shows nothing: what it linked to was deleted, or its document is not open. Open that document, or link to something else.</source>
-   <translation>Die Verknüpfung „{0}“ zeigt nichts: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffne dieses Dokument, oder verknüpfe mit etwas anderem.</translation>
+   <translation>Die Verknüpfung „{0}“ zeigt nichts: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder verknüpfen Sie mit etwas anderem.</translation>
   </message>
   <message>
    <source>"{0}" holds neither a solid nor a mesh.</source>
@@ -1054,7 +1054,7 @@ Versucht:
   </message>
   <message>
    <source>"{0}" has no result that is up to date: run the study again first.</source>
-   <translation>„{0}“ hat kein aktuelles Ergebnis: Lass die Studie zuerst noch einmal laufen.</translation>
+   <translation>„{0}“ hat kein aktuelles Ergebnis: Lassen Sie die Studie zuerst noch einmal laufen.</translation>
   </message>
   <message>
    <source>the parts of "{0}" have motions of their own: a run of a study has one motion.</source>
@@ -2139,7 +2139,7 @@ Versucht:
   </message>
   <message>
    <source>The envelope is not up to date: this tells of the parts and the motion that it was computed from. Recompute it to see them move.</source>
-   <translation>Die Hülle ist nicht aktuell: Dies gilt für die Teile und die Bewegung, aus denen sie berechnet wurde. Berechne sie neu, um die Bewegung zu sehen.</translation>
+   <translation>Die Hülle ist nicht aktuell: Dies gilt für die Teile und die Bewegung, aus denen sie berechnet wurde. Berechnen Sie sie neu, um die Bewegung zu sehen.</translation>
   </message>
   <message>
    <source>What made this?</source>
