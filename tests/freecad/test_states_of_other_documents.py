@@ -291,7 +291,9 @@ class OtherDocuments(Table):
             document.commitTransaction()
         self.recomputed()
         self.look(name)
-        for document, count in reversed(list(zip(both, before))):  # links come back to what is there
+        for document, count in reversed(
+            list(zip(both, before))
+        ):  # links come back to what is there
             while document.UndoCount > count:
                 document.undo()
         for obj, visible in shown:

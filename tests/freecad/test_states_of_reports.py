@@ -180,7 +180,9 @@ class Reports(Table):
 
     def results(self):
         """The envelope too, in a fresh document before the check whose source it is."""
-        return [obj for obj in self.doc.Objects if obj.Name in ("Envelope", "Clearance", "Mechanism")]
+        return [
+            obj for obj in self.doc.Objects if obj.Name in ("Envelope", "Clearance", "Mechanism")
+        ]
 
     def content(self, obj):
         if obj.Name == "Envelope":

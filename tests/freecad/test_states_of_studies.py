@@ -329,7 +329,9 @@ motion = "near.csv"
             ),
             (
                 "study.toml",
-                lambda path: self.file("study.toml", text + "[defaults.clearance]\nrequired = 20\n"),
+                lambda path: self.file(
+                    "study.toml", text + "[defaults.clearance]\nrequired = 20\n"
+                ),
                 False,
             ),
         ):

@@ -130,9 +130,9 @@ def _touch_what_names(obj):
 
 
 def _look_behind(broken):
-    """Ours that depend on an object that failed look at their inputs: FreeCAD's recompute stops at what fails,
-    and what stands behind it is not asked. Such is a link that shows nothing, since its target or the
-    document of its target is gone."""
+    """Ours that depend on an object that failed look at their inputs: FreeCAD's recompute stops at what
+    fails, and what stands behind it is not asked. Such is a link that shows nothing, since its target or
+    the document of its target is gone."""
     for ours in broken.InListRecursive:
         if kind_of(ours):
             status.look_again(ours)
@@ -141,8 +141,8 @@ def _look_behind(broken):
 
 class _Observer:
     """Hears of what the links of FreeCAD do not tell: objects that come into a group or leave it, groups
-    that are moved, things that are shown, hidden, renamed or made, and inputs that fail. Undo is heard like any other
-    change, but only marks: it brings the links back by itself.
+    that are moved, things that are shown, hidden, renamed or made, and inputs that fail. Undo is heard like
+    any other change, but only marks: it brings the links back by itself.
 
     It is called at every change of every property: a length takes 58 us of CPU where it takes 55 without, a
     placement 8 where it takes 4, a name 36 where it takes 28; a recompute of 1,000 objects takes no longer.

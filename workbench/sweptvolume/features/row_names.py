@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Names in the stored report of a check follow the labels of the parts that they mean. A report keeps where each
-part stands in the document, its place: [name of the root object, path below it]. Reports of before have no
-places, and their names stay.
+"""Names in the stored report of a check follow the labels of the parts that they mean. A report keeps where
+each part stands in the document, its place: [name of the root object, path below it]. Reports of before have
+no places, and their names stay.
 """
 from .. import convert
 from .base import fits

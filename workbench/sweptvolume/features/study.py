@@ -115,8 +115,8 @@ def apply(obj, report, request, hash_at_start):
 
 def written(obj):
     """(study file, folder of the results), for a page. Raises InputProblem where they are gone, or where the
-    document has changed since: the page would tell of other parts. A page of a study file says by itself which
-    runs are to be computed again."""
+    document has changed since: the page would tell of other parts. A page of a study file says by itself
+    which runs are to be computed again."""
     update_status(obj)
     of_file = bool(obj.File) and not obj.Sources
     if not of_file and obj.Status not in (UP_TO_DATE, CANCELLED):
