@@ -203,6 +203,14 @@ class Reports(Table):
                     with self.assertRaisesRegex(InputProblem, "up to date"):
                         page.request(obj)
 
+    def test_a_name_counts_at_once(self):
+        """No recompute comes for it."""
+        self.doc.Wall.Label = "Gate"
+        self.assertIn("(Gate)", self.doc.Clearance.Summary)
+        self.assertIn("Gate", self.doc.Mechanism.Summary)
+        rows = clearance.report_of(self.doc.Clearance)["neighbours"]
+        self.assertEqual({row["name"] for row in rows}, {"Gate", "Post", "Inner"})
+
     def test_a_page_that_tells_of_before_is_seen(self):
         """The table above is no formality."""
         kept = self.content(self.doc.Clearance)

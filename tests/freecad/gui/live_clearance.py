@@ -26,8 +26,8 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: A drag of the demo takes so many seconds at least, and until so many answers have come; the dragger is looked
-#: at every POLL.
+#: A drag of the demo takes so many seconds at least, and until so many answers have come; the dragger is
+#: looked at every POLL.
 SECONDS, ANSWERS, POLL = 4.0, 8, 0.03
 
 

@@ -88,10 +88,8 @@ def _rename(obj, plan):
     if report is None:
         return
     with contextlib.suppress(InputProblem):
-        plan.rename(report)
-        text = json.dumps(report)
-        if text != obj.Report:
-            obj.Report, obj.Summary = text, obj.Proxy.summary(report)
+        if plan.rename(report):
+            obj.Report, obj.Summary = json.dumps(report), obj.Proxy.summary(report)
 
 
 def keep(obj, hash_at_start):

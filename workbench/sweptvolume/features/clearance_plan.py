@@ -155,15 +155,18 @@ class Plan(StillParts):
         return [(Seen(body, moving.into_base()), moving.course())]
 
     def rename(self, report):
-        """The rows of a report get the names that their parts have now."""
-        ignored = row_names.placed(report, "ignored", "ignored_places")
+        """The rows of a report get the names that their parts have now. Returns whether any has another."""
+        changed, ignored = False, row_names.placed(report, "ignored", "ignored_places")
         for k, (known, place) in enumerate(ignored):
             report["ignored"][k] = row_names.label_at(self.document, place, known)
+            changed |= report["ignored"][k] != known
         for k, row in enumerate(report["neighbours"]):
             known = row["name"]
             row["name"] = row_names.label_at(self.document, row.get("place"), known)
+            changed |= row["name"] != known
             if k == report.get("smallest"):
                 row_names.rename_in_summary(report, known, row["name"])
+        return changed
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""

@@ -121,12 +121,15 @@ def _touch_users(obj):
                 ours.touch()
 
 
-def _touch_what_names(obj):
-    """What names an object that was called something else looks again at the next recompute: FreeCAD
-    recomputes nothing for a name."""
+def _tell_what_names(obj):
+    """What names an object that was called something else looks again at once: FreeCAD recomputes nothing for
+    a name. Undo brings the names back by itself."""
     for ours in obj.InListRecursive:
         if kind_of(ours) and ours.Proxy.NAMES_PARTS:
-            ours.touch()
+            if ours.Document.Transacting:
+                ours.touch()
+            else:
+                status.look_again(ours)
 
 
 def _look_behind(broken):
@@ -156,7 +159,7 @@ class _Observer:
         if document.Restoring:
             return
         if name == "Label":
-            _touch_what_names(obj)
+            _tell_what_names(obj)
         elif name == "Visibility":
             if not kind_of(obj):
                 _touch_users(obj)

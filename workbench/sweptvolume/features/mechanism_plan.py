@@ -227,14 +227,14 @@ class Plan(StillParts):
         return dict(zip(pairs, convert.own_names(pairs)))
 
     def rename(self, report):
-        """The pairs of a report get the names that their parts have now."""
+        """The pairs of a report get the names that their parts have now. Returns whether any has another."""
         found = row_names.placed(report, "parts", "places")
         pairs = {known: row_names.pair_at(self.document, place) for known, place in found}
-        names, new = self.names(), {}
-        for known, pair in pairs.items():
-            new[known] = names.get(pair, known)
-        if all(known == name for known, name in new.items()):
-            return
+        labels = {known: convert.label_of(*pair) for known, pair in pairs.items() if pair}
+        if all(known == one or known.startswith(one + " (") for known, one in labels.items()):
+            return False
+        names = self.names()
+        new = {known: names.get(pair, known) for known, pair in pairs.items()}
         report["parts"] = [new.get(known, known) for known in report["parts"]]
         for name in ("joined", "ignored"):
             report[name] = [[new.get(known, known) for known in both] for both in report[name]]
@@ -245,6 +245,7 @@ class Plan(StillParts):
             if k == report.get("smallest"):
                 row_names.rename_in_summary(report, row["name"], name)
             row["name"] = name
+        return True
 
     # --- the run
 
