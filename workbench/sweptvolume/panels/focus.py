@@ -42,13 +42,15 @@ def _form_keys():
 
 
 def _tree_keys():
-    """Ctrl and an arrow goes on without choosing; FreeCAD 1.0 would show and hide docks."""
+    """Ctrl and an arrow goes on without choosing; FreeCAD 1.0 would show and hide docks (without this
+    keyboard_panels.py fails there)."""
     held = QtCore.Qt.ControlModifier
     return _Keys((held, QtCore.Qt.Key_Up), (held, QtCore.Qt.Key_Down))
 
 
 class SortKeys(QtCore.QObject):
-    """Space sorts a table by the column of its current cell, as a click on the head does."""
+    """Space sorts a table by the column of its current cell, as a click on the head does; no key of Qt's does
+    (keyboard_panels.py)."""
 
     def __init__(self, table):
         super().__init__()
