@@ -625,6 +625,14 @@
    <translation>Es ist kein bewegtes Teil angegeben: einen Festkörper oder ein Netz wählen, das sich bewegt.</translation>
   </message>
   <message>
+   <source>the link "{0}" shows nothing: what it linked to was deleted, or its document is not open. Open that document, or link to something else.</source>
+   <translation>Die Verknüpfung „{0}“ zeigt nichts: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder verknüpfen Sie mit etwas anderem.</translation>
+  </message>
+  <message>
+   <source>"{0}" holds neither a solid nor a mesh.</source>
+   <translation>„{0}“ enthält weder Festkörper noch Netz.</translation>
+  </message>
+  <message>
    <source>the moving part is empty.</source>
    <translation>Das bewegte Teil ist leer.</translation>
   </message>
@@ -639,10 +647,6 @@
   <message>
    <source>"{0}" no longer leads to an object; choose the part again.</source>
    <translation>„{0}“ führt zu keinem Objekt mehr; das Teil neu wählen.</translation>
-  </message>
-  <message>
-   <source>"{0}" holds neither a solid nor a mesh.</source>
-   <translation>„{0}“ enthält weder Festkörper noch Netz.</translation>
   </message>
   <message>
    <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
@@ -1041,12 +1045,20 @@ Versucht:
    <translation>{0} von {1} Läufen sind übrig: Starten Sie die Studie erneut, um fortzufahren.</translation>
   </message>
   <message>
+   <source>the results of the study are not there any more: run it again.</source>
+   <translation>die Ergebnisse der Studie sind nicht mehr da: Rechnen Sie sie erneut.</translation>
+  </message>
+  <message>
    <source>Run study</source>
    <translation>Studie rechnen</translation>
   </message>
   <message>
    <source>Study</source>
    <translation>Studie</translation>
+  </message>
+  <message>
+   <source>"{0}" has no result that is up to date: run the study again first.</source>
+   <translation>„{0}“ hat kein aktuelles Ergebnis: Lassen Sie die Studie zuerst noch einmal laufen.</translation>
   </message>
   <message>
    <source>the parts of "{0}" have motions of their own: a run of a study has one motion.</source>
@@ -1329,10 +1341,6 @@ Versucht:
   <message>
    <source>Open run</source>
    <translation>Lauf öffnen</translation>
-  </message>
-  <message>
-   <source>the results of the study are not there any more: run it again.</source>
-   <translation>die Ergebnisse der Studie sind nicht mehr da: Rechnen Sie sie erneut.</translation>
   </message>
   <message>
    <source>Look for contacts</source>
@@ -2132,6 +2140,10 @@ Versucht:
   <message>
    <source>Contact with {1} ({0})</source>
    <translation>Kontakt mit {1} ({0})</translation>
+  </message>
+  <message>
+   <source>The envelope is not up to date: this tells of the parts and the motion that it was computed from. Recompute it to see them move.</source>
+   <translation>Die Hülle ist nicht aktuell: Dies gilt für die Teile und die Bewegung, aus denen sie berechnet wurde. Berechnen Sie sie neu, um die Bewegung zu sehen.</translation>
   </message>
   <message>
    <source>What made this?</source>

@@ -5,7 +5,7 @@ from case import V, shift, turn
 from sweptvolume.features import clearance, envelope, made_by, path_plan
 from sweptvolume.features.base import UP_TO_DATE, kind_of
 from sweptvolume.trajectory.poses import Poses
-from table_case import Table, add_box, changes, rows
+from table_case import Table, add_box, changes, put_into, rows
 
 #: name -> what a user does to the document of Paths.setUp().
 CHANGES, change = changes()
@@ -62,6 +62,32 @@ def another_wall_is_chosen(doc):
 
 
 @change
+def the_part_has_another_name(doc):
+    doc.Box.Label = "Slider"
+
+
+@change
+def the_part_is_in_a_group(doc):
+    put_into(doc.addObject("App::Part", "Group"), doc.Box, shift())
+
+
+@change
+def the_part_leaves_its_group(doc):
+    doc.Frame.removeObject(doc.Inner)
+
+
+@change
+def the_path_is_a_copy_of_it(doc):
+    doc.Envelope.Motion = doc.copyObject(doc.Motion)
+
+
+@change
+def a_copy_takes_the_place_of_the_path(doc):
+    doc.Envelope.Motion = doc.Clearance.Motion = doc.copyObject(doc.Motion)
+    doc.removeObject("Motion")
+
+
+@change
 def the_wall_goes(doc):
     doc.removeObject("Wall")
 
@@ -78,7 +104,10 @@ class Paths(Table):
         # As a search writes it: poses of the middle of the part, seen from the document.
         poses = Poses([0, 1, 2], [shift(), shift(15), turn(30, base=V(20, 0, 0))], pivot=V(5, 5, 5))
         path_plan.make(doc, [(box, "")], poses)
-        self.envelope([box], doc.Motion, Resolution=16, MadeBy="Document")
+        frame, inner = doc.addObject("App::Part", "Frame"), self.box("Inner", 4)
+        frame.addObject(inner)
+        inner.Placement = shift(0, 14)
+        self.envelope([box, inner], doc.Motion, Resolution=16, MadeBy="Document")
         clearance.make_clearance(
             doc,
             Generators=[(box, "")],
@@ -96,6 +125,8 @@ class Paths(Table):
         if kind_of(obj) == envelope.Envelope.KIND and obj.MadeBy != "Off":
             record = made_by.find(obj)
             found += [record.kind.tolist(), record.faces.tolist(), record.time.round(6).tolist()]
+            found += [sorted(part.items()) for part in record.parts]
+            found.append(made_by.text_of(record.answer(int(record.kind.argmax()))))
         return found
 
     def test_records_follow_results_through_undo(self):

@@ -2,12 +2,18 @@
 """Table: every input of a study, of the document and of a file, changed in every way; the state afterwards is
 what a fresh computation justifies."""
 import os
+import shutil
 
-from case import shift, turn
-from sweptvolume.features import clearance, neighbour_rules, study
-from sweptvolume.features.base import UP_TO_DATE
+import Mesh
+import Part
+
+from case import Case, V, shift, turn
+from sweptvolume import core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, mechanism, motion, neighbour_rules, study
+from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
 from sweptvolume.features.neighbour_rules import CONTACT, Rule
-from table_case import Table, changes, rows
+from table_case import Table, changes, put_into, rows
 
 CHANGES, change = changes()
 
@@ -93,6 +99,104 @@ def a_part_is_a_source(doc):
     doc.Study.Sources = [doc.Box]
 
 
+# --- names, containers, links, expressions
+
+
+@change
+def the_wall_has_another_name(doc):
+    doc.Wall.Label = "Gate"
+
+
+@change
+def wall_and_post_exchange_their_names(doc):
+    doc.Wall.Label, doc.Post.Label = "Name", "Wall"
+    doc.Wall.Label = "Post"
+
+
+@change
+def the_part_has_another_name(doc):
+    doc.Box.Label = "Slider"
+
+
+@change
+def the_motion_has_another_name(doc):
+    doc.Motion.Label = "There"
+
+
+@change
+def a_source_has_another_name(doc):
+    doc.Clearance.Label = "First"
+
+
+@change
+def what_is_no_input_has_another_name(doc):
+    doc.Values.Label = "Numbers"
+
+
+@change
+def the_wall_is_in_a_group_that_stands_elsewhere(doc):
+    put_into(doc.addObject("App::Part", "Group"), doc.Wall)
+
+
+@change
+def the_part_is_in_a_group_with_all(doc):
+    group = doc.addObject("App::Part", "Group")
+    put_into(group, doc.Box, shift())
+    group.addObject(doc.Motion)
+
+
+@change
+def the_wall_is_hidden(doc):
+    doc.Wall.Visibility = False
+
+
+@change
+def the_post_is_hidden_and_all_that_is_visible_checked(doc):
+    doc.Clearance.AllVisible, doc.Post.Visibility = True, False
+
+
+@change
+def the_wall_is_a_link(doc):
+    link = doc.addObject("App::Link", "Link")
+    link.LinkedObject, link.Placement = doc.Wall, shift(50)
+    doc.Clearance.Neighbours = [(link, "")]
+
+
+@change
+def required_by_an_expression(doc):
+    doc.Clearance.setExpression("Required", "Values.length")
+
+
+@change
+def a_value_of_an_expression(doc):
+    doc.Values.set("A1", "9 mm")
+
+
+@change
+def another_motion(doc):
+    doc.Clearance.Motion = motion.motion_from_poses(doc, [0, 1], [shift(), shift(40)])
+
+
+@change
+def the_motion_is_gone(doc):
+    doc.removeObject("Motion")
+
+
+@change
+def a_mechanism_is_a_source(doc):
+    doc.Study.Sources = [mechanism.make_mechanism(doc)]
+
+
+@change
+def one_source_twice(doc):
+    doc.Study.Sources = [doc.Clearance, doc.Clearance]
+
+
+@change
+def the_other_envelope(doc):
+    doc.Study.Sources = [doc.Clearance, doc.Envelope001]
+
+
 @rows
 class OfADocument(Table):
     CHANGES = CHANGES
@@ -100,18 +204,21 @@ class OfADocument(Table):
     def setUp(self):
         super().setUp()
         doc = self.doc
-        box, wall = self.box(), self.box("Wall")
-        wall.Placement = shift(60)
+        box, wall, post = self.box(), self.box("Wall"), self.box("Post")
+        wall.Placement, post.Placement = shift(60), shift(0, 25)
+        self.sheet("length", "6 mm")
         self.line(30)
         self.envelope([box], doc.Motion, Resolution=16)
         clearance.make_clearance(
             doc,
             Generators=[(box, "")],
             Motion=doc.Motion,
-            Neighbours=[(wall, "")],
+            Neighbours=[(wall, ""), (post, "")],
             AllVisible=False,
             Required=5.0,
         )
+        self.envelope([wall], doc.Motion, Resolution=10)
+        doc.Envelope001.setExpression("CellSize", "Values.length / 2")
         study.make_study(
             doc,
             Sources=[doc.Clearance, doc.Envelope],
@@ -126,10 +233,130 @@ class OfADocument(Table):
         """The study alone: what it is made of has tables of its own."""
         return [obj for obj in super().results() if study.is_study(obj)]
 
+    def look(self, name):
+        """And a page tells of the document as it is, or there is none."""
+        super().look(name)
+        with self.subTest(change=name):
+            if self.doc.Study.Status == UP_TO_DATE:
+                self.assertEqual(study.written(self.doc.Study)[1], self.doc.Study.Results)
+            else:
+                with self.assertRaisesRegex(InputProblem, "up to date"):
+                    study.written(self.doc.Study)
+
+    def test_a_page_of_results_that_are_gone(self):
+        shutil.rmtree(self.doc.Study.Results)
+        with self.assertRaisesRegex(InputProblem, "not there any more"):
+            study.written(self.doc.Study)
+
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
         self.look("nothing")
-        self.doc.Box.Label = "Another name"
+        self.doc.Study.Label = "Another name"
         self.doc.recompute()
-        self.look("label of a part")
+        self.look("label of the study")
         self.assertEqual(self.doc.Study.Status, UP_TO_DATE)
+
+
+def box_file(path, size, place=V()):
+    Mesh.Mesh(Part.makeBox(size, 10, 10, place).tessellate(1)).write(path)
+
+
+def motion_text(way):
+    return "0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(way)
+
+
+class OfAFile(Case):
+    """What a study file names, changed on the disk."""
+
+    NEEDS_CORE = True
+    TEXT = """
+[study]
+name = "boxes"
+[defaults]
+part = "box.ply"
+neighbours = ["wall.ply"]
+compute = ["clearance"]
+[[run]]
+name = "near"
+motion = "near.csv"
+"""
+
+    def setUp(self):
+        super().setUp()
+        box_file(self.at("box.ply"), 10)
+        box_file(self.at("wall.ply"), 10, V(43, 0, 0))
+        for name, way in (("near", 30), ("other", 31)):
+            self.file(name + ".csv", motion_text(way))
+        self.obj = study.make_study(self.doc, File=self.file("study.toml", self.TEXT))
+        self.doc.recompute()
+        study.compute(self.obj)
+        self.doc.recompute()
+        self.assertEqual(self.obj.Status, UP_TO_DATE, self.obj.Message)
+
+    def at(self, name):
+        return os.path.join(self.folder, name)
+
+    def looked(self):
+        """No link tells of files: the state is that of the last look."""
+        study.update_status(self.obj)
+        return self.obj.Status
+
+    def fresh(self):
+        """The rows of a new object for the same file; None where it is refused."""
+        other = study.make_study(self.doc, File=self.obj.File, Folder=self.at("fresh"))
+        self.doc.recompute()
+        try:
+            study.compute(other)
+        except (InputProblem, core.CoreError):
+            return None
+        return [(r["run"], r["state"], r.get("distance")) for r in study.report_of(other)["runs"]]
+
+    def test_every_file(self):
+        """Changed, it is not up to date; as it was before, it is again."""
+        text = self.TEXT
+        for name, change, refused in (
+            ("near.csv", lambda path: self.file("near.csv", motion_text(33)), False),
+            ("wall.ply", lambda path: box_file(path, 10, V(50, 0, 0)), False),
+            ("box.ply", lambda path: box_file(path, 12), False),
+            ("near.csv", os.remove, True),
+            ("wall.ply", os.remove, True),
+            ("study.toml", lambda path: self.file("study.toml", text + "extra = 1\n"), True),
+            ("study.toml", os.remove, True),
+            (
+                "study.toml",
+                lambda path: self.file("study.toml", text.replace("near.csv", "other.csv")),
+                False,
+            ),
+            (
+                "study.toml",
+                lambda path: self.file(
+                    "study.toml", text + "[defaults.clearance]\nrequired = 20\n"
+                ),
+                False,
+            ),
+        ):
+            with self.subTest(name=name, refused=refused):
+                kept = self.at("kept")
+                shutil.copy2(self.at(name), kept)
+                change(self.at(name))
+                self.assertEqual(self.looked(), FAILED if refused else STALE)
+                self.assertEqual(bool(self.obj.Message), refused)
+                self.assertEqual(self.fresh() is None, refused)
+                os.replace(kept, self.at(name))
+                self.assertEqual(self.looked(), UP_TO_DATE)
+
+    def test_files_that_no_run_names_and_names_of_objects(self):
+        self.file("other.csv", motion_text(40))
+        self.obj.Label = "Another name"
+        self.assertEqual(self.looked(), UP_TO_DATE)
+        self.obj.Jobs = 2
+        self.assertEqual(self.looked(), UP_TO_DATE)
+
+    def test_the_folder_moves_as_a_whole(self):
+        moved = self.at("moved")
+        os.mkdir(moved)
+        for name in ("study.toml", "box.ply", "wall.ply", "near.csv"):
+            shutil.move(self.at(name), moved)
+        self.assertEqual(self.looked(), FAILED)
+        self.obj.File = os.path.join(moved, "study.toml")
+        self.assertEqual(self.looked(), UP_TO_DATE)

@@ -109,7 +109,6 @@ class Studies(Slide):
         self.doc.recompute()
         self.assertEqual(obj.Status, UP_TO_DATE, "as it was when it was computed")
         other.Label = "Zwei"
-        obj.touch()
         self.doc.recompute()
         self.assertEqual(obj.Status, STALE, "runs have the names of their sources")
 

@@ -34,10 +34,13 @@ def matrices(found):
 
 def words(pairs):
     """What parts given as (root, sub) are made of and where they stand: texts, and apart.Apart where the text
-    may have to be read first."""
+    may have to be read first. Raises InputProblem where a path leads to nothing that has a form."""
     found = []
     for root, sub in pairs:
-        for linked, path in convert.leaves(root, sub):
+        leaves = convert.leaves(root, sub)
+        if not leaves:
+            raise convert.holds_nothing(root, sub)
+        for linked, path in leaves:
             found += [matrices(convert.global_matrix(root, path)), apart.of(linked)]
     return found or [""]
 

@@ -253,8 +253,27 @@ def solid_leaves(root, sub):
     return parts if len(parts) == 1 else [part for part in parts if solid_like(part[0])]
 
 
+def holds_nothing(root, sub):
+    """InputProblem: a path leads to no solid and no mesh."""
+    target = root.getSubObject(sub, retType=1)
+    if target.isDerivedFrom("App::Link") and target.LinkedObject is None:
+        text = translate(
+            "Messages",
+            'the link "{0}" shows nothing: what it linked to was deleted, or its document is not open. Open '
+            "that document, or link to something else.",
+        )
+    else:
+        text = translate("Messages", '"{0}" holds neither a solid nor a mesh.')
+    return InputProblem(text.format(label_of(root, sub)))
+
+
 def no_part_text():
     return translate("Messages", "no moving part is given: choose a solid or a mesh that moves.")
+
+
+def owner(root, path):
+    """Whose the faces of a solid or mesh are, as features.made_by tells it."""
+    return {"label": label_of(root, path), "root": root.Name, "sub": path}
 
 
 def body_from(pairs, deflection):
@@ -267,16 +286,13 @@ def body_from(pairs, deflection):
         labels.append(label)
         parts = solid_leaves(root, sub)
         if not parts:
-            raise InputProblem(
-                translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
-            )
+            raise holds_nothing(root, sub)
         for linked, path in parts:
             try:
                 how = reader(linked, deflection)
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
-            own = {"label": label_of(root, path), "root": root.Name, "sub": path}
-            read.append((label, global_matrix(root, path), how, own))
+            read.append((label, global_matrix(root, path), how, owner(root, path)))
     return Body(read, global_placement(*pairs[0]), labels)
 
 

@@ -129,8 +129,30 @@ def scenario():
     yield no_panel
     assert obj.ViewObject.ColourBy == "Face"
 
-    # A recompute keeps the colours.
+    # Of an envelope that is stale what is told is of the parts as they were: nothing is selected or shown.
     bracket.Height = 25
+    obj.Motion = doc.copyObject(path)
+    doc.recompute()
+    assert obj.Status == envelope.STALE
+    select(obj)
+    Gui.runCommand("SweptVolume_MadeBy")
+    yield
+    panel = made_panel.opened[-1]
+    Gui.activeDocument().activeView().viewLeft()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 0.3
+    yield from click_at(V(0, 10, 15))
+    assert panel.text.text().startswith("Face1 of Bracket, at 0.000 s"), panel.text.text()
+    assert "not up to date" in panel.text.text(), panel.text.text()
+    assert not find(QtWidgets.QPushButton, "SweptVolumeSelectFace").isEnabled()
+    assert panel.moving is None and not panel.player.isEnabled()
+    assert not panel.message.text(), panel.message.text()
+    shot("72_made_by_stale")
+    click(panel_button(Close))
+    yield no_panel
+
+    # A recompute keeps the colours.
+    obj.Motion = path
     doc.recompute()
     select(obj)
     before = made_by.find(obj)

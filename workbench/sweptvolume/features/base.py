@@ -23,6 +23,8 @@ class Feature:
     (type, name, group, help, default, editor mode)."""
 
     KIND = ""
+    #: Whether what it shows names its inputs, as they are called.
+    NAMES_PARTS = False
 
     def __init__(self, obj):
         self.add_properties(obj)

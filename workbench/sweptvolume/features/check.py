@@ -2,6 +2,7 @@
 """What checks of distances share: of one moving body, and of a whole mechanism. `execute` only marks; a
 run is Plan.request() - work() - apply()."""
 import contextlib
+import json
 
 from .. import convert, core
 from ..convert import InputProblem
@@ -14,11 +15,16 @@ from .neighbour_rules import PARTS_PROPERTY
 class Check(Feature):
     """Base of their proxies. Subclasses give PLAN, RULES (the module of their rules), report_of()."""
 
+    NAMES_PARTS = True
     PLAN = None
     RULES = None
 
     def report_of(self, obj):
         """The stored report (dict); None if there is none, or a damaged one."""
+        raise NotImplementedError
+
+    def summary(self, report):
+        """A report in one line."""
         raise NotImplementedError
 
     def execute(self, obj):
@@ -67,11 +73,23 @@ def follow_all_visible(obj):
 def update_status(obj):
     """Compares inputs and stored result."""
     plan = obj.Proxy.PLAN.of(obj)
+    _rename(obj, plan)
     now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
     if waits:
         return
     waiting = any(map(status.is_behind, plan.objects() + convert.targets(plan.neighbours)))
     status.judge(obj, now, problem, waiting, notes_of(obj))
+
+
+def _rename(obj, plan):
+    """The stored report names parts as they are called now: a name that another part has got since would tell
+    of the wrong one. Whether the result is current does not depend on names."""
+    report = obj.Proxy.report_of(obj) if obj.Report else None
+    if report is None:
+        return
+    with contextlib.suppress(InputProblem):
+        if plan.rename(report):
+            obj.Report, obj.Summary = json.dumps(report), obj.Proxy.summary(report)
 
 
 def keep(obj, hash_at_start):

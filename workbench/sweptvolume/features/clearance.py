@@ -78,6 +78,9 @@ class Clearance(Check):
     def report_of(self, obj):
         return report_of(obj)
 
+    def summary(self, report):
+        return summary(report)
+
     def onDocumentRestored(self, obj):
         of_before = "Seen" not in obj.PropertiesList
         with quietly(obj):
@@ -106,8 +109,10 @@ def work(request, control):
     """Any thread: the check itself. Raises core.CoreError, InputProblem."""
     neighbours = request.rows()
     report = core.clearance(request.body, neighbours, request.options, control)
+    for row, neighbour in zip(report["neighbours"], request.neighbours):
+        row["place"] = neighbour.place
     if request.ignored:
-        report["ignored"] = request.ignored
+        report["ignored"], report["ignored_places"] = map(list, zip(*request.ignored))
     distances = None
     if request.points is not None:
         distances = np.full(len(request.points), FAR)

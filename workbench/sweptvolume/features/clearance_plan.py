@@ -6,7 +6,7 @@ import json
 from .. import contents, convert
 from ..convert import InputProblem
 from ..texts import translate
-from . import containers, missing, neighbour_rules, status
+from . import containers, missing, neighbour_rules, row_names, status
 from . import envelope as envelope_feature
 from .base import set_changed
 from .moving import Moving, Seen
@@ -23,7 +23,7 @@ class Request:
         self.options = options
         self.points = points  # of the envelope, to be coloured; may be None
         self.notes = notes
-        self.ignored = list(ignored)  # names of neighbours that are not looked at
+        self.ignored = list(ignored)  # [name, place] of neighbours that are not looked at
 
     def rows(self):
         """Any thread: (name, vertices, triangles, chord, rule as text or None) of the neighbours. One of
@@ -154,6 +154,20 @@ class Plan(StillParts):
         body = convert.body_from(self.pairs, self.seen_deflection())
         way = moving.way()
         return [(Seen(body, way.into_base), way.course())]
+
+    def rename(self, report):
+        """The rows of a report get the names that their parts have now. Returns whether any has another."""
+        changed, ignored = False, row_names.placed(report, "ignored", "ignored_places")
+        for k, (known, place) in enumerate(ignored):
+            report["ignored"][k] = row_names.label_at(self.document, place, known)
+            changed |= report["ignored"][k] != known
+        for k, row in enumerate(report["neighbours"]):
+            known = row["name"]
+            row["name"] = row_names.label_at(self.document, row.get("place"), known)
+            changed |= row["name"] != known
+            if k == report.get("smallest"):
+                row_names.rename_in_summary(report, known, row["name"])
+        return changed
 
     def hash(self):
         """Short text that stands for all the result depends on; "" while inputs are unusable."""

@@ -7,6 +7,7 @@ does not tell that a group was moved, an observer does.
 import FreeCAD as App
 
 from .. import convert
+from . import status
 from .base import kind_of
 
 #: Properties with paths to parts.
@@ -120,24 +121,49 @@ def _touch_users(obj):
                 ours.touch()
 
 
+def _tell_what_names(obj):
+    """What names an object that was called something else looks again at once: FreeCAD recomputes nothing for
+    a name. Undo brings the names back by itself."""
+    for ours in obj.InListRecursive:
+        if kind_of(ours) and ours.Proxy.NAMES_PARTS:
+            if ours.Document.Transacting:
+                ours.touch()
+            else:
+                status.look_again(ours)
+
+
+def _look_behind(broken):
+    """Ours that depend on an object that failed look at their inputs: FreeCAD's recompute stops at what
+    fails, and what stands behind it is not asked. Such is a link that shows nothing, since its target or
+    the document of its target is gone."""
+    for ours in broken.InListRecursive:
+        if kind_of(ours):
+            status.look_again(ours)
+            status.tell_users(ours)
+
+
 class _Observer:
     """Hears of what the links of FreeCAD do not tell: objects that come into a group or leave it, groups
-    that are moved, things that are shown, hidden or made. Undo is heard like any other change, but only
-    marks: it brings the links back by itself.
+    that are moved, things that are shown, hidden, renamed or made, and inputs that fail. Undo is heard like
+    any other change, but only marks: it brings the links back by itself.
 
-    It is called at every change of every property, which costs nothing that can be measured: 20,000 lengths
-    of 200 boxes take 51 to 58 us each without it and 53 to 58 with it."""
+    It is called at every change of every property: a length takes 58 us of CPU where it takes 55 without, a
+    placement 8 where it takes 4, a name 36 where it takes 28; a recompute of 1,000 objects takes no longer.
+    Without it a moved group, a hidden part or a link that lost its target leaves results "Up to date"
+    (test_states_in_groups.py, test_states_of_other_documents.py)."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
-        if name not in ("Visibility", "Group", "Placement"):
+        if name not in ("Visibility", "Group", "Placement", "Label"):
             return
         document = obj.Document
         if document.Restoring:
             return
-        if name == "Visibility":
+        if name == "Label":
+            _tell_what_names(obj)
+        elif name == "Visibility":
             if not kind_of(obj):
                 _touch_users(obj)
-        elif "Group" in obj.PropertiesList:
+        elif hasattr(obj, "Group"):
             if name == "Placement":
                 for member in inside(obj):
                     for ours in [member] + member.InList:
@@ -152,6 +178,13 @@ class _Observer:
     def slotCreatedObject(self, obj):  # noqa: N802
         if not obj.Document.Restoring:
             _touch_checks(obj.Document, obj)
+
+    def slotRecomputedDocument(self, document):  # noqa: N802
+        if not document.isTouched():  # what fails stays touched
+            return
+        for obj in document.Objects:
+            if "Invalid" in obj.State:
+                _look_behind(obj)
 
     def slotDeletedObject(self, obj):  # noqa: N802
         """Undo takes an object away, but not out of links that were set beside the undo record."""

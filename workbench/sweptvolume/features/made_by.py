@@ -8,6 +8,7 @@ the document only where the property MadeBy asks for that: a triangle then takes
 import base64
 import bisect
 import collections
+import contextlib
 import io
 import json
 import zipfile
@@ -15,8 +16,12 @@ import zipfile
 import FreeCAD as App
 import numpy as np
 
+from .. import convert
+from ..convert import InputProblem
 from ..texts import mark, translate
-from .base import fits
+from . import row_names
+from .base import UP_TO_DATE, fits
+from .envelope_plan import Plan
 
 PROPERTY = "MadeByData"
 CAP, EDGE, GRAZE = range(3)
@@ -132,7 +137,35 @@ def _store(obj):
 
 
 def find(obj):
-    """The record of the stored result of an envelope, or None."""
+    """The record of the stored result of an envelope, or None. Parts and motions in it are named as they are
+    now."""
+    record = _find(obj)
+    if record is not None:
+        with contextlib.suppress(InputProblem):
+            _rename(obj, record)
+    return record
+
+
+def _rename(obj, record):
+    """Of a result that is current the parts stand in the order of the inputs, whatever they are called and
+    whichever group holds them now."""
+    if obj.Status != UP_TO_DATE:
+        for part in record.parts:
+            place = [part["root"], part["sub"]]
+            part["label"] = row_names.label_at(obj.Document, place, part["label"])
+        return
+    now = [
+        dict(convert.owner(root, path), motion=group.motion.Name)
+        for group in Plan.of(obj).groups()
+        for root, sub in group.pairs
+        for _, path in convert.solid_leaves(root, sub)
+    ]
+    if len(now) == len(record.parts):
+        for part, own in zip(record.parts, now):
+            part.update(own)
+
+
+def _find(obj):
     key = _key(obj)
     for record in _kept.get((obj.Document.Name, obj.Name), []):
         if record.key == key:

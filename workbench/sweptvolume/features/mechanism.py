@@ -57,6 +57,9 @@ class Mechanism(Check):
     def report_of(self, obj):
         return report_of(obj)
 
+    def summary(self, report):
+        return mechanism_table.summary(report)
+
 
 def is_mechanism(obj):
     return kind_of(obj) == Mechanism.KIND
@@ -73,7 +76,10 @@ def work(request, control):
     """Any thread: the check itself. Raises core.CoreError, InputProblem."""
     rows = request.rows()
     options = dict(request.options, rules=request.asked())
-    return Outcome(core.mechanism(rows, options, control), request.notes)
+    report = core.mechanism(rows, options, control)
+    places = {part.name: part.place for part in request.parts}
+    report["places"] = [places[name] for name in report["parts"]]
+    return Outcome(report, request.notes)
 
 
 def apply(obj, outcome, hash_at_start):

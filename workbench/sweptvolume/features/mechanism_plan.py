@@ -9,7 +9,7 @@ from ..convert import InputProblem
 from ..quantities import number
 from ..texts import translate
 from ..trajectory.poses import Poses, at_time
-from . import containers, missing, pair_rules, status
+from . import containers, missing, pair_rules, row_names, status
 from . import motion as motion_feature
 from .base import set_changed, whole
 from .moving import Seen, grouped
@@ -23,6 +23,7 @@ class Part:
 
     def __init__(self, name, pair, body, chord, way=None, straight=0.0):
         self.name, self.pair, self.body, self.chord = name, pair, body, chord
+        self.place = row_names.place_of(*pair)
         self._way, self._straight = way, straight
 
     def moves(self):
@@ -251,6 +252,27 @@ class Plan(StillParts):
         """{(root, sub): name} of all parts: their labels, with a number where one is there twice."""
         pairs = self.pairs + self.leaves()
         return dict(zip(pairs, convert.own_names(pairs)))
+
+    def rename(self, report):
+        """The pairs of a report get the names that their parts have now. Returns whether any has another."""
+        found = row_names.placed(report, "parts", "places")
+        pairs = {known: row_names.pair_at(self.document, place) for known, place in found}
+        labels = {known: convert.label_of(*pair) for known, pair in pairs.items() if pair}
+        if all(known == one or known.startswith(one + " (") for known, one in labels.items()):
+            return False
+        names = self.names()
+        new = {known: names.get(pair, known) for known, pair in pairs.items()}
+        report["parts"] = [new.get(known, known) for known in report["parts"]]
+        for name in ("joined", "ignored"):
+            report[name] = [[new.get(known, known) for known in both] for both in report[name]]
+        for k, pair in enumerate(report["pairs"]):
+            for side in ("first", "second"):
+                pair[side] = new.get(pair[side], pair[side])
+            row, name = pair["clearance"], "{} - {}".format(pair["first"], pair["second"])
+            if k == report.get("smallest"):
+                row_names.rename_in_summary(report, row["name"], name)
+            row["name"] = name
+        return True
 
     # --- the run
 

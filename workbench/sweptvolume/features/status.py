@@ -89,6 +89,12 @@ def is_behind(obj):
     return kind_of(obj) != "" and getattr(obj, "Status", "") in (STALE, FAILED, CANCELLED)
 
 
+def look_again(obj):
+    """An object of ours compares its inputs with its result, beside a recompute of the document."""
+    with quietly(obj):
+        obj.Proxy.look(obj)
+
+
 def tell_users(obj):
     """Objects of ours that use this one look again: it was changed beside a recompute of the document,
     or the recompute stops at it."""
@@ -98,8 +104,7 @@ def tell_users(obj):
             if kind_of(user) and user not in seen:
                 seen.append(user)
                 waiting.append(user)
-                with quietly(user):
-                    user.Proxy.look(user)
+                look_again(user)
 
 
 def renew(obj, before, now):

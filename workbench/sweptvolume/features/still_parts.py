@@ -4,7 +4,7 @@ with what it asks for."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
-from . import containers, missing, neighbour_rules
+from . import containers, missing, neighbour_rules, row_names
 from . import envelope as envelope_feature
 from .base import kind_of
 
@@ -32,13 +32,13 @@ def _parts(root, sub):
 
 class Neighbour:
     """A part that stands still: name, convert.Body, how far its triangles may leave its surface (mm),
-    where it is in the document (root, sub), and its rule."""
+    where it is in the document ((root, sub), and as a place of row_names), and its rule."""
 
     def __init__(self, name, body, chord, pair, rule):
         self.name = name
         self.body = body
         self.chord = chord
-        self.pair = pair
+        self.pair, self.place = pair, row_names.place_of(*pair)
         self.rule = rule  # neighbour_rules.Rule
 
 
@@ -164,15 +164,13 @@ class StillParts:
                     '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
                 ).format(label)
             )
-        return InputProblem(
-            translate("Messages", '"{0}" holds neither a solid nor a mesh.').format(label)
-        )
+        return convert.holds_nothing(root, sub)
 
     def _moves(self, root, path):
         return any(root is r and path.startswith(s) for r, s in self.pairs)
 
     def still_parts(self, deflection):
-        """(neighbours as plain values, notes on what was left out, names of the ignored). Raises
+        """(neighbours as plain values, notes on what was left out, [name, place] of the ignored). Raises
         InputProblem."""
         neighbours, notes, ignored = [], self.left_out(), []
         for pair in self.leaves():
@@ -180,7 +178,7 @@ class StillParts:
             rule = neighbour_rules.of(self.rules, *pair)
             neighbour_rules.check(rule, name)
             if rule.kind == neighbour_rules.IGNORE:
-                ignored.append(name)
+                ignored.append([name, row_names.place_of(*pair)])
                 continue
             try:
                 part = convert.body_from([pair], deflection)

@@ -6,6 +6,7 @@ kept in the document (docs/studies.md).
 the rows. What was stopped keeps the rows that it had, and the next run goes on from there.
 """
 import json
+import os
 
 from .. import core
 from ..convert import InputProblem
@@ -32,6 +33,7 @@ class Study(Feature):
     """Proxy of the study."""
 
     KIND = "SweptVolume::Study"
+    NAMES_PARTS = True
 
     def properties(self):
         given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
@@ -74,6 +76,9 @@ def update_status(obj):
         # What is wrong with a file that was never run.
         _, problem = status.hash_or_problem(plan.runs)
     report = report_of(obj) if obj.Report else None
+    if not problem and report is not None and report.get("labels") is not None:
+        if report["labels"] != plan.labels():
+            now += ", other names"
     status.judge(obj, now, problem, plan.waits(), report["message"] if report else "")
 
 
@@ -94,7 +99,7 @@ def work(request, control):
 
 def _store(obj, report, request):
     rows = report["runs"]
-    obj.Report = json.dumps(report)
+    obj.Report = json.dumps(dict(report, labels=request.labels))
     obj.Summary = study_table.summary(report)
     obj.Checked = len(rows) - study_table.count(rows, "not run")
     obj.Verdict = study_table.verdict(report)
@@ -106,6 +111,25 @@ def apply(obj, report, request, hash_at_start):
     _store(obj, report, request)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
+
+
+def written(obj):
+    """(study file, folder of the results), for a page. Raises InputProblem where they are gone, or where the
+    document has changed since: the page would tell of other parts. A page of a study file says by itself
+    which runs are to be computed again."""
+    update_status(obj)
+    of_file = bool(obj.File) and not obj.Sources
+    if not of_file and obj.Status not in (UP_TO_DATE, CANCELLED):
+        text = translate(
+            "Messages", '"{0}" has no result that is up to date: run the study again first.'
+        ).format(obj.Label)
+        raise InputProblem("\n".join(filter(None, (text, obj.Message))))
+    if not os.path.isfile(obj.Written) or not os.path.isdir(obj.Results):
+        text = translate(
+            "Messages", "the results of the study are not there any more: run it again."
+        )
+        raise InputProblem(text)
+    return obj.Written, obj.Results
 
 
 def unfinished(names, rows):

@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 
-from .. import contents
+from .. import contents, convert
 from ..convert import InputProblem
 from ..texts import translate
 from . import clearance, clearance_plan, envelope, envelope_plan, missing, status, study_export
@@ -34,10 +34,11 @@ def names_of(sources):
 
 class Request:
     """What one study computes, no document behind it: file and folder ("": that of the file), and the runs
-    that are written into the file first (None: it is there)."""
+    that are written into the file first (None: it is there). labels: Plan.labels()."""
 
-    def __init__(self, file, output, jobs, runs, look):
+    def __init__(self, file, output, jobs, runs, look, labels):
         self.file, self.output, self.jobs, self.runs, self.look = file, output, jobs, runs, look
+        self.labels = labels
         self.rows = {}  # name of a run -> its row, as they end
 
     def prepare(self, control):
@@ -152,6 +153,17 @@ class Plan:
                 raise InputProblem(str(problem)) from None
         return status.VERSION + contents.short([json.dumps(found)])
 
+    def labels(self):
+        """What parts, motions and neighbours are called: rows and pages tell of them by these names. None of
+        a study file. Raises InputProblem."""
+        found = []
+        for plan in self._read()[0] if self.sources else []:
+            beside = plan.leaves() if isinstance(plan, clearance_plan.Plan) else []
+            found += [convert.label_of(*pair) for pair in plan.pairs + beside]
+            motions = [plan.motion] + getattr(plan, "motions", [])
+            found += [motion.Label for motion in motions if motion is not None]
+        return found
+
     def hash(self):
         """As clearance_plan.Plan.hash()."""
         return status.hash_or_problem(self.checked_hash)[0]
@@ -160,13 +172,14 @@ class Plan:
         """Raises InputProblem, core.CoreError, core.CoreMissing."""
         path, output = self.place()
         if not self.sources:
-            return Request(path, output, self.jobs, None, None)
+            return Request(path, output, self.jobs, None, None, [])
         plans, names = self._read()
         runs = [
             study_export.run_of(name, source, plan)
             for name, source, plan in zip(names, self.sources, plans)
         ]
-        return Request(path, output, self.jobs, runs, study_export.Look.now(self.document.Label))
+        look = study_export.Look.now(self.document.Label)
+        return Request(path, output, self.jobs, runs, look, self.labels())
 
 
 def _stamps(study):

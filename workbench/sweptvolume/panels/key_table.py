@@ -152,7 +152,8 @@ class KeyTable(QtCore.QObject):
             self.chosen.emit(row)
 
     def eventFilter(self, watched, event):  # noqa: N802
-        """Keys that act on the table come before FreeCAD's own shortcuts."""
+        """Keys that act on the table come before FreeCAD's own shortcuts, which are of the whole window
+        (without this keyboard.py fails)."""
         if event.type() not in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress):
             return super().eventFilter(watched, event)
         pressed = event.type() == QtCore.QEvent.KeyPress

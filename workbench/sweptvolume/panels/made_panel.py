@@ -7,6 +7,7 @@ from PySide import QtCore
 from .. import convert
 from ..convert import InputProblem
 from ..features import made_by
+from ..features.base import UP_TO_DATE
 from ..features.envelope_plan import STRAIGHT, Plan
 from ..texts import translate
 from ..trajectory.poses import INTERPOLATIONS, at_time
@@ -24,6 +25,14 @@ GHOST_DEFLECTION = 0.003
 
 #: The panel opened last, for tests and macros.
 opened = []
+
+
+def _of_before():
+    return translate(
+        "Panels",
+        "The envelope is not up to date: this tells of the parts and the motion that it was computed from. "
+        "Recompute it to see them move.",
+    )
 
 
 class _MovingParts:
@@ -155,14 +164,20 @@ class MadePanel(StayingPanel):
         if obj.Name != self.obj.Name or made_by.find(self.obj) is None:
             return
         self.answer = answer
-        self.choose.setEnabled(answer is not None)
+        current = self.obj.Status == UP_TO_DATE
+        self.choose.setEnabled(answer is not None and current)
         if answer is None:
             self.text.setText(translate("Panels", "It is not known what made this place."))
             return
-        self.text.setText(made_by.text_of(answer))
-        Gui.getMainWindow().statusBar().showMessage(made_by.text_of(answer).replace("\n", ", "))
-        self._show_parts(answer.motion)
-        self.player.go_to(answer.time)
+        text = made_by.text_of(answer)
+        self.text.setText(text if current else text + "\n" + _of_before())
+        Gui.getMainWindow().statusBar().showMessage(text.replace("\n", ", "))
+        self.player.setEnabled(current)
+        if current:
+            self._show_parts(answer.motion)
+            self.player.go_to(answer.time)
+        else:  # the part may not pass there any more
+            self._remove_parts()
 
     def _show_parts(self, motion):
         if self.motion == motion:

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The runs of a study's panel: the study itself, its report, a run of a study file as objects."""
-import os
-
 import FreeCAD as App
 
 from .. import page, settings, studies
@@ -56,12 +54,7 @@ class StudyPageTask(WritingTask):
         self.title = translate("Messages", "Export report")
         self.document, self.watched, self.path = obj.Document, [obj], path
         page.check_target(path)
-        self.study, self.results = obj.Written, obj.Results
-        if not os.path.isfile(self.study) or not os.path.isdir(self.results):
-            text = translate(
-                "Messages", "the results of the study are not there any more: run it again."
-            )
-            raise InputProblem(text)
+        self.study, self.results = study.written(obj)
 
     def work(self, control):
         pdf = page.is_pdf(self.path)

@@ -2,8 +2,8 @@
 """Surfaces for the 3D view, light enough that the window never stands still for them.
 
 drawn() is made in any thread, group_of() and FreeCAD's own display are changed in the window's. A
-picture of a million triangles takes the window a fifth of a second where no graphics card helps, and
-one of a thinned copy that nobody can tell from it a hundredth.
+picture of a million triangles takes the window 0.18 s of CPU where no graphics card helps, and one of a
+thinned copy that nobody can tell from it 0.03 s: each turn of the view costs as much.
 """
 import ctypes
 
@@ -40,8 +40,8 @@ _VALUES = {
 def fill(field, values):
     """Puts an array into a field of Coin, bit by bit.
 
-    Coin's own call takes Python's lists alone: to make and to read one of a preview takes 20 ms, in
-    which no other thread gets to run."""
+    Coin's own call makes an object of Python of each number: 8 ms of CPU for 40,000 triangles, in which no
+    other thread gets to run, at each step of a drag that has a preview. This takes 0.1 ms."""
     values = np.ascontiguousarray(values)
     kind = field.getTypeId().getName().getString()
     if (values.dtype, values.shape[1:]) != _VALUES[kind]:

@@ -1,0 +1,390 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Table: parts, neighbours, wires, envelopes and values that stand in another document, changed there and
+here in every way, and that document closed, changed while it was closed, saved elsewhere or renamed; the
+state afterwards is what a fresh computation justifies.
+"""
+import os
+import time
+
+import FreeCAD as App
+import Part
+
+from case import V, shift, turn
+from sweptvolume.features import clearance, envelope, motion
+from sweptvolume.features.base import FAILED, UP_TO_DATE
+from table_case import Table, add_box, changes, put_into, rows
+
+CHANGES, change = changes()
+
+
+def elsewhere():
+    """The other document."""
+    return App.getDocument("Elsewhere")
+
+
+# --- there
+
+
+@change
+def the_part_grows(doc):
+    elsewhere().Part.Length = 12
+
+
+@change
+def the_part_moves_there(doc):
+    elsewhere().Part.Placement = shift(0, 5)  # a link has a place of its own
+
+
+@change
+def the_neighbour_grows(doc):
+    elsewhere().Wall.Height = 14
+
+
+@change
+def the_neighbour_has_another_form(doc):
+    elsewhere().Plate.Shape = Part.makeBox(20, 4, 2).cut(Part.makeCylinder(1, 2, V(15, 2, 0)))
+
+
+@change
+def the_wire_is_bent(doc):
+    elsewhere().Wire.Shape = Part.makePolygon([V(), V(20, 0, 0), V(20, 9, 0)])
+
+
+@change
+def the_wire_moves_there(doc):
+    elsewhere().Wire.Placement = shift(0, 4)
+
+
+@change
+def the_value_changes(doc):
+    elsewhere().Values.set("A1", "8 mm")
+
+
+@change
+def the_group_gets_a_part(doc):
+    other = elsewhere()
+    other.Group.addObject(add_box(other, "More", shift(0, -60)))
+
+
+@change
+def the_group_loses_a_part(doc):
+    elsewhere().Group.removeObject(elsewhere().Second)
+
+
+@change
+def a_part_of_the_group_moves(doc):
+    elsewhere().Inner.Placement = shift(0, -23)
+
+
+@change
+def a_part_of_the_group_is_hidden(doc):
+    elsewhere().Second.Visibility = False
+
+
+@change
+def a_part_of_the_group_is_deleted(doc):
+    elsewhere().removeObject("Second")
+
+
+@change
+def the_group_moves_there(doc):
+    elsewhere().Group.Placement = turn(15)
+
+
+@change
+def the_group_is_in_another_group(doc):
+    other = elsewhere()
+    put_into(other.addObject("App::Part", "Outer"), other.Group)
+
+
+@change
+def the_part_is_in_a_group(doc):
+    other = elsewhere()
+    put_into(other.addObject("App::Part", "Outer"), other.Part)
+
+
+@change
+def the_part_is_hidden_there(doc):
+    elsewhere().Part.Visibility = False
+
+
+@change
+def the_part_is_deleted_there(doc):
+    elsewhere().removeObject("Part")
+
+
+@change
+def the_neighbour_is_deleted_there(doc):
+    elsewhere().removeObject("Wall")
+
+
+@change
+def the_envelope_moves_there(doc):
+    elsewhere().Envelope.Placement = shift(0, 0, 3)
+
+
+@change
+def the_envelope_is_computed_anew(doc):
+    elsewhere().Tool.Height = 7
+    elsewhere().recompute()
+    envelope.compute(elsewhere().Envelope)
+
+
+@change
+def other_names_there(doc):
+    for name in ("Part", "Wall", "Wire", "Group", "Envelope"):
+        getattr(elsewhere(), name).Label = "Another " + name
+
+
+@change
+def something_new_there(doc):
+    add_box(elsewhere(), "Fresh", shift(0, 0, 90))
+
+
+# --- here
+
+
+@change
+def the_link_moves(doc):
+    doc.PartLink.Placement = shift(0, 3)
+
+
+@change
+def the_link_shows_another_part(doc):
+    doc.PartLink.LinkedObject = elsewhere().Wall
+
+
+@change
+def the_link_shows_a_part_of_this_document(doc):
+    doc.PartLink.LinkedObject = doc.Box
+
+
+@change
+def the_link_shows_nothing(doc):
+    doc.PartLink.LinkedObject = None
+
+
+@change
+def the_link_is_scaled(doc):
+    doc.GroupLink.Scale = 2
+
+
+@change
+def the_link_is_deleted(doc):
+    doc.removeObject("PartLink")
+
+
+@change
+def the_neighbour_is_moved_here(doc):
+    doc.WallLink.Placement = shift(50)
+
+
+@change
+def the_neighbour_is_hidden(doc):
+    doc.WallLink.Visibility = False
+
+
+@change
+def the_link_is_in_a_group(doc):
+    put_into(doc.addObject("App::Part", "Here"), doc.PartLink)
+
+
+@change
+def the_wire_is_another(doc):
+    doc.WireLink.LinkedObject = elsewhere().OtherWire
+
+
+@change
+def the_neighbour_is_the_envelope(doc):
+    doc.Clearance001.Neighbours = [(doc.EnvelopeLink, "")]
+
+
+@change
+def the_envelope_stands_elsewhere_here(doc):
+    doc.EnvelopeLink.Placement = shift(0, 70)
+
+
+@change
+def the_expression_is_another(doc):
+    doc.Box.setExpression("Length", "Elsewhere#Values.length * 2")
+
+
+@rows
+class OtherDocuments(Table):
+    CHANGES = CHANGES
+
+    def setUp(self):
+        super().setUp()
+        self.make_other()
+        doc, other = self.doc, elsewhere()
+        self.path = os.path.join(self.folder, "here.FCStd")
+        doc.saveAs(self.path)
+        for name, target, place in (
+            ("PartLink", other.Part, shift()),
+            ("GroupLink", other.Group, shift()),
+            ("WallLink", other.Wall, shift(60)),
+            ("PlateLink", other.Plate, shift(0, 40)),
+            ("WireLink", other.Wire, shift()),
+            ("EnvelopeLink", other.Envelope, shift(0, 60)),
+        ):
+            link = doc.addObject("App::Link", name)
+            link.LinkedObject, link.Placement = target, place
+        box = self.box()
+        box.Placement = shift(0, 0, 30)
+        box.setExpression("Length", "Elsewhere#Values.length")
+        doc.recompute()
+        path = motion.motion_from_source(doc, "Curve", [doc.WireLink])
+        line = self.line(20.0)
+        self.envelope([doc.PartLink, doc.GroupLink, box], path, Resolution=16)
+        clearance.make_clearance(doc, Generators=[(doc.PartLink, "")], Motion=path)
+        clearance.make_clearance(
+            doc,
+            Generators=[(box, "")],
+            Motion=line,
+            Neighbours=[(doc.WallLink, ""), (doc.EnvelopeLink, "")],
+            AllVisible=False,
+        )
+        doc.recompute()
+        envelope.compute(doc.Envelope)
+        for check in (doc.Clearance, doc.Clearance001):
+            clearance.compute(check)
+        doc.recompute()
+        doc.save()
+
+    def make_other(self):
+        """Elsewhere.FCStd."""
+        other = App.newDocument("Elsewhere")
+        other.UndoMode = 1
+        self.file_there = os.path.join(self.folder, "Elsewhere.FCStd")
+        for name, place in (("Part", shift()), ("Wall", shift()), ("Tool", shift())):
+            add_box(other, name, place)
+        plate = other.addObject("Part::Feature", "Plate")
+        plate.Shape = Part.makeBox(20, 4, 2)
+        for name, end in (("Wire", V(20, 0, 0)), ("OtherWire", V(0, 0, 20))):
+            wire = other.addObject("Part::Feature", name)
+            wire.Shape = Part.makeLine(V(), end)
+        sheet = other.addObject("Spreadsheet::Sheet", "Values")
+        sheet.set("A1", "6 mm")
+        sheet.setAlias("A1", "length")
+        group = other.addObject("App::Part", "Group")
+        for name, y in (("Inner", -20), ("Second", -40)):
+            group.addObject(add_box(other, name, shift(0, y)))
+        line = motion.motion_from_poses(other, [0, 1], [shift(), shift(15)])
+        obj = envelope.make_envelope(other, [(other.Tool, "")], line, Resolution=12)
+        other.recompute()
+        envelope.compute(obj)
+        other.recompute()
+        other.saveAs(self.file_there)
+
+    def results(self):
+        return [obj for obj in super().results() if obj.Document is self.doc]
+
+    def changed(self, name):
+        """A change in one of both documents or in both, and its undo."""
+        both = self.doc, elsewhere()
+        before = [document.UndoCount for document in both]
+        shown = [(o, o.Visibility) for document in both for o in document.Objects]
+        for document in both:
+            document.openTransaction(name)
+        self.CHANGES[name](self.doc)
+        for document in both:
+            document.commitTransaction()
+        self.recomputed()
+        self.look(name)
+        for document, count in reversed(
+            list(zip(both, before))
+        ):  # links come back to what is there
+            while document.UndoCount > count:
+                document.undo()
+        for obj, visible in shown:
+            obj.Visibility = visible
+        self.recomputed()
+        self.look(name + ", undone")
+        if "expression" not in name:
+            self.assertEqual(self.behind(), {})
+
+    def recomputed(self):
+        elsewhere().recompute()
+        self.doc.recompute()
+
+    def behind(self):
+        return {o.Name: (o.Status, o.Message) for o in self.results() if o.Status != UP_TO_DATE}
+
+    def test_nothing_changes_nothing(self):
+        self.assertEqual(self.behind(), {})
+        self.look("nothing")
+
+    # --- the other document goes and comes
+
+    def test_closed_and_opened_again(self):
+        App.closeDocument("Elsewhere")
+        self.doc.recompute()
+        for obj in (self.doc.Envelope, self.doc.Clearance001):
+            self.assertEqual(obj.Status, FAILED, obj.Label)
+            self.assertTrue(obj.Message)
+        App.openDocument(self.file_there)
+        self.recomputed()
+        self.assertEqual(self.behind(), {})
+        self.look("opened again")
+
+    def test_changed_while_this_document_is_closed(self):
+        elsewhere().Wall.Height = 14
+        elsewhere().recompute()
+        time.sleep(1.1)  # FreeCAD knows a changed file by its time of saving, in whole seconds
+        elsewhere().save()
+        self.opened_again()
+        self.recomputed()
+        self.look("the neighbour has grown meanwhile")
+        self.assertNotEqual(self.doc.Clearance001.Status, UP_TO_DATE)
+        self.assertEqual(self.doc.Envelope.Status, UP_TO_DATE)
+
+    def test_changes_that_are_thrown_away(self):
+        elsewhere().Part.Length = 14
+        self.recomputed()
+        self.assertNotEqual(self.doc.Envelope.Status, UP_TO_DATE)
+        App.closeDocument("Elsewhere")
+        App.openDocument(self.file_there)
+        self.recomputed()
+        self.assertEqual(self.behind(), {})
+        self.look("the part has its former length again")
+
+    def test_both_closed_and_opened(self):
+        self.opened_again()
+        self.assertEqual(self.behind(), {})
+        self.look("opened")
+        self.recomputed()
+        self.look("opened and recomputed")
+
+    def opened_again(self):
+        """Both documents are closed; this one is opened, and brings the other with it."""
+        for name in (self.doc.Name, "Elsewhere"):
+            App.closeDocument(name)
+        self.doc = App.openDocument(self.path)
+
+    def test_saved_elsewhere(self):
+        moved = os.path.join(self.folder, "moved.FCStd")
+        elsewhere().saveAs(moved)
+        elsewhere().Label = "Moved"
+        self.recomputed()
+        self.assertEqual(self.behind(), {})
+        self.look("saved elsewhere")
+        elsewhere().Part.Length = 12
+        self.recomputed()
+        self.assertNotEqual(self.doc.Envelope.Status, UP_TO_DATE)
+        self.look("changed there")
+
+    def test_the_file_is_gone(self):
+        for name in (self.doc.Name, "Elsewhere"):
+            App.closeDocument(name)
+        os.rename(self.file_there, os.path.join(self.folder, "renamed.FCStd"))
+        self.doc = App.openDocument(self.path)
+        self.doc.recompute()
+        for obj in (self.doc.Envelope, self.doc.Clearance001):
+            self.assertEqual(obj.Status, FAILED, obj.Label)
+            self.assertTrue(obj.Message)
+        os.rename(os.path.join(self.folder, "renamed.FCStd"), self.file_there)
+        self.doc.save()
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(self.path)
+        self.recomputed()
+        self.assertEqual(self.behind(), {})
