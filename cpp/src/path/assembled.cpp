@@ -42,8 +42,12 @@ void checkPart(const SequencePart& part, const SequenceOptions& options) {
     PathOptions o = options.path;
     o.bodyChordError = part.chordError;
     if (part.motion) {
-      if (part.motion->poses.size() < 2)
-        refuse("BadPose", "a motion of less than two poses has no way");
+      const std::vector<Pose>& keys = part.motion->poses;
+      if (keys.size() < 2) refuse("BadPose", "a motion of less than two poses has no way");
+      for (std::size_t i = 1; i < keys.size(); ++i)
+        if (!(keys[i].timeSeconds > keys[i - 1].timeSeconds))
+          refuse("EqualTimes",
+                 "key " + std::to_string(i + 1) + " comes no later than the one in front of it");
       std::vector<Finding> findings;
       clearance::timedPoses({part.name, {}, *part.motion}, findings);
       task = {};

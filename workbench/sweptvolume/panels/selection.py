@@ -40,6 +40,7 @@ def _ours(obj):
         is_solid,
         is_clearance,
         is_mechanism,
+        is_sequence,
         is_shared,
         is_study,
     )
@@ -114,6 +115,11 @@ def clearance():
 def mechanism():
     """The selected mechanism check, or None."""
     return _first(is_mechanism)
+
+
+def sequence():
+    """The selected sequence, or None."""
+    return _first(is_sequence)
 
 
 def has_report(obj):
