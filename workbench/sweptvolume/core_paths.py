@@ -79,7 +79,7 @@ def live_clearance(vertices, triangles, neighbours, control):
 
 
 def sequence_watch():
-    """What seen() tells of a search for a sequence: (number of the part or -1, parts that have a path, the
+    """What seen() tells of a search for a sequence: (number of the part or -1, parts with a path, the
     placement (4,4) that came farthest out or None)."""
     return core.module().SequenceWatch()
 

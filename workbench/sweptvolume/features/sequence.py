@@ -67,9 +67,7 @@ def work(request, control, seen=None):
     rows = request.parts()
     options = dict(request.options, rules=request.asked())
     order = request.search["Order"]
-    report = core_paths.find_sequence(
-        rows, request.standing(), order, options, control, seen
-    )
+    report = core_paths.find_sequence(rows, request.standing(), order, options, control, seen)
     numbers = {row.part.name: k for k, row in enumerate(request.rows)}
     found = {}
     for step in report["steps"]:
@@ -146,7 +144,9 @@ def told(report):
     lines = [summary(report)]
     if report["verdict"] == "no_order":
         lines.append(
-            translate("Messages", "No order exists in which one part comes after the other: proven.")
+            translate(
+                "Messages", "No order exists in which one part comes after the other: proven."
+            )
         )
     for step in report["steps"]:
         if step["verdict"] != "found":

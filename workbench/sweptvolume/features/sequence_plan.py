@@ -93,10 +93,14 @@ class Plan(mechanism_plan.Plan):
             raise InputProblem(self.lost)
         if not self.pairs:
             raise InputProblem(
-                translate("Messages", "no part is given: select the parts, then press Add selected.")
+                translate(
+                    "Messages", "no part is given: select the parts, then press Add selected."
+                )
             )
         if len(self.motions) != len(self.pairs):
-            text = translate("Messages", "{0} parts and {1} motions: give one motion for each part.")
+            text = translate(
+                "Messages", "{0} parts and {1} motions: give one motion for each part."
+            )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
         groups = []

@@ -9,6 +9,7 @@ from ..features.clearance import is_clearance
 from ..features.envelope import Envelope, is_envelope
 from ..features.mechanism import is_mechanism
 from ..features.motion import Motion, is_motion, parts_of
+from ..features.sequence import is_sequence
 from ..features.shared import is_shared
 from ..features.solid import can_be_source, is_solid
 from ..features.study import is_study
