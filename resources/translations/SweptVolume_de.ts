@@ -1025,8 +1025,8 @@ Versucht:
    <translation>{0} Teile nacheinander: {1}</translation>
   </message>
   <message>
-   <source>no way; came {0}, in the way: "{1}"</source>
-   <translation>kein Weg; kam {0} weit, im Weg: „{1}“</translation>
+   <source>no way; came {0}, in the way: {1}</source>
+   <translation>kein Weg; kam {0} weit, im Weg: {1}</translation>
   </message>
   <message>
    <source>No order exists in which one part comes after the other: proven.</source>

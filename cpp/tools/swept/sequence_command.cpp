@@ -70,16 +70,24 @@ void addOptions(CLI::App& app, SequenceJob& job) {
       "--release 8");
 }
 
-void readHow(const SequenceJob& job, const std::string& how, SequencePart& part) {
+/// False where a motion says it.
+bool takePlace(const std::string& how, PathTask& task) {
   std::string rest;
+  if (takes(how, "motion", rest)) return false;
   if (takes(how, "out", rest))
-    part.task.extraction = extractionOf("--part ... out", rest);
+    task.extraction = extractionOf("--part ... out", rest);
   else if (takes(how, "from", rest))
-    part.task.start = placementOf("--part ... from", rest);
-  else if (takes(how, "motion", rest))
-    part.motion = readInputMotion(rest, 1, job.options.path.interpolation, {0, 0, 0});
+    task.start = placementOf("--part ... from", rest);
   else
     badOption("--part ... '" + how + "'; how a part comes " + kHow);
+  return true;
+}
+
+void readHow(const SequenceJob& job, const std::string& how, SequencePart& part) {
+  if (takePlace(how, part.task)) return;
+  std::string file;
+  takes(how, "motion", file);
+  part.motion = readInputMotion(file, 1, job.options.path.interpolation, {0, 0, 0});
 }
 
 std::vector<SequencePart> readParts(const SequenceJob& job, RunContext& run,
@@ -172,6 +180,10 @@ Run addSequenceCommand(CLI::App& program) {
   return [job] {
     checkNeighbourOptions(job->still, "");
     if (job->parts.empty()) badOption("--part PART HOW is missing: no part is installed");
+    for (std::size_t i = 1; i < job->parts.size(); i += 2) {
+      PathTask task;
+      takePlace(job->parts[i], task);
+    }
     for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
       job->options.rules.push_back({job->ignored[i], job->ignored[i + 1], parseRule("ignore")});
     for (std::size_t i = 0; i + 2 < job->rules.size(); i += 3)

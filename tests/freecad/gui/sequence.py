@@ -55,13 +55,13 @@ def names():
     return [table.item(row, 0).text() for row in range(table.rowCount())]
 
 
-def steps():
+def scenario():
     from sweptvolume.features import sequence
     from sweptvolume.features.base import STALE, UP_TO_DATE
     from sweptvolume.panels import sequence_panel
 
     open_workbench()
-    doc = new_document()
+    doc = new_document("Sequences")
     box, block, lid = scene(doc)
     yield 0.5
     select(lid, block)
@@ -118,7 +118,7 @@ def steps():
     yield lambda: panel.run is None
     assert made[0].Status == UP_TO_DATE and len(ours(doc, "Motion")) == 2, panel.message.text()
 
-    choose("SweptVolumeSequenceMotion0", "find")
+    choose("SweptVolumeSequenceMotion0", "")
     table = find(QtWidgets.QTableWidget, "SweptVolumeSequenceParts")
     table.selectRow(0)
     click(find(QtWidgets.QPushButton, "SweptVolumePartDown"))
@@ -134,4 +134,4 @@ def steps():
     App.closeDocument(doc.Name)
 
 
-run(steps)
+run(scenario)

@@ -18,6 +18,8 @@ from .sequence_plan import Plan
 from .sequence_properties import INPUT, RESULT
 
 TYPE = "App::FeaturePython"
+#: Of what was in the way of a part, the worst first.
+MOST_NAMES = 3
 
 #: What is read of a stored report.
 REPORT = {
@@ -134,8 +136,9 @@ def step_text(step):
         return translate("Messages", "proven: no way without turning")
     if not blockers:
         return step["summary"]
-    return translate("Messages", 'no way; came {0}, in the way: "{1}"').format(
-        quantities.quantity(step["escape"]["distance"]), blockers[0]
+    names = ", ".join('"{}"'.format(name) for name in blockers[:MOST_NAMES])
+    return translate("Messages", "no way; came {0}, in the way: {1}").format(
+        quantities.quantity(step["escape"]["distance"]), names
     )
 
 

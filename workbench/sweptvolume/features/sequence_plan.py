@@ -17,7 +17,8 @@ from . import motion as motion_feature
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
 
-#: What a search needs besides the settings of the object. Out: mm that a part has to get out by.
+#: What a search needs besides the settings of the object. Out: mm that a part has to get out by; MostMoves: as
+#: the program has them, 0: no limit.
 SEARCH = {
     "Order": "given",
     "Out": 100.0,
@@ -25,6 +26,7 @@ SEARCH = {
     "LargestTurn": 180.0,
     "Budget": 60.0,
     "Seed": 1,
+    "MostMoves": 0,
 }
 
 
@@ -176,6 +178,7 @@ class Plan(mechanism_plan.Plan):
             "interpolation": path_plan.INTERPOLATION.lower(),
             "budget": float(s["Budget"]),
             "seed": int(s["Seed"]),
+            "most_moves": int(s["MostMoves"]),
         }
 
     # --- what is seen

@@ -18,6 +18,8 @@ from .widgets import QtWidgets
 
 #: ms between two looks at where the search is.
 LOOK = 200
+#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+opened = []
 
 
 class SequencePanel(SearchPanel):
@@ -260,5 +262,6 @@ class SequencePanel(SearchPanel):
 
 def show(document, **given):
     panel = SequencePanel(document, **given)
+    opened[:] = [panel]
     focus.show(panel)
     return panel
