@@ -75,13 +75,8 @@ clearance::PairRules rulesOf(const std::vector<std::string>& names, const Sequen
   return {names, options};
 }
 
-struct NearPair {
-  PartPair parts;
-  NeighbourClearance row;
-  bool intersect;
-};
-
-std::string textOf(const NearPair& pair, const ClearanceNeighbour& a, const ClearanceNeighbour& b) {
+std::string pairText(const NearPair& pair, const ClearanceNeighbour& a,
+                     const ClearanceNeighbour& b) {
   const std::string who = "'" + a.name + "' and '" + b.name + "'";
   if (!pair.intersect)
     return who + " are " + numberText(std::max(0.0, pair.row.distance - pair.row.chordError), 6) +
@@ -166,31 +161,34 @@ void Assembled::requireApart(std::size_t parts, const PathOptions& o, RunContext
                          (!row.penetration.known || row.penetration.depthBound > most);
     near[p] = pairs[p].intersect || o.release <= 0 ? 1 : 0;
   });
-  const NearPair* worst = nullptr;
-  int others = -1;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (near[p] == 0) continue;
-    ++others;
-    const auto rank = [](const NearPair& pair) {
-      return pair.intersect ? pair.row.penetration.depth : -1 - pair.row.distance;
-    };
-    if (worst == nullptr || rank(pairs[p]) > rank(*worst)) worst = &pairs[p];
-  }
-  if (worst == nullptr) return;
-  const ClearanceNeighbour &a = placed_[worst->parts.first], &b = placed_[worst->parts.second];
-  std::string text = "where they belong, " + textOf(*worst, a, b);
+  for (std::size_t p = pairs.size(); p-- > 0;)
+    if (near[p] == 0) pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(p));
+  if (!pairs.empty()) refuseWorst(pairs, o);
+}
+
+// The deepest pair, or the nearest one, and how many others there are.
+void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOptions& o) const {
+  const auto rank = [](const NearPair& pair) {
+    return pair.intersect ? pair.row.penetration.depth : -1 - pair.row.distance;
+  };
+  const NearPair& worst =
+      *std::max_element(pairs.begin(), pairs.end(),
+                        [&](const NearPair& a, const NearPair& b) { return rank(a) < rank(b); });
+  const ClearanceNeighbour &a = placed_[worst.parts.first], &b = placed_[worst.parts.second];
+  std::string text = "where they belong, " + pairText(worst, a, b);
+  const std::size_t others = pairs.size() - 1;
   if (others > 0)
     text += " (and " + std::to_string(others) + (others == 1 ? " more pair)" : " more pairs)");
-  if (worst->intersect)
-    refuse("PartsIntersect",
-           text +
-               (o.release > 0
-                    ? "; the release zone allows " +
-                          numberText(mostDepth(worst->row, o.tolerance, o.release), 4) + " mm"
-                    : "") +
-               "; move one of them, or ignore the pair");
+  if (worst.intersect)
+    refuse(
+        "PartsIntersect",
+        text +
+            (o.release > 0 ? "; the release zone allows " +
+                                 numberText(mostDepth(worst.row, o.tolerance, o.release), 4) + " mm"
+                           : "") +
+            "; move one of them, or ignore the pair");
   refuse("PartsTooNear",
-         text + ", and " + numberText(rules_.of(worst->parts).required.value_or(0), 6) +
+         text + ", and " + numberText(rules_.of(worst.parts).required.value_or(0), 6) +
              " mm are asked for; ask for less, or give a release zone in which they may touch");
 }
 

@@ -11,6 +11,13 @@
 
 namespace swept::path {
 
+/// Two parts that are too near where they belong, or lie in each other.
+struct NearPair {
+  PartPair parts;
+  NeighbourClearance row;
+  bool intersect;
+};
+
 class Assembled {
  public:
   /// Throws Error(InvalidInput) as findSequence() says, Error(Cancelled).
@@ -28,6 +35,9 @@ class Assembled {
 
  private:
   void requireApart(std::size_t parts, const PathOptions& options, RunContext& run) const;
+
+  [[noreturn]] void refuseWorst(const std::vector<NearPair>& pairs,
+                                const PathOptions& options) const;
 
   clearance::PairRules rules_;
   std::vector<ClearanceNeighbour> placed_;  ///< the parts, behind them what stands still
