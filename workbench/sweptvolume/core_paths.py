@@ -85,8 +85,8 @@ def sequence_watch():
 
 
 def find_sequence(rows, still, order, options, control, seen=None):
-    """Report (dict, docs/paths.md). rows, still: as the module's find_sequence() takes them; order: "given" or
-    "find"; seen: a sequence_watch(). Raises CoreError."""
+    """Report (dict, docs/paths.md). rows, still: as the module's find_sequence() takes them; order: "given"
+    or "find"; seen: a sequence_watch(). Raises CoreError."""
     with core.errors():
         return core.module().find_sequence(
             rows, still, order, run=control.context, watch=seen, **options

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A sequence by real commands: parts selected in the wrong order, which is told and changes nothing; an order is
-found, played as one, edited, stale and checked again; opened again; a search is stopped."""
+"""A sequence by real commands: parts selected in the wrong order, which is told and changes nothing; an order
+is found, played as one, edited, stale and checked again; opened again; a search is stopped."""
 import os
 import sys
 
@@ -30,7 +30,9 @@ def scene(doc):
     """A box with a part and a lid: the part has to come first."""
     import Part
 
-    outer, inner = Part.makeBox(60, 40, 30, V(-30, -20, 0)), Part.makeBox(54, 34, 27, V(-27, -17, 3))
+    outer, inner = Part.makeBox(60, 40, 30, V(-30, -20, 0)), Part.makeBox(
+        54, 34, 27, V(-27, -17, 3)
+    )
     box = doc.addObject("Part::Feature", "Case")
     box.Shape = outer.cut(inner)
     block = doc.addObject("Part::Feature", "Block")

@@ -17,8 +17,8 @@ from . import motion as motion_feature
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
 
-#: What a search needs besides the settings of the object. Out: mm that a part has to get out by; MostMoves: as
-#: the program has them, 0: no limit.
+#: What a search needs besides the settings of the object. Out: mm that a part has to get out by; MostMoves:
+#: as the program has them, 0: no limit.
 SEARCH = {
     "Order": "given",
     "Out": 100.0,
