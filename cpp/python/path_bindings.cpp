@@ -13,6 +13,7 @@
 #include "swept/io.h"
 #include "swept/live_clearance.h"
 #include "swept/path.h"
+#include "swept/sequence.h"
 #include "values.h"
 
 namespace swept::python {
@@ -38,6 +39,24 @@ A motion made better: what is nearer to a neighbour than the clearance is led an
 what is not is made shorter, with fewer keys; with more_clearance as far from the neighbours as can be had.
 Keys whose indices are in `locked`, and the ends, stay. What cannot be mended, or lies within `release` of the
 ends, stays as it was ("kept_moves"). The rest as for find_path(); "before" has the figures of the motion.)";
+
+constexpr const char* kSequenceDoc =
+    R"(find_sequence(parts, still=(), order='given', clearance=0.0, release=0.0, translation_only=False,
+              max_angle=None, interpolation='linear', tolerance=0.01, budget=60.0, most_moves=0, seed=1,
+              rules=(), run=None, watch=None) -> (dict, list or None)
+
+Motions of parts that are installed one after the other, each clear of what is there by then. parts: list of
+(name, vertices, triangles, chord error, goal, start, extract, via, motion, interpolation): goal, start, via as for
+find_path(); with a motion, that is checked and the rest not read; None where not given. still: (name, vertices,
+triangles), or with its chord error. order: 'given', or 'find' one by taking apart. rules: (name, name, rule) of
+pairs, a distance in mm or 'ignore'. The budget (s) is that of all. watch: a SequenceWatch. Returns the report
+(docs/paths.md) and for each part, as given, its motion on the common timeline; None unless all are found. Raises
+InvalidInput (NoParts, PartTwice, PartsIntersect, PartsTooNear, ...), Cancelled.)";
+
+constexpr const char* kSequenceWatchDoc =
+    R"(SequenceWatch()
+
+What others may see of a search that find_sequence() is given this for, from any thread.)";
 
 constexpr const char* kPathWatchDoc =
     R"(PathWatch()
@@ -192,6 +211,63 @@ py::tuple pyImprovePath(const py::object& vertices, const py::object& triangles,
       runWithoutLock(*context, [&] { return improvePath(part, task, parts, options, *context); }));
 }
 
+SequencePart sequencePartFrom(const py::handle& item) {
+  const py::tuple given = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (given.size() != 10)
+    throw py::value_error(
+        "a part is (name, vertices, triangles, chord error, goal, start, extract, via, motion, "
+        "interpolation)");
+  SequencePart part{given[0].cast<std::string>(),
+                    meshFromArrays(given[1], given[2]),
+                    given[3].cast<double>(),
+                    {}};
+  const py::object goal = given[4], start = given[5], extract = given[6], motion = given[8];
+  if (!goal.is_none()) part.task.goal = poseFrom(goal, "goal");
+  if (!start.is_none()) part.task.start = poseFrom(start, "start");
+  if (!extract.is_none()) part.task.extraction = extractionFrom(extract);
+  for (const py::handle& via : given[7]) part.task.via.push_back(poseFrom(via, "via"));
+  if (!motion.is_none()) part.motion = trajectoryFromObject(motion, given[9].cast<std::string>());
+  return part;
+}
+
+py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
+                         const std::string& order, double clearance, double release,
+                         bool translationOnly, const std::optional<double>& maxAngle,
+                         const std::string& interpolation, double tolerance, double budget,
+                         std::int64_t mostMoves, std::uint64_t seed,
+                         const std::vector<std::array<std::string, 3>>& rules,
+                         const py::object& run, SequenceWatch* watch) {
+  if (order != "given" && order != "find")
+    throw py::value_error("order is '" + order + "'; allowed: given, find");
+  const RunPointer context = runFromObject(run);
+  std::vector<SequencePart> parts;
+  for (const py::handle& item : list) parts.push_back(sequencePartFrom(item));
+  std::vector<StillPart> there;
+  for (ClearanceNeighbour& part : neighboursFrom(still, {}))
+    there.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
+  SequenceOptions options;
+  options.path = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, 0, budget,
+                             seed, parseInterpolation(interpolation));
+  options.path.mostSteps = mostMoves;
+  options.findOrder = order == "find";
+  for (const auto& [first, second, text] : rules)
+    options.rules.push_back({first, second, parseRule(text)});
+  const SequenceReport report = runWithoutLock(
+      *context, [&] { return findSequence(parts, there, options, *context, watch); });
+  const py::object found = parseJson(toJson(report));
+  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  if (report.verdict != SequenceVerdict::Found) return py::make_tuple(found, py::none());
+  py::list motions;
+  for (const Trajectory& motion : report.timeline) motions.append(trajectoryToArrays(motion));
+  return py::make_tuple(found, motions);
+}
+
+py::tuple pySeen(const SequenceWatch& watch) {
+  const SequenceWatch::Seen seen = watch.seen();
+  return py::make_tuple(seen.part, seen.found,
+                        seen.farthest ? py::object(matrixFrom(*seen.farthest)) : py::none());
+}
+
 }  // namespace
 
 void bindPath(py::module_& module) {
@@ -215,6 +291,19 @@ void bindPath(py::module_& module) {
              py::arg("translation_only") = false, py::arg("max_angle") = py::none(),
              py::arg("tolerance") = 0.01, py::arg("body_chord") = 0.0, py::arg("budget") = 60.0,
              py::arg("seed") = 1, py::arg("run") = py::none(), py::arg("rules") = py::tuple());
+  py::class_<SequenceWatch, std::shared_ptr<SequenceWatch>>(module, "SequenceWatch",
+                                                            kSequenceWatchDoc)
+      .def(py::init<>())
+      .def("seen", &pySeen,
+           "(index of the part that is looked at or -1, parts that have a path, its farthest "
+           "placement (4, 4) or None)");
+  module.def("find_sequence", &pyFindSequence, kSequenceDoc, py::arg("parts"),
+             py::arg("still") = py::tuple(), py::arg("order") = "given", py::arg("clearance") = 0.0,
+             py::arg("release") = 0.0, py::arg("translation_only") = false,
+             py::arg("max_angle") = py::none(), py::arg("interpolation") = "linear",
+             py::arg("tolerance") = 0.01, py::arg("budget") = 60.0, py::arg("most_moves") = 0,
+             py::arg("seed") = 1, py::arg("rules") = std::vector<std::array<std::string, 3>>{},
+             py::arg("run") = py::none(), py::arg("watch") = nullptr);
   py::class_<LiveClearance>(module, "LiveClearance", kLiveDoc)
       .def(py::init(&makeLive), py::arg("vertices"), py::arg("triangles"), py::arg("neighbours"),
            py::arg("run") = py::none())

@@ -35,6 +35,7 @@ import assembly_pictures  # noqa: E402
 import engine_bay  # noqa: E402
 import mechanism_pictures  # noqa: E402
 import path_pictures  # noqa: E402
+import sequence_pictures  # noqa: E402
 import spaces_pictures  # noqa: E402
 
 CSV = "# a lift and a quarter turn\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,0,0,5,0,0,0,1\n"
@@ -438,6 +439,7 @@ def scenario():
     for part in (bay, assembly, demo, joint, slider, selected, made_by, preferences):
         yield from part()
     yield from path_pictures.ways(picture)
+    yield from sequence_pictures.parts(picture)
     yield from mechanism_pictures.crank(picture)
     yield from spaces_pictures.envelopes(picture)
     yield

@@ -43,6 +43,7 @@ from ._mechanisms import mechanism
 from ._overlaps import overlap
 from ._pages import page_template, report_page
 from ._paths import find_path, improve_path
+from ._sequences import SequencePart, find_sequence
 from ._sources import Sources
 from ._study import run_study, study_page
 from ._values import (
@@ -75,6 +76,7 @@ __all__ = [
     "ResourceLimit",
     "Result",
     "RunContext",
+    "SequencePart",
     "Sources",
     "__version__",
     "check_mesh",
@@ -84,6 +86,7 @@ __all__ = [
     "estimate",
     "estimate_solid",
     "find_path",
+    "find_sequence",
     "first_contacts",
     "improve_path",
     "mechanism",

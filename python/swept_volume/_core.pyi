@@ -243,6 +243,28 @@ class PathWatch:
     def __init__(self) -> None: ...
     def farthest(self) -> Optional[npt.NDArray[np.float64]]: ...
 
+class SequenceWatch:
+    def __init__(self) -> None: ...
+    def seen(self) -> Tuple[int, int, Optional[npt.NDArray[np.float64]]]: ...
+
+def find_sequence(
+    parts: Any,
+    still: Any = (),
+    order: str = "given",
+    clearance: float = 0.0,
+    release: float = 0.0,
+    translation_only: bool = False,
+    max_angle: Optional[float] = None,
+    interpolation: str = "linear",
+    tolerance: float = 0.01,
+    budget: float = 60.0,
+    most_moves: int = 0,
+    seed: int = 1,
+    rules: Any = (),
+    run: Optional[RunContext] = None,
+    watch: Optional[SequenceWatch] = None,
+) -> Tuple[Dict[str, Any], Any]: ...
+
 class LiveClearance:
     def __init__(
         self,

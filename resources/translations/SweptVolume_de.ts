@@ -287,6 +287,14 @@
    <translation>Liest die Datei oder die Quelle der gewählten Bewegung neu; alle Bewegungen eines Antriebs oder einer Simulation zusammen</translation>
   </message>
   <message>
+   <source>Sequence...</source>
+   <translation>Einbaufolge...</translation>
+  </message>
+  <message>
+   <source>Installs the selected parts one after the other, each clear of all that is there by then: finds their ways in this order, or an order, and plays them as one. Or opens the selected sequence</source>
+   <translation>Baut die gewählten Teile nacheinander ein, jedes frei von allem, was bis dahin da ist: findet ihre Wege in dieser Reihenfolge oder eine Reihenfolge und spielt sie als ein Ganzes ab. Oder öffnet die gewählte Einbaufolge</translation>
+  </message>
+  <message>
    <source>Study...</source>
    <translation>Studie...</translation>
   </message>
@@ -309,6 +317,10 @@
   <message>
    <source>Find path</source>
    <translation>Weg finden</translation>
+  </message>
+  <message>
+   <source>Sequence</source>
+   <translation>Einbaufolge</translation>
   </message>
   <message>
    <source>Edit envelope</source>
@@ -392,6 +404,14 @@
   <message>
    <source>Between two poses the part makes half a turn: put a pose between them.</source>
    <translation>Zwischen zwei Lagen dreht sich das Teil um 180 Grad: Setzen Sie eine Lage dazwischen.</translation>
+  </message>
+  <message>
+   <source>Two parts lie in each other where they belong: move one, or ignore the pair.</source>
+   <translation>Zwei Teile liegen ineinander, wo sie hingehören: verschieben Sie eines, oder lassen Sie das Paar aus.</translation>
+  </message>
+  <message>
+   <source>Two parts are nearer where they belong than is asked for: ask for less, or allow contact there.</source>
+   <translation>Zwei Teile sind dort, wo sie hingehören, näher als verlangt: verlangen Sie weniger, oder erlauben Sie dort Kontakt.</translation>
   </message>
   <message>
    <source>The file cannot be read as it stands.</source>
@@ -987,6 +1007,58 @@ Versucht:
   <message>
    <source>give a start, or how far the part is to get out.</source>
    <translation>geben Sie einen Start an, oder wie weit das Teil hinaus soll.</translation>
+  </message>
+  <message>
+   <source>Check sequence</source>
+   <translation>Einbaufolge prüfen</translation>
+  </message>
+  <message>
+   <source>{0} of {1} parts have a path</source>
+   <translation>{0} von {1} Teilen haben einen Weg</translation>
+  </message>
+  <message>
+   <source>clearance at least {0}</source>
+   <translation>Abstand mindestens {0}</translation>
+  </message>
+  <message>
+   <source>proven: no way without turning</source>
+   <translation>bewiesen: kein Weg ohne Drehung</translation>
+  </message>
+  <message>
+   <source>Sequence</source>
+   <translation>Einbaufolge</translation>
+  </message>
+  <message>
+   <source>{0} parts one after the other: {1}</source>
+   <translation>{0} Teile nacheinander: {1}</translation>
+  </message>
+  <message>
+   <source>no way; came {0}, in the way: {1}</source>
+   <translation>kein Weg; kam {0} weit, im Weg: {1}</translation>
+  </message>
+  <message>
+   <source>No order exists in which one part comes after the other: proven.</source>
+   <translation>Es gibt keine Reihenfolge, in der ein Teil nach dem anderen kommt: bewiesen.</translation>
+  </message>
+  <message>
+   <source>{0}, clearance {1}</source>
+   <translation>{0}, Abstand {1}</translation>
+  </message>
+  <message>
+   <source>{0}, nothing in the way</source>
+   <translation>{0}, nichts im Weg</translation>
+  </message>
+  <message>
+   <source>{0} parts and {1} motions: give one motion for each part.</source>
+   <translation>{0} Teile und {1} Bewegungen: geben Sie für jedes Teil eine Bewegung an.</translation>
+  </message>
+  <message>
+   <source>no part is given: select the parts, then press Add selected.</source>
+   <translation>kein Teil ist angegeben: wählen Sie die Teile und drücken Sie Gewählte hinzufügen.</translation>
+  </message>
+  <message>
+   <source>"{0}" only jumps from pose to pose: choose another interpolation, or let the way be found.</source>
+   <translation>„{0}“ springt nur von Lage zu Lage: wählen Sie eine andere Interpolation oder lassen Sie den Weg finden.</translation>
   </message>
   <message>
    <source>They share no space; the smallest distance is {0}.</source>
@@ -2566,6 +2638,82 @@ Versucht:
    <translation>Startzahl</translation>
   </message>
   <message>
+   <source>&amp;Find paths in this order</source>
+   <translation>Wege in dieser Reihenfolge &amp;finden</translation>
+  </message>
+  <message>
+   <source>Sequence</source>
+   <translation>Einbaufolge</translation>
+  </message>
+  <message>
+   <source>is searched for ({0} of {1} found)</source>
+   <translation>wird gesucht ({0} von {1} gefunden)</translation>
+  </message>
+  <message>
+   <source>Find an &amp;order</source>
+   <translation>&amp;Reihenfolge finden</translation>
+  </message>
+  <message>
+   <source>By taking apart: what can be taken out goes, and the order is turned</source>
+   <translation>Durch Zerlegen: was herausgenommen werden kann, geht, und die Reihenfolge wird umgekehrt</translation>
+  </message>
+  <message>
+   <source>A part is out when it is so far from where it belongs</source>
+   <translation>Ein Teil ist draußen, wenn es so weit von seinem Platz entfernt ist</translation>
+  </message>
+  <message>
+   <source>The parts never turn</source>
+   <translation>Die Teile drehen sich nie</translation>
+  </message>
+  <message>
+   <source>Parts come from</source>
+   <translation>Teile kommen von</translation>
+  </message>
+  <message>
+   <source>Parts, the first one comes first</source>
+   <translation>Teile, das erste kommt zuerst</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <translation>Zustand</translation>
+  </message>
+  <message>
+   <source>A&amp;dd selected</source>
+   <translation>Gewählte hin&amp;zufügen</translation>
+  </message>
+  <message>
+   <source>Adds the parts selected in the tree or in the view</source>
+   <translation>Fügt die im Baum oder in der Ansicht gewählten Teile hinzu</translation>
+  </message>
+  <message>
+   <source>Re&amp;move</source>
+   <translation>&amp;Entfernen</translation>
+  </message>
+  <message>
+   <source>Takes the marked part out of the sequence</source>
+   <translation>Nimmt das markierte Teil aus der Einbaufolge</translation>
+  </message>
+  <message>
+   <source>&amp;Up</source>
+   <translation>&amp;Auf</translation>
+  </message>
+  <message>
+   <source>The marked part comes one step earlier</source>
+   <translation>Das markierte Teil kommt einen Schritt früher</translation>
+  </message>
+  <message>
+   <source>D&amp;own</source>
+   <translation>A&amp;b</translation>
+  </message>
+  <message>
+   <source>The marked part comes one step later</source>
+   <translation>Das markierte Teil kommt einen Schritt später</translation>
+  </message>
+  <message>
+   <source>find</source>
+   <translation>finden</translation>
+  </message>
+  <message>
    <source>Solid</source>
    <translation>Festkörper</translation>
   </message>
@@ -2776,10 +2924,6 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Run</source>
    <translation>Lauf</translation>
-  </message>
-  <message>
-   <source>State</source>
-   <translation>Zustand</translation>
   </message>
   <message>
    <source>Tangent at the key</source>
@@ -3287,6 +3431,26 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Driven value at the last pose, in its unit (mm, degrees)</source>
    <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
+  </message>
+  <message>
+   <source>Parts in the order in which they are installed</source>
+   <translation>Teile in der Reihenfolge, in der sie eingebaut werden</translation>
+  </message>
+  <message>
+   <source>The motion of each of the parts, which ends where the part belongs</source>
+   <translation>Die Bewegung jedes Teils, die dort endet, wohin das Teil gehört</translation>
+  </message>
+  <message>
+   <source>Clearance from all that is there when a part comes</source>
+   <translation>Abstand zu allem, was da ist, wenn ein Teil kommt</translation>
+  </message>
+  <message>
+   <source>So far from its ends a part may touch what it touches there</source>
+   <translation>So weit von seinen Enden darf ein Teil berühren, was es dort berührt</translation>
+  </message>
+  <message>
+   <source>Parts that have a path</source>
+   <translation>Teile, die einen Weg haben</translation>
   </message>
   <message>
    <source>Parts, envelopes or other reserved spaces: the one side</source>

@@ -8,7 +8,7 @@ import FreeCAD as App
 from case import Case, shift
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope, mechanism, solid, study
+from sweptvolume.features import clearance, envelope, mechanism, sequence, solid, study
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
@@ -69,6 +69,12 @@ class Table(Case):
             return [obj.Required.Value, obj.Checked] + sorted(
                 (*names, round(row["distance"], 5), row["verdict"]) for *names, row in found
             )
+        if kind_of(obj) == sequence.Sequence.KIND:
+            report = sequence.report_of(obj)
+            rows = [
+                (s["part"], s["verdict"], s.get("begin"), s.get("end")) for s in report["steps"]
+            ]
+            return [obj.Required.Value, report["verdict"], round(obj.Smallest.Value, 5), rows]
         if kind_of(obj) == study.Study.KIND:
             keys = ("run", "state", "neighbour", "verdict", "distance", "time_seconds", "volume")
             return [[row.get(key) for key in keys] for row in study.report_of(obj)["runs"]]
@@ -85,6 +91,7 @@ class Table(Case):
             solid.Solid.KIND: solid,
             clearance.Clearance.KIND: clearance,
             mechanism.Mechanism.KIND: mechanism,
+            sequence.Sequence.KIND: sequence,
             study.Study.KIND: study,
         }
 

@@ -45,9 +45,8 @@ def envelope(inputs, output, *more):
     )  # fmt: skip
 
 
-COMMANDS = ["envelope", "check", "clearance", "mechanism", "overlap", "path", "study"] + [
-    "solid"
-] * _swept.HAS_SOLIDS
+COMMANDS = "envelope check clearance mechanism overlap path sequence study".split()
+COMMANDS += ["solid"] * _swept.HAS_SOLIDS
 
 
 def test_help_and_version(call):

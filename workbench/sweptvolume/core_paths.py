@@ -76,3 +76,18 @@ def live_clearance(vertices, triangles, neighbours, control):
     vertices, triangles). Raises CoreError."""
     with core.errors():
         return core.module().LiveClearance(vertices, triangles, neighbours, run=control.context)
+
+
+def sequence_watch():
+    """What seen() tells of a search for a sequence: (number of the part or -1, parts with a path, the
+    placement (4,4) that came farthest out or None)."""
+    return core.module().SequenceWatch()
+
+
+def find_sequence(rows, still, order, options, control, seen=None):
+    """Report (dict, docs/paths.md). rows, still: as the module's find_sequence() takes them; order: "given"
+    or "find"; seen: a sequence_watch(). Raises CoreError."""
+    with core.errors():
+        return core.module().find_sequence(
+            rows, still, order, run=control.context, watch=seen, **options
+        )[0]

@@ -30,6 +30,13 @@ _TEXTS = {
     "AmbiguousTurn": mark(
         "Core", "Between two poses the part makes half a turn: put a pose between them."
     ),
+    "PartsIntersect": mark(
+        "Core", "Two parts lie in each other where they belong: move one, or ignore the pair."
+    ),
+    "PartsTooNear": mark(
+        "Core",
+        "Two parts are nearer where they belong than is asked for: ask for less, or allow contact there.",
+    ),
     "BadFile": mark("Core", "The file cannot be read as it stands."),
     "BadFormat": mark("Core", "The ending of the file's name is not one that is known here."),
     "FileTooLarge": mark("Core", "The file is larger than may be read."),

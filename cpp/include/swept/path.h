@@ -47,6 +47,10 @@ struct PathOptions {
   std::optional<double> largestTurn;  ///< rad from how the part stands at the goal, 0 to pi
   Interpolation interpolation = Interpolation::Linear;  ///< linear or screw
   double budgetSeconds = 60;                            ///< wall clock; only ends a search
+  /// Moves tried in six dimensions after which a search ends, the same on every machine; 0: no
+  /// limit. 1: the quick methods alone.
+  std::int64_t mostSteps = 0;
+  bool askLess = true;  ///< where nothing is found, look for a smaller clearance that works
   std::uint64_t seed = 1;
 };
 

@@ -40,6 +40,12 @@ class RunContext {
   /// Overall progress, 0 to 1, never falls during a run.
   double progress() const { return progress_.load(std::memory_order_relaxed); }
 
+  /// What follows is one part of a longer run: its progress from 0 to 1 counts as `from` to `to`.
+  /// Not while anybody computes.
+  void beginPart(double from, double to) {
+    from_ = from;
+    to_ = to;
+  }
   /// Called inside chunk loops. Throws Error(Cancelled) if asked to stop. done/total: of this
   /// phase.
   void checkpoint(Phase phase, std::uint64_t done = 0, std::uint64_t total = 0);
@@ -53,6 +59,8 @@ class RunContext {
   std::atomic<int> phase_{0};
   std::atomic<double> progress_{0};
   std::atomic<std::uint64_t> checkpoints_{0};
+  double from_ = 0;
+  double to_ = 1;
 };
 
 }  // namespace swept

@@ -36,7 +36,7 @@ void RunContext::checkpoint(Phase phase, std::uint64_t done, std::uint64_t total
   const auto [start, end] = kSpans[static_cast<std::size_t>(index)];
   const double part =
       total == 0 ? 0.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
-  const double value = start + (end - start) * part;
+  const double value = from_ + (to_ - from_) * (start + (end - start) * part);
   double seen = progress_.load(std::memory_order_relaxed);
   while (seen < value && !progress_.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostExits = 6;
 
 [[noreturn]] void refuse(const std::string& what, const NeighbourClearance& row, double required,
-                         double release, double mostDepth) {
+                         double release, double most) {
   std::string code = what + "Blocked";
   code[0] = static_cast<char>(code[0] - 'a' + 'A');
   const std::string where = "at the " + what + (what == "via" ? " placement" : "");
@@ -24,7 +24,7 @@ constexpr std::size_t kMostExits = 6;
     throw Error(
         Status::InvalidInput, code,
         where + " the part lies inside neighbour " + who + ", " + depth +
-            (release > 0 ? "; the release zone allows " + numberText(mostDepth, 4) + " mm" : "") +
+            (release > 0 ? "; the release zone allows " + numberText(most, 4) + " mm" : "") +
             "; move the part, or leave that neighbour out");
   }
   throw Error(Status::InvalidInput, code,
@@ -78,6 +78,10 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
 
 }  // namespace
 
+double apartBy(double required, double chordErrors, double tolerance) {
+  return std::max(required, tolerance) + chordErrors + 1e-7;
+}
+
 Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options) {
   Demand demand;
   for (const ClearanceNeighbour& n : neighbours) {
@@ -85,9 +89,8 @@ Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOpt
     demand.required.push_back(required);
     demand.chordError.push_back(n.chordError);
     demand.names.push_back(n.name);
-    // A hair more than what counts as clear, so that rounding does not decide.
-    demand.apart.push_back(std::max(required, options.tolerance) + options.bodyChordError +
-                           n.chordError + 1e-7);
+    demand.apart.push_back(
+        apartBy(required, options.bodyChordError + n.chordError, options.tolerance));
   }
   demand.bodyChordError = options.bodyChordError;
   demand.tolerance = options.tolerance;
@@ -134,25 +137,35 @@ bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
   return true;
 }
 
-End examineEnd(const Scene& scene, const Demand& demand, const State& state,
-               const std::string& what, RunContext& run) {
+double mostDepth(const NeighbourClearance& row, double tolerance, double release) {
+  return std::max(tolerance + row.chordError, 0.1 * release);
+}
+
+End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
+              RunContext& run) {
   End end{state, std::vector<double>(scene.count(), -1), {}};
   const clearance::MotionTree still = scene.motionTree({{state.pose}, Interpolation::None});
   const double release = what == "via" ? 0 : demand.release;
-  bool touches = false;
   for (std::size_t i = 0; i < scene.count(); ++i) {
     run.checkpoint(Phase::Motion, i, scene.count());
     const NeighbourClearance row = checkNeighbour(
         scene, demand, i, still, std::max(demand.required[i], demand.tolerance), run);
     if (row.verdict == ClearanceVerdict::Clear && row.distance >= demand.apart[i]) continue;
     const double touch = demand.tolerance + row.chordError;
-    const double mostDepth = std::max(touch, 0.1 * release);
+    const double most = mostDepth(row, demand.tolerance, release);
     const bool clash = row.verdict == ClearanceVerdict::Clash;
-    const bool deep = clash && (!row.penetration.known || row.penetration.depthBound > mostDepth);
-    if (release <= 0 || deep) refuse(what, row, demand.required[i], release, mostDepth);
-    end.allowedDepth[i] = clash ? std::min(mostDepth, 1.05 * row.penetration.depthBound) : touch;
-    touches = true;
+    const bool deep = clash && (!row.penetration.known || row.penetration.depthBound > most);
+    if (release <= 0 || deep) refuse(what, row, demand.required[i], release, most);
+    end.allowedDepth[i] = clash ? std::min(most, 1.05 * row.penetration.depthBound) : touch;
   }
+  return end;
+}
+
+End examineEnd(const Scene& scene, const Demand& demand, const State& state,
+               const std::string& what, RunContext& run) {
+  End end = touchedAt(scene, demand, state, what, run);
+  const bool touches = std::any_of(end.allowedDepth.begin(), end.allowedDepth.end(),
+                                   [](double depth) { return depth >= 0; });
   if (touches)
     findExits(scene, demand, end, run);
   else

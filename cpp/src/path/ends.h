@@ -25,6 +25,10 @@ struct Demand {
   bool turns = true;
 };
 
+/// mm between the triangles, a hair more than what counts as clear, so that rounding does not
+/// decide. `chordErrors`: of both parts together.
+double apartBy(double required, double chordErrors, double tolerance);
+
 /// What neighbours and options ask for together.
 Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options);
 
@@ -41,10 +45,17 @@ struct End {
   Rule ruleInside(const Demand& demand) const;
 };
 
+/// mm that the part may lie in a neighbour that it touches at an end, by the row of that end.
+double mostDepth(const NeighbourClearance& row, double tolerance, double release);
+
 /// What the clearance check finds about one neighbour; `required`: mm asked for.
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
                                   const clearance::MotionTree& motion, double required,
                                   RunContext& run);
+
+/// The end without ways out, which are not looked for. Throws as examineEnd().
+End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
+              RunContext& run);
 
 /// `what`: "goal", "start" or "via". Throws Error(InvalidInput) GoalBlocked, StartBlocked,
 /// ViaBlocked; Error(Cancelled).

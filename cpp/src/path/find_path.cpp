@@ -17,8 +17,7 @@ namespace {
 
 using namespace path;
 
-constexpr double kSpeed = 100;  // mm a second along a path
-constexpr int kTrials = 400;    // shortcuts that are tried
+constexpr int kTrials = 400;  // shortcuts that are tried
 
 class PathFinder {
  public:
@@ -30,7 +29,7 @@ class PathFinder {
         run_(run),
         report_(report),
         scene_(part, neighbours, options, run),
-        limits_{timer_, options.budgetSeconds, options.seed, watch},
+        limits_{timer_, options.budgetSeconds, options.seed, watch, options.mostSteps},
         demand_(demandOf(neighbours, options)) {}
 
   void findIt() {
@@ -143,6 +142,7 @@ class PathFinder {
     const Rule loose(scene_.count(), 0.1 * o_.tolerance);
     // Part of the time is kept for what would be possible instead.
     const bool mayAskLess =
+        o_.askLess &&
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
     Limits limits = limits_;
     limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
@@ -190,7 +190,7 @@ class PathFinder {
     Trajectory motion{{}, o_.interpolation};
     double time = 0;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (i > 0) time += std::max(1e-6, scene_.distance(keys[i - 1], keys[i]) / kSpeed);
+      if (i > 0) time += std::max(1e-6, scene_.distance(keys[i - 1], keys[i]) / kPathSpeed);
       motion.poses.push_back(keys[i].pose);
       motion.poses.back().timeSeconds = time;
     }
@@ -204,24 +204,8 @@ class PathFinder {
     return cut;
   }
 
-  // The clearance engine has the last word: rows of neighbours that count, on one part of the path.
   std::vector<NeighbourClearance> check(const Trajectory& motion, const Rule& rule) const {
-    const clearance::MotionTree tree = scene_.motionTree(motion);
-    std::vector<NeighbourClearance> rows(scene_.count());
-    parallelFor(scene_.count(), [&](std::size_t i) {
-      if (rule[i] < 0) return;
-      rows[i] = checkNeighbour(scene_, demand_, i, tree, demand_.required[i], run_);
-      run_.checkpoint(Phase::Check);
-    });
-    for (std::size_t i = scene_.count(); i-- > 0;)
-      if (rule[i] < 0) rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
-    return rows;
-  }
-
-  static bool clear(const std::vector<NeighbourClearance>& rows) {
-    return std::all_of(rows.begin(), rows.end(), [](const NeighbourClearance& row) {
-      return row.verdict == ClearanceVerdict::Clear;
-    });
+    return certificateOf(scene_, demand_, motion, rule, run_);
   }
 
   void takePath(const std::vector<State>& keys) {
@@ -229,11 +213,12 @@ class PathFinder {
     const std::size_t last = keys.size() - 1;
     const std::size_t begin = released_.front().before, end = last - released_.back().after;
     bool good = true;
-    if (begin > 0) good = clear(check(part(motion, 0, begin), ends_.front().ruleInside(demand_)));
+    if (begin > 0)
+      good = allClear(check(part(motion, 0, begin), ends_.front().ruleInside(demand_)));
     if (end < last)
-      good = good && clear(check(part(motion, end, last), ends_.back().ruleInside(demand_)));
+      good = good && allClear(check(part(motion, end, last), ends_.back().ruleInside(demand_)));
     report_.certificate = check(part(motion, begin, end), demand_.apart);
-    if (!good || !clear(report_.certificate))
+    if (!good || !allClear(report_.certificate))
       throw Error(Status::InternalError, "NotCertified",
                   "the path that was found is not clear by the exact check; please report it with "
                   "the parts");
@@ -246,18 +231,9 @@ class PathFinder {
     }
     takeEnd(report_.path.poses.back(), task_.goal);
     if (task_.start) takeEnd(report_.path.poses.front(), *task_.start);
-    for (NeighbourClearance& row : report_.certificate) {
-      const double time = row.timeSeconds;
-      row.pose = scene_.outside(scene_.at(row.pose));
-      row.pose.timeSeconds = time;
-      row.pointOnBody = scene_.world().transpose() * row.pointOnBody;
-      row.pointOnNeighbour = scene_.world().transpose() * row.pointOnNeighbour;
-    }
+    leadOutside(scene_, report_.certificate);
     report_.clearance = certainClearance(report_.certificate, demand_);
-    for (std::size_t i = 1; i < keys.size(); ++i) {
-      report_.length += (keys[i].middle - keys[i - 1].middle).norm();
-      report_.turn += keys[i].pose.rotation.angularDistance(keys[i - 1].pose.rotation);
-    }
+    takeLength(keys, report_);
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (ends_.front().allowedDepth[i] >= 0 || ends_.back().allowedDepth[i] >= 0)
         report_.contacts.push_back(demand_.names[i]);

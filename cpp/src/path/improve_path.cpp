@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "clearance/pair_check.h"
 #include "motion/pivot.h"
 #include "path/found_path.h"
@@ -183,7 +182,7 @@ class Improver {
     leg.space = space_;
     leg.far = (space_.high - space_.low).norm();
     const double until = std::min(o_.budgetSeconds, timer_.seconds() + kShare * o_.budgetSeconds);
-    const Limits limits{timer_, until, o_.seed, nullptr};
+    const Limits limits{timer_, until, o_.seed, nullptr, o_.mostSteps};
     const Rule loose(scene_.count(), 0.1 * o_.tolerance);
     const LegResult found = solveLeg(scenes_, rule, loose, leg, limits, run_);
     report_.steps += found.steps;
@@ -235,13 +234,7 @@ class Improver {
       motion.poses.push_back(piece.keys[i].pose);
       motion.poses.back().timeSeconds = static_cast<double>(i);
     }
-    const clearance::MotionTree tree = scene_.motionTree(motion);
-    std::vector<NeighbourClearance> rows(scene_.count());
-    parallelFor(scene_.count(), [&](std::size_t i) {
-      rows[i] = checkNeighbour(scene_, demand, i, tree, demand.required[i], run_);
-      run_.checkpoint(Phase::Check);
-    });
-    return rows;
+    return certificateOf(scene_, demand, motion, Rule(scene_.count(), 0), run_);
   }
 
   // The clearance engine has the last word: of each neighbour the nearest row of all pieces that

@@ -109,7 +109,7 @@ class SixDimensions {
     LegResult result;
     result.farthest = leg_.goals.front();
     std::vector<char> done(kSearches, 0);
-    while (!limits_.over() && result.keys.empty()) {
+    while (!limits_.over() && !stepsOver() && result.keys.empty()) {
       parallelFor(kSearches, [&](std::size_t i) {
         for (int k = 0; k < kRounds && !done[i] && !run_.isCancelled() && !limits_.over(); ++k)
           done[i] = searches_[i].round() ? 1 : 0;
@@ -134,6 +134,13 @@ class SixDimensions {
   }
 
  private:
+  // Asked only where all searches stand still, so that the answer is the same for any threads.
+  bool stepsOver() const {
+    if (limits_.mostSteps == 0) return false;
+    std::int64_t steps = 0;
+    for (const Chain& search : searches_) steps += search.steps();
+    return steps >= limits_.mostSteps;
+  }
   void note(const Chain& search, LegResult& result) const {
     if (!search.inTrueScene() || search.trees() == nullptr) return;
     const Eigen::Vector3d& root = leg_.goals.front().middle;
@@ -222,6 +229,7 @@ LegResult solveLeg(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, c
     result = SixDimensions(scenes, rule, loose, leg, limits, run).search();
   }
   result.noTranslation = proven;
+  for (std::size_t i = 0; i < scene.count(); ++i) result.blocked[i] += memory.blocked[i];
   result.steps += memory.steps;
   return result;
 }

@@ -55,6 +55,7 @@ struct Limits {
   double seconds = 0;
   std::uint64_t seed = 1;
   PathWatch* watch = nullptr;
+  std::int64_t mostSteps = 0;  ///< of the search in six dimensions; 0: no limit
   bool over() const { return timer.seconds() > seconds; }
 };
 

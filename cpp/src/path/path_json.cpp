@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/path_json.h"
+
 #include <numbers>
 
-#include "base/report_json.h"
-#include "swept/path.h"
-
 namespace swept {
-std::string toJson(const PathReport& report) {
-  Json json = reportHead("path", report.status, report.code, report.message);
-  if (report.status != Status::Ok) return jsonText(json);
+namespace path {
+
+void addAnswer(Json& json, const PathReport& report) {
   json["verdict"] = pathVerdictName(report.verdict);
   json["summary"] = report.summary;
-  json["required"] = report.required;
-  json["tolerance"] = report.tolerance;
-  json["release"] = report.release;
-  json["interpolation"] = report.interpolation;
-  json["seed"] = report.seed;
   if (report.verdict == PathVerdict::Found) {
     json["method"] = report.method;
     json["keys"] = report.path.poses.size();
@@ -46,6 +40,19 @@ std::string toJson(const PathReport& report) {
                       {"turn_degrees", report.before->turn * 180 / std::numbers::pi},
                       {"clearance", report.before->clearance}};
   }
+}
+
+}  // namespace path
+
+std::string toJson(const PathReport& report) {
+  Json json = reportHead("path", report.status, report.code, report.message);
+  if (report.status != Status::Ok) return jsonText(json);
+  path::addAnswer(json, report);
+  json["required"] = report.required;
+  json["tolerance"] = report.tolerance;
+  json["release"] = report.release;
+  json["interpolation"] = report.interpolation;
+  json["seed"] = report.seed;
   if (!report.ignored.empty()) json["ignored"] = report.ignored;
   json["steps"] = report.steps;
   json["body_triangles"] = report.bodyTriangles;

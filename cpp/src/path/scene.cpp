@@ -130,6 +130,7 @@ State Scene::stateBetween(const State& a, const State& b, double fraction) const
 Memory Scene::memory() const {
   Memory memory;
   memory.pairs.resize(count());
+  memory.blocked.assign(count(), 0);
   return memory;
 }
 
@@ -145,6 +146,7 @@ bool Scene::isFree(const State& state, const Rule& rule, Memory& memory) const {
     if (found.body < 0) continue;
     memory.pairs[i] = found;
     memory.last = i;
+    ++memory.blocked[i];
     return false;
   }
   return true;
@@ -163,6 +165,7 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
     const std::size_t i = (first + k) % count();
     if (rule[i] >= 0) followOne(motion, i, rule[i], finest, result, memory);
   }
+  if (result.neighbour >= 0) ++memory.blocked[static_cast<std::size_t>(result.neighbour)];
   return result;
 }
 

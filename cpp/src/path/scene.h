@@ -51,6 +51,7 @@ struct Memory {
   std::vector<clearance::LeafPair> pairs;  ///< one a neighbour
   std::size_t last = 0;                    ///< neighbour that was in the way last
   std::int64_t steps = 0;                  ///< questions asked
+  std::vector<std::int64_t> blocked;       ///< how often each neighbour was in the way
 };
 
 /// How far a move is free.

@@ -20,12 +20,7 @@ constexpr double kFinest = 1.0 / 16;
 TwoTrees::TwoTrees(const Scene& scene, const Rule& rule, const SearchSpace& space,
                    const std::vector<State>& starts, const std::vector<State>& goals,
                    std::uint64_t seed)
-    : scene_(scene),
-      rule_(rule),
-      space_(space),
-      random_(seed),
-      memory_(scene.memory()),
-      blocked_(scene.count(), 0) {
+    : scene_(scene), rule_(rule), space_(space), random_(seed), memory_(scene.memory()) {
   longest_ = std::max(0.5 * scene.radius(), 0.05 * (space.high - space.low).norm());
   shortest_ = 2e-4 * scene.radius();
   for (const State& state : starts) add(kStart, -1, state);
@@ -161,7 +156,6 @@ int TwoTrees::extend(int tree, int from, const State& to, double most, bool& rea
     }
     if (follow.neighbour < 0) return node;
     const auto i = static_cast<std::size_t>(follow.neighbour);
-    ++blocked_[i];
     const Contact contact = scene_.contactAt(at, i, rule_[i] + 0.1 * scene_.radius(), memory_);
     if (contact.neighbour < 0) return node;
     contacts.push_back(contact);

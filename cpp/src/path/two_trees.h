@@ -49,7 +49,7 @@ class TwoTrees {
   /// The placement of the goal's tree whose middle is farthest from its root.
   const State& farthest() const { return trees_[1][farthest_].state; }
   /// How often each neighbour was in the way.
-  const std::vector<std::int64_t>& blocked() const { return blocked_; }
+  const std::vector<std::int64_t>& blocked() const { return memory_.blocked; }
 
  private:
   struct Node {
@@ -82,7 +82,6 @@ class TwoTrees {
   Tree trees_[2];  ///< from the start, from the goal
   std::map<CellKey, int> cells_[2];
   std::vector<int> cellNodes_[2];
-  std::vector<std::int64_t> blocked_;
   std::vector<State> path_;
   int farthest_ = 0;
   double hardness_[2] = {1, 1};  ///< fraction of the extensions of a tree that were blocked, lately

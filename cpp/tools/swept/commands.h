@@ -16,6 +16,7 @@ Run addClearanceCommand(CLI::App& program);
 Run addMechanismCommand(CLI::App& program);
 Run addOverlapCommand(CLI::App& program);
 Run addPathCommand(CLI::App& program);
+Run addSequenceCommand(CLI::App& program);
 Run addSolidCommand(CLI::App& program);
 Run addStudyCommand(CLI::App& program);
 

@@ -26,7 +26,8 @@ using Commands = std::vector<std::pair<std::string, Run>>;
 
 constexpr const char* kExitStatuses =
     "Exit status: 0 done, 1 failed, 2 wrong usage, 3 not clear (clearance,\n"
-    "mechanism, overlap, study) or no path (path), 130 and 143 cancelled (128 and the number of "
+    "mechanism, overlap, study) or no path (path, sequence), 130 and 143 cancelled (128 and the "
+    "number of "
     "the "
     "signal). "
     "Lengths are in mm.";
@@ -43,6 +44,7 @@ Commands addCommands(CLI::App& program) {
   commands.emplace_back("mechanism", addMechanismCommand(program));
   commands.emplace_back("overlap", addOverlapCommand(program));
   commands.emplace_back("path", addPathCommand(program));
+  commands.emplace_back("sequence", addSequenceCommand(program));
 #endif
 #ifdef SWEPT_PYTHON
   commands.emplace_back("study", addStudyCommand(program));

@@ -34,12 +34,6 @@ struct MechanismJob {
   CommonOptions common;
 };
 
-/// An option that takes so many words and may be given often.
-void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
-              std::vector<std::string>& words, const std::string& about) {
-  app.add_option(name, words, about)->type_size(count)->type_name(kind)->allow_extra_args(false);
-}
-
 void addOptions(CLI::App& app, MechanismJob& job) {
   addWords(app, "--moving", 2, "PART MOTION", job.moving,
            "a part that moves and its poses, as for swept envelope; its name is that of the file. "

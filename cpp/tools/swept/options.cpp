@@ -20,6 +20,11 @@ bool parseWhole(const std::string& text, T& value) {
 
 }  // namespace
 
+void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
+              std::vector<std::string>& words, const std::string& about) {
+  app.add_option(name, words, about)->type_size(count)->type_name(kind)->allow_extra_args(false);
+}
+
 double numberOf(const std::string& name, const std::string& text) {
   double number = 0;
   if (!parseWhole(text, number) || !std::isfinite(number))

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "swept/run_context.h"
 
@@ -25,6 +26,9 @@ CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::strin
                        double& target, const std::string& about);
 CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
                         std::int64_t least, std::int64_t most, const std::string& about);
+/// An option that takes so many words and may be given often.
+void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
+              std::vector<std::string>& words, const std::string& about);
 double numberOf(const std::string& name, const std::string& text);
 /// Three numbers with commas between them.
 CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& target,

@@ -63,6 +63,7 @@ def panels_fit(doc, folder):
         improve_panel,
         made_panel,
         motion_panel,
+        sequence_panel,
         solid_panel,
         source_panel,
     )
@@ -83,6 +84,7 @@ def panels_fit(doc, folder):
         ("motion", lambda: motion_panel.show(doc, path, part[0])),
         ("path", lambda: find_path_panel.show(doc, pairs=part)),
         ("improve", lambda: improve_panel.show(doc, motion=path, pairs=part)),
+        ("sequence", lambda: sequence_panel.show(doc, pairs=part)),
         ("made", lambda: made_panel.show(doc, hull)),
     ):
         panel = opened()

@@ -14,6 +14,7 @@ _MODULES = [
     "find_path",
     "edit_motion",
     "improve_path",
+    "sequence",
     "edit_source",
     "reload_motion",
     "",
@@ -87,6 +88,8 @@ def fill_context_menu(workbench, recipient):
         names += ["SweptVolume_FindPath", "SweptVolume_ReloadMotion"]
     elif selection.parts():
         names += ["SweptVolume_NewMotion", "SweptVolume_FindPath"]
+    if selection.sequence() or len(selection.parts()) > 1:
+        names.append("SweptVolume_Sequence")
     if selection.motion() or selection.parts():
         names += ["SweptVolume_Envelope", "SweptVolume_Clearance"]
     if len(selection.spaces()) > 1:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Searches for paths as the runner takes them."""
-from .. import core_paths
-from ..features import improve_plan, path_plan
+from .. import contents, core_paths
+from ..features import improve_plan, path_plan, sequence
 from ..runner import Task
 from ..texts import translate
 
@@ -45,3 +45,27 @@ class ImproveTask(Task):
         self.outcome = value
         if value.poses is not None:
             self.obj = improve_plan.make(self.plan, value)
+
+
+class SequenceTask(Task):
+    """Finds the ways of a sequence, makes motions of them and keeps the sequence; one undo step. seen:
+    core_paths.sequence_watch(); outcome: sequence.Outcome; obj: the sequence, None where not all ways were
+    found: nothing is written then."""
+
+    def __init__(self, plan, obj=None):
+        self.title = translate("Commands", "Sequence")
+        self.document, self.plan, self.kept = plan.document, plan, obj
+        contents.prepared(plan.words())
+        self.request = plan.request()
+        watched = plan.objects() + ([obj] if obj is not None else [])
+        self.watched = [o for o in watched if o.Document is plan.document]
+        self.seen = core_paths.sequence_watch()
+        self.outcome, self.obj = None, None
+
+    def work(self, control):
+        return sequence.work(self.request, control, self.seen)
+
+    def finish(self, value):
+        self.outcome = value
+        if value.is_found():
+            self.obj = sequence.keep(self.plan, value, self.kept)

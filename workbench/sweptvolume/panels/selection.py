@@ -9,6 +9,7 @@ from ..features.clearance import is_clearance
 from ..features.envelope import Envelope, is_envelope
 from ..features.mechanism import is_mechanism
 from ..features.motion import Motion, is_motion, parts_of
+from ..features.sequence import is_sequence
 from ..features.shared import is_shared
 from ..features.solid import can_be_source, is_solid
 from ..features.study import is_study
@@ -40,6 +41,7 @@ def _ours(obj):
         is_solid,
         is_clearance,
         is_mechanism,
+        is_sequence,
         is_shared,
         is_study,
     )
@@ -114,6 +116,11 @@ def clearance():
 def mechanism():
     """The selected mechanism check, or None."""
     return _first(is_mechanism)
+
+
+def sequence():
+    """The selected sequence, or None."""
+    return _first(is_sequence)
 
 
 def has_report(obj):

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "path/given_motion.h"
+
+#include <algorithm>
+
+#include "base/number_text.h"
+#include "base/timer.h"
+#include "clearance/pair_check.h"
+#include "motion/pivot.h"
+#include "path/found_path.h"
+#include "path/guarded_path.h"
+#include "path/task_check.h"
+
+namespace swept::path {
+namespace {
+
+constexpr int kHalvings = 40;  // until the place where a release zone ends is known
+
+class GivenMotion {
+ public:
+  GivenMotion(const TriMesh& part, const Trajectory& motion,
+              const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options,
+              RunContext& run, PathReport& report)
+      : o_(options),
+        run_(run),
+        report_(report),
+        scene_(part, neighbours, options, run),
+        demand_(demandOf(neighbours, options)) {
+    for (const Pose& pose : motion.poses)
+      keys_.push_back({scene_.inside(checkedPose(pose, "key")), pose.timeSeconds});
+  }
+
+  void check() {
+    std::vector<char> closed;
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      closed.push_back(scene_.neighbour(i).closed() ? 1 : 0);
+    report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
+    const End start = touchedAt(scene_, demand_, keys_.front().state, "start", run_);
+    const End goal = touchedAt(scene_, demand_, keys_.back().state, "goal", run_);
+    std::vector<State> states;
+    for (const Key& key : keys_) states.push_back(key.state);
+    takeLength(states, report_);
+    const std::size_t first = touches(start) ? cutAtStart() : 0;
+    const std::size_t last = touches(goal) ? cutAtGoal() : keys_.size() - 1;
+    if (first >= last)
+      throw Error(Status::InvalidInput, "BadOption",
+                  "the motion never leaves the release zones of " + numberText(o_.release, 4) +
+                      " mm round its ends; ask for a smaller release");
+    report_.certificate = checked(part(first, last), demand_.apart);
+    checkZone(start, part(0, first));
+    checkZone(goal, part(last, keys_.size() - 1));
+    if (!report_.escape.blockers.empty()) return;
+    report_.verdict = PathVerdict::Found;
+    report_.method = "given";
+    report_.clearance = certainClearance(report_.certificate, demand_);
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      if (start.allowedDepth[i] >= 0 || goal.allowedDepth[i] >= 0)
+        report_.contacts.push_back(demand_.names[i]);
+  }
+
+  double seconds() const { return timer_.seconds(); }
+
+ private:
+  struct Key {
+    State state;
+    double time;
+  };
+
+  static bool touches(const End& end) {
+    return std::any_of(end.allowedDepth.begin(), end.allowedDepth.end(),
+                       [](double depth) { return depth >= 0; });
+  }
+
+  bool released(const State& state, const State& end) const {
+    return scene_.distance(state, end) <= o_.release;
+  }
+
+  // A key where the motion comes to its goal's zone for the last time; its number.
+  std::size_t cutAtGoal() {
+    const State goal = keys_.back().state;
+    std::size_t i = keys_.size() - 1;
+    while (i > 0 && released(keys_[i - 1].state, goal)) --i;
+    return i == 0 ? 0 : insertBetween(i - 1, goal, false);
+  }
+
+  // The same where it leaves the zone of its start for the first time.
+  std::size_t cutAtStart() {
+    const State start = keys_.front().state;
+    std::size_t i = 0;
+    while (i + 1 < keys_.size() && released(keys_[i + 1].state, start)) ++i;
+    return i + 1 == keys_.size() ? i : insertBetween(i, start, true);
+  }
+
+  // Between key i and the next, one of which lies in the zone: a key just within it. Its number.
+  std::size_t insertBetween(std::size_t i, const State& end, bool zoneFirst) {
+    const Key a = keys_[i], b = keys_[i + 1];
+    double in = zoneFirst ? 0 : 1, out = 1 - in;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (in + out);
+      (released(scene_.stateBetween(a.state, b.state, middle), end) ? in : out) = middle;
+    }
+    const Key cut{scene_.stateBetween(a.state, b.state, in), a.time + in * (b.time - a.time)};
+    if (in <= 0) return i;
+    if (in >= 1) return i + 1;
+    keys_.insert(keys_.begin() + static_cast<std::ptrdiff_t>(i) + 1, cut);
+    return i + 1;
+  }
+
+  Trajectory part(std::size_t first, std::size_t last) const {
+    Trajectory cut{{}, o_.interpolation};
+    for (std::size_t i = first; i <= last; ++i) {
+      cut.poses.push_back(keys_[i].state.pose);
+      cut.poses.back().timeSeconds = keys_[i].time;
+    }
+    return cut;
+  }
+
+  // In a zone the neighbours that do not touch keep their clearance, and no other is entered.
+  void checkZone(const End& end, const Trajectory& motion) {
+    if (motion.poses.size() < 2) return;
+    checked(motion, end.ruleInside(demand_));
+    if (releasedClean(scene_, demand_, end, motion, run_)) return;
+    for (std::size_t i = 0; i < scene_.count(); ++i)
+      if (end.allowedDepth[i] >= 0)
+        fail(demand_.names[i], scene_.at(motion.poses.front()),
+             "in a release zone the part lies deeper in '" + demand_.names[i] +
+                 "' than where it touches it at the end");
+  }
+
+  std::vector<NeighbourClearance> checked(const Trajectory& motion, const Rule& rule) {
+    std::vector<NeighbourClearance> rows = certificateOf(scene_, demand_, motion, rule, run_);
+    for (const NeighbourClearance& row : rows) {
+      if (row.verdict == ClearanceVerdict::Clear) continue;
+      const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
+      const std::string how = deep ? numberText(row.penetration.depth, 4) + " mm deep in '"
+                                   : numberText(row.guaranteed, 4) + " mm from '";
+      fail(row.name, scene_.at(row.pose),
+           "the motion comes " + how + row.name + "' at t = " + numberText(row.timeSeconds, 4) +
+               " s");
+    }
+    leadOutside(scene_, rows);
+    return rows;
+  }
+
+  void fail(const std::string& name, const State& where, const std::string& text) {
+    if (report_.escape.blockers.empty()) {
+      report_.summary = text;
+      report_.escape.pose = scene_.outside(where);
+      report_.escape.distance = (where.middle - keys_.back().state.middle).norm();
+    }
+    report_.escape.blockers.push_back(name);
+  }
+
+  const PathOptions& o_;
+  RunContext& run_;
+  PathReport& report_;
+  Timer timer_;
+  Scene scene_;
+  Demand demand_;
+  std::vector<Key> keys_;
+};
+
+}  // namespace
+
+PathReport checkGivenMotion(const TriMesh& part, const Trajectory& motion,
+                            const std::vector<ClearanceNeighbour>& neighbours,
+                            const PathOptions& options, RunContext& run) {
+  PathOptions o = options;
+  o.interpolation = motion.interpolation;
+  return guardedPath(part, neighbours, o, run, [&](PathReport& report, const auto& counted) {
+    // Straight is straight for the pivot: there all is done in coordinates whose origin it is.
+    const Eigen::Vector3d pivot = pivotOf(motion);
+    GivenMotion given(seenFromPivot(part, pivot), carriedByPivot(motion, pivot), counted, o, run,
+                      report);
+    given.check();
+    report.escape.pose = backFromPivot(report.escape.pose, pivot);
+    if (report.verdict == PathVerdict::Found) {
+      report.path = motion;
+      report.summary = figuresText(report) + " (" + report.method + ")";
+    }
+    return given.seconds();
+  });
+}
+
+}  // namespace swept::path

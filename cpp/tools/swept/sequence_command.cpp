@@ -1,0 +1,197 @@
+// swept sequence --part PART HOW ...: parts that are installed one after the other.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifdef HAVE_SWEPT_CLEARANCE
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "commands.h"
+#include "neighbours.h"
+#include "path_options.h"
+#include "reported_run.h"
+#include "swept/body.h"
+#include "swept/io.h"
+#include "swept/sequence.h"
+
+namespace swept::cli {
+namespace {
+
+struct SequenceJob {
+  std::vector<std::string> parts;    ///< file, how, file, how, ...
+  std::vector<std::string> rules;    ///< name, name, rule, ...
+  std::vector<std::string> ignored;  ///< name, name, ...
+  NeighbourFiles still;
+  std::string folder;
+  double partUnit = 1, partChord = 0;
+  SequenceOptions options;
+  std::int64_t seed = 1;
+  CommonOptions common;
+};
+
+constexpr const char* kHow =
+    "is 'out:' with a radius in mm or a direction x,y,z, 'from:' with a placement, or 'motion:' "
+    "with a motion file";
+
+bool takes(const std::string& text, const std::string& word, std::string& rest) {
+  if (text.rfind(word + ":", 0) != 0) return false;
+  rest = text.substr(word.size() + 1);
+  return true;
+}
+
+void addOptions(CLI::App& app, SequenceJob& job) {
+  addWords(app, "--part", 2, "PART HOW", job.parts,
+           "a part where it belongs, named as its file, and how it comes there; HOW " +
+               std::string(kHow) + ". Give the option once for each part");
+  addNeighbourOptions(app, job.still)->required(false);
+  addUnit(app, "--part-unit", job.partUnit, "unit of parts that are meshes (default mm)");
+  addNumber(app, "--part-chord", "MM", job.partChord,
+            "how far the triangles of parts given as meshes leave their exact surfaces "
+            "(default 0)");
+  addConverted(
+      app, "--order", "given|find",
+      [&job](const std::string& t) {
+        if (t != "given" && t != "find") badOption("--order is '" + t + "'; allowed: given, find");
+        job.options.findOrder = t == "find";
+      },
+      "install in the order of the options, or find one by taking apart (default given)");
+  addSearchOptions(app, job.options.path, job.seed);
+  addWords(app, "--rule", 3, "PART PART RULE", job.rules,
+           "what a pair asks for in place of the clearance: a distance in mm or ignore");
+  addWords(app, "--ignore", 2, "PART PART", job.ignored,
+           "a pair that is not looked at, as a screw in its thread");
+  addText(app, "-o,--output", "FOLDER", job.folder,
+          "write the motion of each part, NAME.csv, all on one timeline");
+  addCommonOptions(app, job.common);
+  app.footer(
+      "Exit status 0 if all parts have a path, 3 if not.\n\nExamples:\n"
+      "  swept sequence --part gear.stl out:0,0,1 --part lid.stl out:200 box.step --order find "
+      "--clearance 0.5 -o motions\n"
+      "  swept sequence --part pin.stl from:0,0,80 --part clip.stl motion:clip.csv plate.stl "
+      "--release 8");
+}
+
+/// False where a motion says it.
+bool takePlace(const std::string& how, PathTask& task) {
+  std::string rest;
+  if (takes(how, "motion", rest)) return false;
+  if (takes(how, "out", rest))
+    task.extraction = extractionOf("--part ... out", rest);
+  else if (takes(how, "from", rest))
+    task.start = placementOf("--part ... from", rest);
+  else
+    badOption("--part ... '" + how + "'; how a part comes " + kHow);
+  return true;
+}
+
+void readHow(const SequenceJob& job, const std::string& how, SequencePart& part) {
+  if (takePlace(how, part.task)) return;
+  std::string file;
+  takes(how, "motion", file);
+  part.motion = readInputMotion(file, 1, job.options.path.interpolation, {0, 0, 0});
+}
+
+std::vector<SequencePart> readParts(const SequenceJob& job, RunContext& run,
+                                    std::vector<Finding>& findings) {
+  BodyFileOptions file;
+  file.millimetresPerUnit = job.partUnit;
+  file.tolerance = job.still.deflection;
+  std::vector<SequencePart> parts;
+  for (std::size_t i = 0; i + 1 < job.parts.size(); i += 2) {
+    SequencePart part;
+    part.name = pathFromUtf8(job.parts[i]).stem().string();
+    readHow(job, job.parts[i + 1], part);
+    Body body = readInputBody(job.parts[i], "", file, run);
+    for (Finding& finding : body.findings) {
+      finding.text = part.name + ": " + finding.text;
+      findings.push_back(std::move(finding));
+    }
+    part.mesh = std::move(body.mesh);
+    part.chordError = body.chordError > 0 ? body.chordError : job.partChord;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+SequenceReport compute(const SequenceJob& job, RunContext& run) {
+  std::vector<Finding> findings;
+  const std::vector<SequencePart> parts = readParts(job, run, findings);
+  std::vector<ClearanceNeighbour> read;
+  if (!job.still.paths.empty()) read = readNeighbours(job.still, run);
+  makeNamesUnique(read);
+  std::vector<StillPart> still;
+  for (ClearanceNeighbour& part : read)
+    still.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
+  SequenceOptions options = job.options;
+  options.path.seed = static_cast<std::uint64_t>(job.seed);
+  SequenceReport report = findSequence(parts, still, options, run);
+  report.warnings.insert(report.warnings.begin(), findings.begin(), findings.end());
+  return report;
+}
+
+std::string motionFile(const SequenceJob& job, std::size_t part) {
+  const std::string name = pathFromUtf8(job.parts[2 * part]).stem().string() + ".csv";
+  return (pathFromUtf8(job.folder) / name).string();
+}
+
+void printSteps(const SequenceReport& report) {
+  for (const SequenceStep& step : report.steps) {
+    std::printf("%-24s %-14s", report.names[step.part].c_str(), pathVerdictName(step.path.verdict));
+    if (!report.timeline.empty()) std::printf(" %8.2f to %8.2f s ", step.begin, step.end);
+    std::printf(" %s\n", step.path.summary.c_str());
+  }
+  std::printf("%s; %.2f s\n", report.summary.c_str(),
+              report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
+}
+
+int runSequence(const SequenceJob& job) {
+  const CommonOptions& common = job.common;
+  std::vector<RoledFile> inputs, outputs{{"--report", common.report}};
+  for (std::size_t i = 0; i < job.parts.size(); i += 2) {
+    inputs.push_back({"a part", job.parts[i]});
+    std::string motion;
+    if (takes(job.parts[i + 1], "motion", motion)) inputs.push_back({"a motion", motion});
+  }
+  for (const std::string& path : job.still.paths) inputs.push_back({"a neighbour", path});
+  if (!job.folder.empty()) {
+    if (!std::filesystem::is_directory(pathFromUtf8(job.folder)))
+      badOption("--output: there is no folder '" + job.folder + "'");
+    for (std::size_t i = 0; i < job.parts.size() / 2; ++i)
+      outputs.push_back({"--output", motionFile(job, i)});
+  }
+  const auto report = runReported<SequenceReport>(
+      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); });
+  if (report.status != Status::Ok) return exitStatus(report.status);
+  if (!job.folder.empty())
+    for (std::size_t i = 0; i < report.timeline.size(); ++i)
+      writeText(motionTable(report.timeline[i]), motionFile(job, i));
+  if (!common.quiet && common.report != "-") printSteps(report);
+  return finishReported(report, common, report.verdict == SequenceVerdict::Found);
+}
+
+}  // namespace
+
+Run addSequenceCommand(CLI::App& program) {
+  const auto job = std::make_shared<SequenceJob>();
+  CLI::App& app = *program.add_subcommand(
+      "sequence",
+      "Parts that are installed one after the other, each clear of all that is there by then: in "
+      "the given order, or in one that is found.");
+  addOptions(app, *job);
+  return [job] {
+    checkNeighbourOptions(job->still, "");
+    if (job->parts.empty()) badOption("--part PART HOW is missing: no part is installed");
+    for (std::size_t i = 1; i < job->parts.size(); i += 2) {
+      PathTask task;
+      takePlace(job->parts[i], task);
+    }
+    for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
+      job->options.rules.push_back({job->ignored[i], job->ignored[i + 1], parseRule("ignore")});
+    for (std::size_t i = 0; i + 2 < job->rules.size(); i += 3)
+      job->options.rules.push_back(
+          {job->rules[i], job->rules[i + 1], parseRule(job->rules[i + 2])});
+    return runSequence(*job);
+  };
+}
+
+}  // namespace swept::cli
+#endif  // HAVE_SWEPT_CLEARANCE

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts that are installed one after the other."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy.typing as npt
+
+from . import _core
+from ._calls import RunContext, _log
+from ._clearance import Neighbour, _neighbour
+from ._values import MeshLike, Motion, MotionLike, mesh_of, motion_of
+
+
+@dataclass(frozen=True)
+class SequencePart:
+    """A part, where it belongs and how it comes there. goal, start, via: matrices (4, 4), the goal where
+    its mesh has it unless given; extract, instead of a start: a radius in mm or a direction (x, y, z).
+    Instead of all of these a motion that ends where the part belongs. chord_error in mm, that of the
+    mesh unless given."""
+
+    name: str
+    mesh: MeshLike
+    goal: Optional[npt.ArrayLike] = None
+    start: Optional[npt.ArrayLike] = None
+    extract: Union[float, Sequence[float], None] = None
+    via: Sequence[npt.ArrayLike] = ()
+    motion: Optional[MotionLike] = None
+    chord_error: Optional[float] = None
+
+    def _tuple(self) -> Tuple[Any, ...]:
+        mesh = mesh_of(self.mesh)
+        chord = mesh.chord_error if self.chord_error is None else self.chord_error
+        motion = None if self.motion is None else motion_of(self.motion, None)
+        way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+        places = (self.goal, self.start, self.extract, list(self.via))
+        return (self.name, mesh.vertices, mesh.triangles, chord, *places, *way)
+
+
+def find_sequence(
+    parts: Iterable[SequencePart],
+    neighbours: Iterable[Neighbour] = (),
+    *,
+    order: str = "given",
+    clearance: float = 0.0,
+    release: float = 0.0,
+    translation_only: bool = False,
+    max_angle: Optional[float] = None,
+    interpolation: str = "linear",
+    tolerance: float = 0.01,
+    budget: float = 60.0,
+    most_moves: int = 0,
+    seed: int = 1,
+    ignored: Iterable[Tuple[str, str]] = (),
+    rules: Iterable[Tuple[str, str, Union[str, float]]] = (),
+    run: Optional[RunContext] = None,
+) -> Tuple[Dict[str, Any], Optional[Dict[str, Motion]]]:
+    """Motions of parts that are installed one after the other, each clear of the neighbours and of what is
+    installed by then: in the order given, or with order="find" in one that is found by taking apart.
+    rules: (name, name, rule) of pairs that ask for a distance of their own (mm) or are not looked at
+    ("ignore", as `ignored`). The budget (s) is that of all searches; most_moves ends a search in six
+    dimensions after so many moves, the same on every machine. The rest as for find_path(). Returns the
+    report (docs/paths.md) and, by name, the motion of each part on one common timeline; None where not
+    all have a path. Raises InvalidInput (NoParts, PartTwice, PartsIntersect, PartsTooNear, ... and what
+    find_path() refuses), Cancelled."""
+    given: List[SequencePart] = list(parts)
+    report, arrays = _core.find_sequence(
+        [part._tuple() for part in given],
+        [_neighbour(item) for item in neighbours],
+        order,
+        clearance,
+        release,
+        translation_only,
+        max_angle,
+        interpolation,
+        tolerance,
+        budget,
+        most_moves,
+        seed,
+        [(*pair, "ignore") for pair in ignored] + [(a, b, str(rule)) for a, b, rule in rules],
+        run,
+        None,
+    )
+    _log(report["warnings"])
+    if arrays is None:
+        return report, None
+    motions = {}
+    for part, keys in zip(given, arrays):
+        own = None if part.motion is None else motion_of(part.motion, None)
+        way, pivot = (
+            (interpolation, (0.0, 0.0, 0.0)) if own is None else (own.interpolation, own.pivot)
+        )
+        motions[part.name] = Motion(*keys, interpolation=way, pivot=pivot)
+    return report, motions

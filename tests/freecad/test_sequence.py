@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sequences from documents: what is found is motions of ours, in the order of the sequence, each clear of all
+that is there by then; they are checked again when something changes."""
+import FreeCAD as App
+
+from case import Case, V, shift, turn
+from sweptvolume import core
+from sweptvolume.convert import InputProblem
+from sweptvolume.features import clearance, motion, sequence
+from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
+from sweptvolume.features.neighbour_rules import Rule
+from sweptvolume.features.pair_rules import key
+from sweptvolume.features.sequence_plan import Plan
+from table_case import Table, add_box, changes, rows
+
+VALUES = {"Required": 0.4, "Release": 0.0, "Tolerance": 0.01, "Deflection": 0.05}
+#: name -> what a user does to the document of States.setUp().
+CHANGES, change = changes()
+
+
+def solid(doc, name, sizes, at):
+    obj = doc.addObject("Part::Box", name)
+    obj.Length, obj.Width, obj.Height = sizes
+    obj.Placement.Base = V(*at)
+    return obj
+
+
+def shaft(doc, height=40):
+    """Four walls and a floor, 20 mm wide inside, open at the top."""
+    return [
+        solid(doc, "Floor", (26, 26, 3), (-13, -13, -3)),
+        solid(doc, "West", (3, 26, height), (-13, -13, 0)),
+        solid(doc, "East", (3, 26, height), (10, -13, 0)),
+        solid(doc, "South", (20, 3, height), (-10, -13, 0)),
+        solid(doc, "North", (20, 3, height), (-10, 10, 0)),
+    ]
+
+
+def stack(doc):
+    """Blocks in the shaft, given from the top: the lower one has to come first."""
+    return [
+        solid(doc, "Upper", (18, 18, 9), (-9, -9, 11)),
+        solid(doc, "Lower", (18, 18, 9), (-9, -9, 1)),
+    ]
+
+
+def plan_of(doc, parts, walls, motions=None, **search):
+    pairs = [(part, "") for part in parts]
+    beside = [(wall, "") for wall in walls]
+    plan = Plan(doc, pairs, motions or [None] * len(pairs), beside, False, VALUES)
+    plan.search.update(Out=90.0, Budget=600.0, **search)
+    return plan
+
+
+class Sequences(Case):
+    NEEDS_CORE = True
+
+    def setUp(self):
+        super().setUp()
+        self.walls, self.parts = shaft(self.doc), stack(self.doc)
+        self.doc.recompute()
+
+    def assert_clear(self, obj):
+        """Each motion by the workbench's own check of clearances, with what is there by then."""
+        there = [(wall, "") for wall in self.walls]
+        for (part, subs), path in zip(obj.Generators, obj.Motions):
+            check = clearance.make_clearance(
+                self.doc, Motion=path, AllVisible=False, Required=0.4, Deflection=0.05
+            )
+            check.Generators, check.Neighbours = [(part, "")], there
+            self.doc.recompute()
+            found = clearance.compute(check)["neighbours"]
+            self.assertEqual({row["verdict"] for row in found}, {"clear"}, (part.Label, found))
+            there = there + [(part, "")]
+            self.doc.removeObject(check.Name)
+
+    def test_an_order_is_found_and_kept_in_one_step_of_undo(self):
+        undo, known = self.doc.UndoCount, len(self.doc.Objects)
+        report, obj = sequence.find(plan_of(self.doc, self.parts, self.walls, Order="find"))
+        self.assertEqual((report["verdict"], self.doc.UndoCount), ("found", undo + 1))
+        self.assertEqual([part.Name for part, _ in obj.Generators], ["Lower", "Upper"])
+        self.assertEqual(
+            [motion.parts_of(path)[0][0].Name for path in obj.Motions], ["Lower", "Upper"]
+        )
+        self.assertEqual((obj.Status, obj.Verdict, obj.Checked), (UP_TO_DATE, "clear", 2))
+        self.assertIn("Lower, Upper", obj.Summary)
+        self.doc.undo()
+        self.assertEqual(len(self.doc.Objects), known)
+        self.doc.redo()
+        again = self.doc.getObject(obj.Name)
+        self.assertEqual((again.Status, len(again.Motions)), (UP_TO_DATE, 2))
+        self.assert_clear(again)
+
+    def test_what_was_found_is_checked_again_as_given(self):
+        _, obj = sequence.find(plan_of(self.doc, self.parts, self.walls, Order="find"))
+        report = sequence.compute(obj)
+        self.assertEqual([step["method"] for step in report["steps"]], ["given", "given"])
+        self.assertEqual((obj.Status, report["verdict"]), (UP_TO_DATE, "found"))
+        # The other order: the lower one has to pass the upper one.
+        obj.Generators = list(reversed([(part, "") for part, _ in obj.Generators]))
+        obj.Motions = list(reversed(obj.Motions))
+        self.doc.recompute()
+        self.assertEqual(obj.Status, STALE)
+        report = sequence.compute(obj)
+        self.assertEqual((report["verdict"], obj.Verdict), ("not_found", "clash"))
+        self.assertEqual(report["steps"][1]["escape"]["blockers"], ["Upper"])
+
+    def test_an_order_that_cannot_be_writes_nothing(self):
+        known, undo = len(self.doc.Objects), self.doc.UndoCount
+        plan = plan_of(self.doc, self.parts, self.walls, MostMoves=1)
+        report, obj = sequence.find(plan)
+        self.assertIsNone(obj)
+        self.assertEqual([s["verdict"] for s in report["steps"]][0], "found")
+        self.assertNotEqual(report["steps"][1]["verdict"], "found")
+        self.assertEqual((len(self.doc.Objects), self.doc.UndoCount), (known, undo))
+        self.assertIn("1 of 2", sequence.summary(report))
+        self.assertIn('"Lower"', sequence.told(report))
+
+    def test_a_motion_of_ones_own_is_kept(self):
+        path = motion.motion_from_poses(
+            self.doc, [0, 5], [shift(0, 0, 80).multiply(self.parts[0].Placement),
+                               self.parts[0].Placement]
+        )  # fmt: skip
+        path.Frame = "Absolute"
+        motion.set_parts(path, [(self.parts[0], "")])
+        self.doc.recompute()
+        parts = self.parts[::-1]
+        report, obj = sequence.find(plan_of(self.doc, parts, self.walls, [None, path]))
+        self.assertEqual(report["verdict"], "found", report)
+        self.assertIs(obj.Motions[1], path)
+        self.assertEqual([s["method"] == "given" for s in report["steps"]], [False, True])
+        step = report["steps"][1]
+        self.assertAlmostEqual(step["end"] - step["begin"], 5.0)
+        seen = sequence.Plan.of(obj).seen()
+        at = seen[1][1]  # waits, moves, stays
+        self.assert_placement(at(0.0), at(step["begin"]))
+        self.assert_placement(at(step["end"] + 1), at(step["end"]))
+        self.assertGreater((at(step["begin"]).Base - at(step["end"]).Base).Length, 79)
+
+    def test_rules_of_pairs(self):
+        plan = plan_of(self.doc, self.parts[::-1], self.walls)
+        plan.values["Required"] = 1.2  # they are 1 mm from the walls and from each other
+        with self.assertRaises(core.CoreError) as refused:
+            sequence.find(plan)
+        self.assertEqual(refused.exception.code, "PartsTooNear")
+        everything = self.parts + self.walls
+        plan.pair_rules = {
+            key((a, ""), (b, "")): Rule(length=0.5)
+            for a in self.parts
+            for b in everything
+            if a is not b
+        }
+        report, obj = sequence.find(plan)
+        self.assertEqual(report["verdict"], "found", report)
+        self.assertEqual(sequence.Plan.of(obj).pair_rules, plan.pair_rules)
+
+    def test_wrong_input_is_named(self):
+        with self.assertRaisesRegex(InputProblem, "no part is given"):
+            plan_of(self.doc, [], self.walls).request()
+        twice = plan_of(self.doc, [self.parts[0], self.parts[0]], self.walls)
+        with self.assertRaisesRegex(InputProblem, "is there twice"):
+            twice.request()
+        self.parts[0].Placement.Base.z -= 3
+        self.doc.recompute()
+        with self.assertRaises(core.CoreError) as refused:
+            sequence.find(plan_of(self.doc, self.parts, self.walls))
+        self.assertEqual(refused.exception.code, "PartsIntersect")
+        for name in ("Upper", "Lower", "2 mm"):
+            self.assertIn(name, str(refused.exception))
+
+    def test_parts_in_moved_groups(self):
+        group = self.doc.addObject("App::Part", "Group")
+        for obj in self.parts + self.walls:
+            group.addObject(obj)
+        group.Placement = turn(35, V(1, 2, 3), V(100, -40, 7))
+        self.doc.recompute()
+        plan = plan_of(self.doc, [], [], Order="find")
+        plan.pairs = [(group, "Upper."), (group, "Lower.")]
+        plan.motions = [None, None]
+        plan.neighbours = [(group, wall.Name + ".") for wall in self.walls]
+        report, obj = sequence.find(plan)
+        self.assertEqual(report["verdict"], "found", report)
+        self.assertEqual([sub for _, sub in sequence.Plan.of(obj).pairs], ["Lower.", "Upper."])
+        self.assertEqual(sequence.compute(obj)["verdict"], "found")
+
+    def test_saved_and_copied(self):
+        _, obj = sequence.find(plan_of(self.doc, self.parts, self.walls, Order="find"))
+        path, name = self.folder + "/sequence.FCStd", obj.Name
+        copy = self.doc.copyObject(obj, False)
+        self.doc.recompute()
+        self.assertEqual((copy.Status, copy.Motions), (UP_TO_DATE, obj.Motions))
+        self.doc.saveAs(path)
+        App.closeDocument(self.doc.Name)
+        self.doc = App.openDocument(path)
+        obj = self.doc.getObject(name)
+        self.doc.recompute()
+        self.assertEqual((obj.Status, obj.Verdict), (UP_TO_DATE, "clear"))
+        obj.Report = '{"verdict": "found", "steps": [1]}'
+        self.assertIsNone(sequence.report_of(obj))
+        self.assertEqual(sequence.Plan.of(obj).steps, [])
+
+
+@change
+def more_clearance(doc):
+    doc.Sequence.Required = 0.7
+
+
+@change
+def as_much_clearance_as_there_is(doc):
+    doc.Sequence.Required = 0.89
+
+
+@change
+def another_order(doc):
+    doc.Sequence.Generators = [(doc.Upper, ""), (doc.Lower, "")]
+    doc.Sequence.Motions = list(reversed(doc.Sequence.Motions))
+
+
+@change
+def a_motion_too_few(doc):
+    doc.Sequence.Motions = doc.Sequence.Motions[:1]
+
+
+@change
+def a_motion_is_edited(doc):
+    path = doc.Sequence.Motions[1]
+    path.Placements = [shift(30).multiply(path.Placements[0])] + path.Placements[1:]
+
+
+@change
+def a_motion_goes(doc):
+    doc.removeObject(doc.Sequence.Motions[0].Name)
+
+
+@change
+def a_part_goes(doc):
+    doc.removeObject("Upper")
+
+
+@change
+def a_wall_comes_nearer(doc):
+    doc.West.Placement = shift(-12.8, -13)
+
+
+@change
+def a_wall_is_left_out(doc):
+    doc.Sequence.Neighbours = [(doc.Floor, "")]
+
+
+@change
+def something_stands_above(doc):
+    doc.Sequence.Neighbours = doc.Sequence.Neighbours + [
+        (add_box(doc, "Above", shift(-5, -5, 50)), "")
+    ]
+
+
+@change
+def all_that_is_visible(doc):
+    doc.Sequence.AllVisible = True
+
+
+@change
+def a_pair_is_ignored(doc):
+    doc.Sequence.RuleParts = [(doc.Upper, ""), (doc.Lower, "")]
+    doc.Sequence.RuleKinds, doc.Sequence.RuleLengths = ["Ignore"], [0.0]
+
+
+@rows
+class States(Table):
+    CHANGES = CHANGES
+
+    def setUp(self):
+        super().setUp()
+        walls, parts = shaft(self.doc), stack(self.doc)
+        self.doc.recompute()
+        _, obj = sequence.find(plan_of(self.doc, parts, walls, Order="find"))
+        sequence.compute(obj)
+        self.doc.recompute()
+
+    def test_nothing_changes_nothing(self):
+        self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
+        self.look("nothing")
+
+    def test_failures_are_kept(self):
+        obj = self.doc.Sequence
+        self.doc.Upper.Placement.Base.z -= 3
+        for path in obj.Motions:
+            path.Placements = [p for p in path.Placements]
+        obj.Motions[1].Placements = obj.Motions[1].Placements[:-1] + [self.doc.Upper.Placement]
+        self.doc.recompute()
+        self.assertEqual(obj.Status, STALE)
+        with self.assertRaises(core.CoreError):
+            sequence.compute(obj)
+        self.assertEqual(obj.Status, FAILED)
+        self.assertIn("Upper", obj.Message)

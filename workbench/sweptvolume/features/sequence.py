@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sequence: parts that are installed one after the other, each on a motion of its own, clear of all that is
+there by then, kept in the document (core: docs/paths.md, "Sequences").
+
+What is found becomes motions of ours; the object holds them in the order of the parts and says whether they
+still are what was certified. A computation of the object checks its motions again."""
+import json
+
+import numpy as np
+
+from .. import core, core_paths, quantities
+from ..core_texts import said
+from ..texts import translate
+from . import check, pair_rules, path_plan
+from .base import NOT_COMPUTED, attach_view, kind_of, stored
+from .check import Check, fail  # noqa: F401 (fail is read from here as well)
+from .sequence_plan import Plan
+from .sequence_properties import INPUT, RESULT
+
+TYPE = "App::FeaturePython"
+#: Of what was in the way of a part, the worst first.
+MOST_NAMES = 3
+
+#: What is read of a stored report.
+REPORT = {
+    "verdict": {"found", "not_found", "no_order"},
+    "required": float,
+    "steps": [{"part": str, "verdict": str, "summary": str}],
+}
+_TIMED = {"begin": float, "end": float, "length": float}
+
+
+class Sequence(Check):
+    """Proxy of the sequence."""
+
+    KIND = "SweptVolume::Sequence"
+    PLAN = Plan
+    RULES = pair_rules
+
+    def properties(self):
+        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
+        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
+
+    def __init__(self, obj):
+        super().__init__(obj)
+        obj.Status = NOT_COMPUTED
+
+    def report_of(self, obj):
+        return report_of(obj)
+
+
+def is_sequence(obj):
+    return kind_of(obj) == Sequence.KIND
+
+
+class Outcome:
+    """report (dict, docs/paths.md), notes; order: numbers of the parts as they were given; found: Poses of
+    each part that was searched for and has a path, by its number."""
+
+    def __init__(self, report, notes, order, found):
+        self.report, self.notes, self.order, self.found = report, notes, order, found
+
+    def is_found(self):
+        return self.report["verdict"] == "found"
+
+
+def work(request, control, seen=None):
+    """Any thread: the search itself. Raises core.CoreError, InputProblem."""
+    rows = request.parts()
+    options = dict(request.options, rules=request.asked())
+    order = request.search["Order"]
+    report = core_paths.find_sequence(rows, request.standing(), order, options, control, seen)
+    numbers = {row.part.name: k for k, row in enumerate(request.rows)}
+    found = {}
+    for step in report["steps"]:
+        row = request.rows[numbers[step["part"]]]
+        if step["verdict"] == "found" and row.pivot is not None:
+            found[numbers[step["part"]]] = path_plan.poses_from(_keys(step), row.pivot)
+    return Outcome(report, request.notes, [numbers[s["part"]] for s in report["steps"]], found)
+
+
+def _keys(step):
+    poses = step["path"]
+    return (
+        np.array([pose["t"] for pose in poses]),
+        np.array([pose["translation"] for pose in poses]),
+        np.array([pose["quaternion_xyzw"] for pose in poses]),
+    )
+
+
+def make_motions(plan, outcome):
+    """Makes motions of what was found; the plan has the parts in the order that was found then."""
+    motions = [
+        motion or path_plan.make(plan.document, [pair], outcome.found[k])
+        for k, (pair, motion) in enumerate(zip(plan.pairs, plan.motions))
+    ]
+    plan.take(outcome.order, motions)
+
+
+def apply(obj, outcome, hash_at_start):
+    """Writes the result of a search whose paths are all there."""
+    report = dict(outcome.report, notes=outcome.notes)
+    obj.Report = json.dumps(report)
+    obj.Summary = summary(report)
+    obj.Checked = sum(step["verdict"] == "found" for step in report["steps"])
+    obj.Verdict = "clear" if outcome.is_found() else "clash"
+    obj.Smallest = max(report.get("clearance", 0.0), 0.0)
+    check.keep(obj, hash_at_start)
+
+
+def summary(report):
+    """The result in one line."""
+    found = sum(step["verdict"] == "found" for step in report["steps"])
+    if report["verdict"] != "found":
+        text = translate("Messages", "{0} of {1} parts have a path")
+        return text.format(found, len(report["steps"]))
+    names = ", ".join(step["part"] for step in report["steps"])
+    text = translate("Messages", "{0} parts one after the other: {1}").format(found, names)
+    if "clearance" in report:
+        more = translate("Messages", "clearance at least {0}")
+        text += "; " + more.format(quantities.quantity(report["clearance"]))
+    return text
+
+
+def step_text(step):
+    """What is to be said of one part."""
+    if step["verdict"] == "found":
+        length = quantities.quantity(step["length"])
+        if step.get("clearance") is None:
+            return translate("Messages", "{0}, nothing in the way").format(length)
+        return translate("Messages", "{0}, clearance {1}").format(
+            length, quantities.quantity(step["clearance"])
+        )
+    blockers = step["escape"]["blockers"]
+    if step["verdict"] == "no_translation":
+        return translate("Messages", "proven: no way without turning")
+    if not blockers:
+        return step["summary"]
+    names = ", ".join('"{}"'.format(name) for name in blockers[:MOST_NAMES])
+    return translate("Messages", "no way; came {0}, in the way: {1}").format(
+        quantities.quantity(step["escape"]["distance"]), names
+    )
+
+
+def told(report):
+    """All that is to be said of a report."""
+    lines = [summary(report)]
+    if report["verdict"] == "no_order":
+        lines.append(
+            translate(
+                "Messages", "No order exists in which one part comes after the other: proven."
+            )
+        )
+    for step in report["steps"]:
+        if step["verdict"] != "found":
+            lines.append('"{}": {}'.format(step["part"], step_text(step)))
+    lines += [said(w["code"], w["text"]) for w in report["warnings"]]
+    return "\n".join(lines)
+
+
+def compute(obj, control=None):
+    """Checks the motions again in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
+    import sys
+
+    title = translate("Messages", "Check sequence")
+    return check.compute(obj, sys.modules[__name__], title, control).report
+
+
+def find(plan, control=None):
+    """Searches in this thread (scripts, no GUI): (report, sequence or None), one undo step. Raises
+    core.CoreError, InputProblem."""
+    outcome = work(plan.request(), control or core.Control())
+    if not outcome.is_found():
+        return outcome.report, None
+    plan.document.openTransaction(translate("Commands", "Sequence"))
+    obj = keep(plan, outcome)
+    plan.document.commitTransaction()
+    return outcome.report, obj
+
+
+def keep(plan, outcome, obj=None):
+    """The object (a new one unless given) with the motions of a search that found them all."""
+    make_motions(plan, outcome)
+    if obj is None:
+        obj = make_sequence(plan.document)
+    plan.write(obj)
+    apply(obj, outcome, plan.hash())
+    obj.purgeTouched()
+    return obj
+
+
+def report_of(obj):
+    """The stored report (dict); None if there is none, or a damaged one."""
+    report = stored(obj.Report, REPORT)
+    if report is not None and report["verdict"] == "found":
+        return stored(obj.Report, dict(REPORT, steps=[dict(REPORT["steps"][0], **_TIMED)]))
+    return report
+
+
+def make_sequence(document, label=None, **settings):
+    """A sequence, not yet computed. `settings` are property names with values."""
+    obj = document.addObject(TYPE, "Sequence")
+    Sequence(obj)
+    obj.Label = label or translate("Messages", "Sequence")
+    for name, value in settings.items():
+        setattr(obj, name, value)
+    attach_view(obj, "sweptvolume.views.sequence_view:SequenceView")
+    return obj

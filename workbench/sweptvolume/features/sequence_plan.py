@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a sequence looks at, read off an object or a panel: parts in their order, each with a motion or to be
+searched for, and what stands still -> the input of the core as plain values.
+
+A part that is searched for belongs where it stands; its poses are placed by the middle of the part, as in
+path_plan."""
+import itertools
+import json
+import math
+
+from .. import contents, convert
+from ..convert import InputProblem, matrix_of
+from ..texts import translate
+from ..trajectory.poses import shift_to
+from . import mechanism_plan, pair_rules, path_plan, still_parts
+from . import motion as motion_feature
+from .mechanism_plan import Part
+from .moving import Moving, Seen, middle_of
+
+#: What a search needs besides the settings of the object. Out: mm that a part has to get out by; MostMoves:
+#: as the program has them, 0: no limit.
+SEARCH = {
+    "Order": "given",
+    "Out": 100.0,
+    "TranslationOnly": False,
+    "LargestTurn": 180.0,
+    "Budget": 60.0,
+    "Seed": 1,
+    "MostMoves": 0,
+}
+
+
+class Row:
+    """One part. part: mechanism_plan.Part; pivot: of the poses to come, goal: (4,4), where it is searched for
+    (else None)."""
+
+    def __init__(self, part, pivot=None, goal=None):
+        self.part, self.pivot, self.goal = part, pivot, goal
+
+    def row(self, out):
+        """Any thread: as the core takes it."""
+        name, vertices, triangles, motion, interpolation, chord = self.part.row()
+        extract = out if motion is None else None
+        places = self.goal, None, extract, []
+        return (name, vertices, triangles, chord, *places, motion, interpolation)
+
+
+class Request:
+    """Input of one search, no document behind it. rows: Row of each part; still: Part of what stands."""
+
+    def __init__(self, rows, still, rules, search, options, notes):
+        self.rows, self.still, self.rules = rows, still, rules
+        self.search, self.options, self.notes = search, options, notes
+
+    def parts(self):
+        return [row.row(float(self.search["Out"])) for row in self.rows]
+
+    def standing(self):
+        return [(p.name, p.body.vertices, p.body.triangles, p.chord) for p in self.still]
+
+    def asked(self):
+        """(name, name, rule) of pairs that ask for something of their own. Raises InputProblem."""
+        found = []
+        moving = [row.part for row in self.rows]
+        pairs = itertools.chain(
+            itertools.combinations(moving, 2), itertools.product(moving, self.still)
+        )
+        for one, other in pairs if self.rules else []:
+            text = pair_rules.of(self.rules, one.pair, other.pair).text()
+            if text is not None:
+                found.append((one.name, other.name, text))
+        return found
+
+
+class Plan(mechanism_plan.Plan):
+    """motions: one for each of pairs, None for what is searched for; search: values of SEARCH; steps: those
+    of the stored report."""
+
+    SETTINGS = ("Required", "Release", "Tolerance", "Deflection")
+
+    def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
+        super().__init__(document, pairs, motions, neighbours, all_visible, values, rules)
+        self.search, self.steps = dict(SEARCH), []
+
+    @classmethod
+    def of(cls, obj):
+        plan = super().of(obj)
+        report = obj.Proxy.report_of(obj) if obj.Report else None
+        plan.steps = report["steps"] if report and report["verdict"] == "found" else []
+        return plan
+
+    def groups(self):
+        """Moving of each part, None of those that are searched for. Raises InputProblem."""
+        if self.lost:
+            raise InputProblem(self.lost)
+        if not self.pairs:
+            raise InputProblem(
+                translate(
+                    "Messages", "no part is given: select the parts, then press Add selected."
+                )
+            )
+        if len(self.motions) != len(self.pairs):
+            text = translate(
+                "Messages", "{0} parts and {1} motions: give one motion for each part."
+            )
+            raise InputProblem(text.format(len(self.pairs), len(self.motions)))
+        self._check_parts()
+        groups = []
+        for pair, motion in zip(self.pairs, self.motions):
+            groups.append(None if motion is None else Moving([pair], motion))
+            if motion is None:
+                continue
+            groups[-1].check()
+            if motion.Interpolation == "None":
+                text = translate(
+                    "Messages",
+                    '"{0}" only jumps from pose to pose: choose another interpolation, or let the way be '
+                    "found.",
+                )
+                raise InputProblem(text.format(motion.Label))
+        return groups
+
+    def words(self):
+        """As clearance_plan.Plan.words(); the order of the parts counts."""
+        if self._words is None:
+            beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
+            words = []
+            for pair, group in zip(self.pairs, self.groups()):
+                words += contents.words([pair]) if group is None else group.words()
+            words += contents.words(beside) if beside else []
+            words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+            words.append(pair_rules.words(self.pair_rules))
+            self._words = words
+        return self._words
+
+    def take(self, order, motions):
+        """The parts in the order (old numbers) that was found, with all their motions."""
+        self.pairs = [self.pairs[k] for k in order]
+        self.motions = [motions[k] for k in order]
+        self._words = None
+
+    # --- the run
+
+    def request(self):
+        """The search as plain values. Raises InputProblem."""
+        deflection = max(float(self.values["Deflection"]), 1e-4)
+        straight = 0.5 * float(self.values["Tolerance"])
+        names, rows, notes = self.names(), [], []
+        for pair, group in zip(self.pairs, self.groups()):
+            if group is None:
+                rows.append(self._searched(pair, names[pair], deflection))
+                continue
+            rows += [Row(part) for part in self._moving_parts(group, names, deflection, straight)]
+            notes += [group.motion.Message] if group.motion.Message else []
+        still = []
+        if self._has_standing():
+            found, more, _ = self.still_parts(deflection)
+            still = [Part(names[n.pair], n.pair, n.body, n.chord) for n in found]
+            notes += more
+        return Request(rows, still, self.pair_rules, dict(self.search), self._options(), notes)
+
+    def _searched(self, pair, name, deflection):
+        body = convert.body_from([pair], deflection)
+        pivot = middle_of([pair], body.placement)
+        base = body.placement.multiply(shift_to(pivot))
+        seen = Seen(body, matrix_of(base.inverse()))
+        chord = still_parts.chord_of([pair], deflection)
+        return Row(Part(name, pair, seen, chord), pivot, matrix_of(base))
+
+    def _options(self):
+        v, s = self.values, self.search
+        return {
+            "clearance": float(v["Required"]),
+            "release": float(v["Release"]),
+            "tolerance": float(v["Tolerance"]),
+            "translation_only": bool(s["TranslationOnly"]),
+            "max_angle": None if s["LargestTurn"] >= 180.0 else math.radians(s["LargestTurn"]),
+            "interpolation": path_plan.INTERPOLATION.lower(),
+            "budget": float(s["Budget"]),
+            "seed": int(s["Seed"]),
+            "most_moves": int(s["MostMoves"]),
+        }
+
+    # --- what is seen
+
+    def seen(self):
+        """As mechanism_plan.Plan.seen(), on the timeline of the stored result: a part waits at its first key
+        and stays at its last one. Raises InputProblem."""
+        found, deflection = [], self.seen_deflection()
+        begins = {step["part"]: step["begin"] for step in self.steps}
+        names = self.names()
+        for pair, group in zip(self.pairs, self.groups()):
+            body = Seen(convert.body_from([pair], deflection), group.into_base())
+            times = motion_feature.world_poses_of(group.motion).times
+            begin = begins.get(names[pair], 0.0)
+            found.append((body, _delayed(group.course(), times[0], times[-1], begin)))
+        return found
+
+
+def _delayed(course, first, last, begin):
+    return lambda time: course(min(max(time - begin + first, first), last))

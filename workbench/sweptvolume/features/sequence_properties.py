@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a sequence: type, name, help, default; what it has as a mechanism check has it, is that
+one's."""
+from ..texts import mark
+from . import mechanism_properties, path_plan
+
+_SAME = ("Neighbours", "AllVisible", "Tolerance", "Deflection")
+_SAME += ("RuleParts", "RuleKinds", "RuleLengths")
+_GIVEN = {row[1]: row for row in mechanism_properties.INPUT}
+
+INPUT = [
+    (
+        "App::PropertyLinkSubListGlobal",
+        "Generators",
+        mark("Properties", "Parts in the order in which they are installed"),
+        None,
+    ),
+    (
+        "App::PropertyLinkListGlobal",
+        "Motions",
+        mark("Properties", "The motion of each of the parts, which ends where the part belongs"),
+        None,
+    ),
+    (
+        "App::PropertyLength",
+        "Required",
+        mark("Properties", "Clearance from all that is there when a part comes"),
+        path_plan.DEFAULTS["Required"],
+    ),
+    (
+        "App::PropertyLength",
+        "Release",
+        mark("Properties", "So far from its ends a part may touch what it touches there"),
+        path_plan.DEFAULTS["Release"],
+    ),
+] + [_GIVEN[name] for name in _SAME]
+RESULT = [row for row in mechanism_properties.RESULT if row[1] != "Checked"] + [
+    ("App::PropertyInteger", "Checked", mark("Properties", "Parts that have a path"), 1),
+]

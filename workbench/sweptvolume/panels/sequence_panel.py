@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panel of a sequence: parts in their order with their motions, what stands still, rules; finds the ways
+in this order or finds an order, and plays what was found as one. Nothing is written before a search has found
+all ways: then their motions and the sequence, one step of Undo."""
+from PySide import QtCore
+
+from .. import runner
+from ..features import pair_rules, path_plan, sequence, sequence_plan
+from ..texts import mark, translate
+from ..views.ghost import MOVING_TRIANGLES, MovingPart, MovingParts
+from . import focus, guard, widgets
+from .path_tasks import SequenceTask
+from .player import Player
+from .search_panel import SearchPanel
+from .sequence_rows import SequenceRows
+from .tasks import ShapesTask
+from .widgets import QtWidgets
+
+#: ms between two looks at where the search is.
+LOOK = 200
+#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+opened = []
+
+
+class SequencePanel(SearchPanel):
+    """Makes a new sequence (obj None) or shows one and searches again."""
+
+    TITLE, ICON = mark("Panels", "Sequence"), "SweptVolume_Sequence"
+    BUTTON = mark("Panels", "&Find paths in this order")
+
+    def __init__(self, document, pairs=(), obj=None):
+        self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
+        self.looked = -1
+        self.looks = QtCore.QTimer()
+        self.looks.timeout.connect(self._look)
+        plan = sequence.Plan.of(obj) if obj is not None else None
+        super().__init__(document, plan.pairs if plan else pairs)
+        self.rows.changed.connect(self._parts_changed)
+        if plan is not None:
+            self._show_plan(plan)
+
+    # --- building
+
+    def build_way(self):
+        self.finds = QtWidgets.QPushButton(translate("Panels", "Find an &order"))
+        self.finds.setObjectName("SweptVolumeFindOrder")
+        widgets.hint(
+            self.finds,
+            translate(
+                "Panels", "By taking apart: what can be taken out goes, and the order is turned"
+            ),
+        )
+        self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)
+        self.finds.clicked.connect(lambda *ignored: self.start("find"))
+        self.rows = SequenceRows(self.document, self.layout)
+        self.rows.show_rows(self.pairs)
+        self.out = widgets.length(sequence_plan.SEARCH["Out"], 1.0, 10.0)
+        self.out.setObjectName("SweptVolumeOut")
+        widgets.hint(
+            self.out, translate("Panels", "A part is out when it is so far from where it belongs")
+        )
+        self.player = Player()
+        self.player.hide()
+        self.player.moved.connect(self._moved)
+        self.layout.addWidget(self.player)
+
+    def build_rules(self, rows):
+        self.straight = QtWidgets.QCheckBox(translate("Panels", "The parts never turn"))
+        self.straight.setObjectName("SweptVolumeTranslationOnly")
+        rows.addRow(translate("Panels", "Parts come from"), self.out)
+        rows.addRow(self.straight)
+
+    @guard.told
+    def _show_plan(self, plan):
+        steps = {step["part"]: step for step in plan.steps}
+        names = plan.names()
+        self.rows.show_rows(
+            plan.pairs,
+            plan.motions,
+            [
+                sequence.step_text(steps[n]) if n in steps else ""
+                for n in map(names.get, plan.pairs)
+            ],
+        )
+        self.required.setProperty("rawValue", plan.values["Required"])
+        self.release.setProperty("rawValue", plan.values["Release"])
+        self.deflection.setProperty("rawValue", plan.values["Deflection"])
+        self.take_neighbours(plan.neighbours)
+        kept = {
+            pair: pair_rules.of(plan.pair_rules, plan.pairs[0], pair) for pair in self.beside.pairs
+        }
+        self.beside.table.show_pairs(self.beside.pairs, kept)
+        if plan.lost:
+            widgets.show_message(self.message, plan.lost)
+        self._show_player()
+
+    # --- inputs
+
+    def _parts_changed(self):
+        self.pairs = self.rows.pairs
+        self.beside.drop_moving()
+        self.player.hide()
+        self.clear_view()
+
+    def plan(self, order):
+        """What is asked for. Raises InputProblem."""
+        values = {
+            "Required": float(self.required.property("rawValue")),
+            "Release": float(self.release.property("rawValue")),
+            "Tolerance": path_plan.DEFAULTS["Tolerance"],
+            "Deflection": float(self.deflection.property("rawValue")),
+        }
+        rules = {
+            pair_rules.key(part, beside): rule
+            for beside, rule in self.beside.rules().items()
+            for part in self.rows.pairs
+        }
+        plan = sequence.Plan(
+            self.document,
+            self.rows.pairs,
+            self.rows.motions,
+            self.beside.pairs,
+            False,
+            values,
+            rules,
+        )
+        plan.search.update(
+            Order=order,
+            Out=float(self.out.property("rawValue")),
+            TranslationOnly=self.straight.isChecked(),
+            Budget=self.budget.value(),
+            Seed=self.seed.value(),
+        )
+        return plan
+
+    # --- run
+
+    def start(self, order="given"):
+        self.beside.mark([])
+        self.clear_view()
+        self.looked = -1
+        if not self.begin(
+            lambda: SequenceTask(self.plan(order), self.obj),
+            self.ended,
+            lambda: self.plan(order).words(),
+            lambda: self.start(order),
+        ):
+            return False
+        for button in (self.begins, self.finds):
+            button.setEnabled(False)
+        for row in range(len(self.rows.pairs)):
+            self.rows.set_state(row, "")
+        self.looks.start(LOOK)
+        return True
+
+    def _look(self):
+        """Shows which part is looked at, and where it came to."""
+        if self.run is None:
+            return
+        row, found, farthest = self.run.task.seen.seen()
+        if row < 0:
+            return
+        if row != self.looked:
+            if 0 <= self.looked:
+                self.rows.set_state(self.looked, "")
+            self._forget_ghost()
+            self.looked = row
+        text = translate("Panels", "is searched for ({0} of {1} found)")
+        self.rows.set_state(row, text.format(found, len(self.rows.pairs)))
+        searched = self.run.task.request.rows[row]
+        if farthest is not None and searched.pivot is not None:
+            if self.ghost is None:
+                body = searched.part.body
+                self.ghost = MovingPart(self.document, body.vertices, body.triangles)
+            self.ghost.show(path_plan.placement_of(farthest))
+
+    def ended(self, run):
+        self.looks.stop()
+        self.run = None
+        if not widgets.alive(self.document):
+            return
+        self._forget_ghost()
+        for button in (self.begins, self.finds):
+            button.setEnabled(True)
+        self.box.leave(self.form)
+        if run.state != "ok":
+            self.rows.show_rows(self.rows.pairs, self.rows.motions)
+            widgets.show_failure(self.message, run)
+            return
+        self.found(run.task)
+
+    def found(self, task):
+        report = task.outcome.report
+        widgets.show_message(self.message, sequence.told(report))
+        states = [sequence.step_text(step) for step in report["steps"]]
+        if task.obj is not None:
+            self.obj = task.obj
+            self.rows.show_rows(task.plan.pairs, task.plan.motions, states)
+            self.pairs = self.rows.pairs
+            self._show_player()
+            return
+        for number, text in zip(task.outcome.order, states):
+            self.rows.set_state(number, text)
+        blockers = [
+            name
+            for step in report["steps"]
+            if step["verdict"] != "found"
+            for name in step["escape"]["blockers"][:1]
+        ]
+        self.beside.mark(blockers)
+
+    # --- played as one
+
+    def _show_player(self):
+        plan = sequence.Plan.of(self.obj)
+        self.clear_view()
+        if not plan.steps:
+            return
+        times = {step["begin"] for step in plan.steps} | {step["end"] for step in plan.steps}
+        self.player.blockSignals(True)
+        self.player.set_times(sorted(times))
+        self.player.blockSignals(False)
+        self.player.show()
+
+    @guard.told
+    def _moved(self):
+        if self.ghosts is not None:
+            self.ghosts.show([course(self.player.now()) for course in self.courses])
+        elif self.shapes is None and self.obj is not None:
+            self.shapes = runner.start(ShapesTask(sequence.Plan.of(self.obj), MOVING_TRIANGLES))
+            self.shapes.ended.connect(self._shapes_read)
+
+    @guard.told
+    def _shapes_read(self, run):
+        self.shapes = None
+        if run.state != "ok" or not widgets.alive(self.document):
+            return
+        self.courses = [course for _, _, course in run.task.found]
+        self.ghosts = MovingParts(self.document, [found[:2] for found in run.task.found])
+        self._moved()
+
+    def _forget_ghost(self):
+        if self.ghost is not None and widgets.alive(self.document):
+            self.ghost.remove()
+        self.ghost = None
+
+    def clear_view(self):
+        """Nothing is drawn any more."""
+        self.player.stop()
+        self._forget_ghost()
+        if self.shapes is not None:
+            self.shapes.ended.disconnect(self._shapes_read)
+            self.shapes.cancel()
+        if self.ghosts is not None and widgets.alive(self.document):
+            self.ghosts.remove()
+        self.shapes, self.ghosts, self.courses = None, None, []
+
+    def leave(self):
+        self.looks.stop()
+        self.clear_view()
+
+
+def show(document, **given):
+    panel = SequencePanel(document, **given)
+    opened[:] = [panel]
+    focus.show(panel)
+    return panel

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parts of a sequence in their order: a table with the motion of each, or that it is to be found, and how
+far the search is."""
+from .. import convert
+from ..features import motion as motion_feature
+from ..features.base import objects_of_kind
+from ..texts import translate
+from . import selection, widgets
+from .widgets import QtCore, QtWidgets
+
+
+class SequenceRows(QtCore.QObject):
+    """`changed`: other parts, another order or another motion."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, document, layout):
+        super().__init__()
+        self.document, self.pairs, self.motions, self.states = document, [], [], []
+        rows = widgets.group(translate("Panels", "Parts, the first one comes first"), layout)
+        self.table = QtWidgets.QTableWidget(0, 3)
+        self.table.setObjectName("SweptVolumeSequenceParts")
+        self.table.setHorizontalHeaderLabels(
+            [
+                translate("Panels", "Part"),
+                translate("Panels", "Motion"),
+                translate("Panels", "State"),
+            ]
+        )
+        self.table.verticalHeader().hide()
+        self.table.setTabKeyNavigation(False)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setMinimumHeight(150)
+        rows.addRow(self.table)
+        line = QtWidgets.QHBoxLayout()
+        for name, text, tip, act in (
+            (
+                "AddParts",
+                translate("Panels", "A&dd selected"),
+                translate("Panels", "Adds the parts selected in the tree or in the view"),
+                self.add_selected,
+            ),
+            (
+                "RemovePart",
+                translate("Panels", "Re&move"),
+                translate("Panels", "Takes the marked part out of the sequence"),
+                self.remove,
+            ),
+            (
+                "PartUp",
+                translate("Panels", "&Up"),
+                translate("Panels", "The marked part comes one step earlier"),
+                lambda: self.move(-1),
+            ),
+            (
+                "PartDown",
+                translate("Panels", "D&own"),
+                translate("Panels", "The marked part comes one step later"),
+                lambda: self.move(1),
+            ),
+        ):
+            button = QtWidgets.QPushButton(text)
+            button.setObjectName("SweptVolume" + name)
+            widgets.hint(button, tip)
+            button.clicked.connect(lambda checked=False, act=act: act())
+            line.addWidget(button)
+        rows.addRow(line)
+
+    def show_rows(self, pairs, motions=None, states=None):
+        """motions, states: of each part; none: to be found, nothing to say."""
+        self.pairs = list(pairs)
+        self.motions = list(motions or [None] * len(self.pairs))
+        self.states = list(states or [""] * len(self.pairs))
+        self.table.setRowCount(len(self.pairs))
+        for row, pair in enumerate(self.pairs):
+            self._write(row, 0, convert.label_of(*pair))
+            self.table.setCellWidget(row, 1, self._choice(row))
+            self._write(row, 2, self.states[row])
+        self.table.resizeColumnToContents(0)
+        self.table.resizeColumnToContents(1)
+
+    def _write(self, row, column, text):
+        item = QtWidgets.QTableWidgetItem(text)
+        item.setToolTip(text)
+        self.table.setItem(row, column, item)
+
+    def _choice(self, row):
+        """Of the motions that know the part, or that it is found."""
+        pair, now = self.pairs[row], self.motions[row]
+        known = [
+            m
+            for m in objects_of_kind(self.document, motion_feature.Motion.KIND)
+            if pair in motion_feature.parts_of(m) or m is now
+        ]
+        labels = [translate("Panels", "find")] + [m.Label for m in known]
+        names = [""] + [m.Name for m in known]
+        box = widgets.choice(names, now.Name if now is not None else "", labels)
+        box.setObjectName("SweptVolumeSequenceMotion{}".format(row))
+        box.currentIndexChanged.connect(lambda *ignored: self._chosen(row, box.currentData()))
+        return box
+
+    def _chosen(self, row, name):
+        self.motions[row] = self.document.getObject(name) if name else None
+        self.set_state(row, "")
+        self.changed.emit()
+
+    def set_state(self, row, text):
+        self.states[row] = text
+        self._write(row, 2, text)
+
+    def add_selected(self):
+        new = [pair for pair in selection.parts() if pair not in self.pairs]
+        count = len(new)
+        self.show_rows(self.pairs + new, self.motions + [None] * count, self.states + [""] * count)
+        self.changed.emit()
+
+    def remove(self):
+        row = self.table.currentRow()
+        if 0 <= row < len(self.pairs):
+            for held in (self.pairs, self.motions, self.states):
+                del held[row]
+            self.show_rows(self.pairs, self.motions, self.states)
+            self.changed.emit()
+
+    def move(self, by):
+        """The marked part one step earlier (-1) or later (1)."""
+        row = self.table.currentRow()
+        if row < 0 or not 0 <= row + by < len(self.pairs):
+            return
+        for held in (self.pairs, self.motions, self.states):
+            held[row], held[row + by] = held[row + by], held[row]
+        self.show_rows(self.pairs, self.motions, [""] * len(self.pairs))
+        self.table.selectRow(row + by)
+        self.changed.emit()
