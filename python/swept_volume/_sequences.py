@@ -87,9 +87,9 @@ def find_sequence(
         return report, None
     motions = {}
     for part, keys in zip(given, arrays):
-        own = None if part.motion is None else motion_of(part.motion, None)
-        way, pivot = (
-            (interpolation, (0.0, 0.0, 0.0)) if own is None else (own.interpolation, own.pivot)
-        )
-        motions[part.name] = Motion(*keys, interpolation=way, pivot=pivot)
+        if part.motion is None:
+            motions[part.name] = Motion(*keys, interpolation=interpolation)
+        else:
+            own = motion_of(part.motion, None)
+            motions[part.name] = Motion(*keys, interpolation=own.interpolation, pivot=own.pivot)
     return report, motions

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 
+Failure = TypeVar("Failure", bound=_core.Error)
 Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int32]
 
 
-def bad_option(message: str) -> _core.InvalidInput:
-    """The error of options that cannot be had, as the core raises it."""
-    error = _core.InvalidInput(message)
-    error.status, error.code, error.report = "InvalidInput", "BadOption", None
+def core_error(kind: Type[Failure], code: str, message: str) -> Failure:
+    """An error as the core raises it."""
+    error = kind(message)
+    error.status, error.code, error.report = kind.__name__, code, None
     return error
+
+
+def bad_option(message: str) -> _core.InvalidInput:
+    """The error of options that cannot be had."""
+    return core_error(_core.InvalidInput, "BadOption", message)
 
 
 def refuse_both(resolution: Optional[int], cell: Optional[float]) -> None:
