@@ -1,129 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every command holds to: nothing is lost, streams, reports that keep the schema and say how it
-ended, signals, examples of the help that run."""
-import dataclasses
+"""Every command: nothing is lost, reports keep the schema and say how it ended, examples of the help run."""
 import json
+import lzma
 import os
 import pathlib
 import re
 import shlex
 import shutil
-import signal
 import subprocess
-import time
-from typing import Tuple
 
 import numpy as np
 import pytest
 
 import _swept
 import swept_volume as sv
-from bodies import ball, box, joined
-from test_paths import block
-from test_program import COMMANDS, call, wait_until_caught  # noqa: F401
+from bodies import box
+from commands import EACH, RUNS, STUDY, contents, folder, run  # noqa: F401
+from test_program import COMMANDS, call  # noqa: F401
 from test_reports import reproducible, validator  # noqa: F401
-
-
-@dataclasses.dataclass(frozen=True)
-class Command:
-    """A small run of a command: its words, the files among them that it reads, options that name
-    outputs, and of these the ones that may be standard output."""
-
-    words: str
-    inputs: Tuple[str, ...]
-    outputs: Tuple[str, ...]
-    streams: Tuple[str, ...] = ()
-    status: int = 0
-
-    @property
-    def needed(self):
-        """The output that has to be named."""
-        return self.outputs[0] if self.outputs[0] in ("-o made.ply", "-o made.step") else ""
-
-
-RUNS = {
-    "envelope": Command(
-        "part.ply --motion way.csv --cell 0.5", ("part.ply", "way.csv"),
-        ("-o made.ply", "--report made.json", "--sources made.csv"), ("-o made.ply",),
-    ),
-    "check": Command("part.ply", ("part.ply",), ("--report made.json",)),
-    "solid": Command("part.ply", ("part.ply",), ("-o made.step", "--report made.json")),
-    "clearance": Command(
-        "part.ply --motion way.csv wall.ply --rules rules.txt --curve 3",
-        ("part.ply", "way.csv", "wall.ply", "rules.txt"),
-        ("--csv made.csv", "--page made.html", "--report made.json"),
-        ("--csv made.csv", "--page made.html"),
-    ),
-    "mechanism": Command(
-        "--moving part.ply way.csv wall.ply", ("part.ply", "way.csv", "wall.ply"),
-        ("--csv made.csv", "--page made.html", "--report made.json"),
-        ("--csv made.csv", "--page made.html"),
-    ),
-    "overlap": Command(
-        "part.ply over.ply", ("part.ply", "over.ply"),
-        ("--csv made.csv", "--shared made.ply", "--report made.json"),
-        ("--csv made.csv", "--shared made.ply"), status=3,
-    ),
-    "path": Command(
-        "part.ply wall.ply --start 0,0,60 --rules rules.txt", ("part.ply", "wall.ply", "rules.txt"),
-        ("-o made.csv", "--report made.json"), ("-o made.csv",),
-    ),
-    "sequence": Command(
-        "--part part.ply motion:way.csv --part other.ply out:90 wall.ply",
-        ("part.ply", "way.csv", "other.ply", "wall.ply"), ("-o motions", "--report made.json"),
-    ),
-    "study": Command(
-        "study.toml", ("study.toml", "part.ply", "way.csv", "wall.ply"), ("--report made.json",)
-    ),
-}  # fmt: skip
-if not _swept.HAS_SOLIDS:
-    del RUNS["solid"]
-EACH = pytest.mark.parametrize("name", RUNS)
-STUDY = (
-    '[[run]]\npart = "part.ply"\nmotion = "way.csv"\nneighbours = ["wall.ply"]\n'
-    'compute = ["envelope", "clearance"]\nenvelope = { cell = 0.5 }\n'
-)
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """Folder of the inputs: a part comes 50 mm along x, a wall beside its way, a part that it overlaps."""
-    parts = {
-        "part": block([-1, -1, -1], [1, 1, 1]),
-        "wall": block([-5, 3, -5], [60, 5, 5]),
-        "over": block([0, -0.5, -0.5], [4, 0.5, 0.5]),
-        "other": block([-1, -9, -1], [1, -7, 1]),
-    }
-    for name, mesh in parts.items():
-        _swept.write_mesh(tmp_path / f"{name}.ply", mesh.vertices, mesh.triangles)
-    (tmp_path / "way.csv").write_text("0,50,0,0,0,0,0,1\n1,0,0,0,0,0,0,1\n")
-    (tmp_path / "rules.txt").write_text("wall=0.5\n")
-    (tmp_path / "study.toml").write_text(STUDY)
-    (tmp_path / "motions").mkdir()
-    return tmp_path
-
-
-@pytest.fixture
-def run(program, folder):
-    """run(name, more words): the small run of a command in the folder of inputs."""
-
-    def run(name, *more, words=None, **keywords):
-        keywords.setdefault("timeout", 240)
-        line = [
-            program,
-            name,
-            *shlex.split(words or RUNS[name].words),
-            *shlex.split(" ".join(more)),
-        ]
-        return subprocess.run(line, cwd=folder, capture_output=True, text=True, **keywords)
-
-    return run
-
-
-def contents(folder):
-    """Bytes of all files, by name."""
-    files = (path for path in pathlib.Path(folder).rglob("*") if path.is_file())
-    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
 
 
 def test_every_command_is_here():
@@ -131,7 +25,7 @@ def test_every_command_is_here():
 
 
 @EACH
-def test_no_output_takes_the_place_of_an_input_or_another_output(run, folder, name):
+def test_no_output_takes_the_place_of_an_input_or_another_output(run, folder, name):  # noqa: F811
     command = RUNS[name]
     if name == "sequence":  # its outputs are files of a folder, called after the parts
         (folder / "motions/part.csv").symlink_to(folder / "wall.ply")
@@ -156,7 +50,7 @@ def test_no_output_takes_the_place_of_an_input_or_another_output(run, folder, na
 
 
 @EACH
-def test_results_are_replaced_unless_no_clobber(run, folder, name):
+def test_results_are_replaced_unless_no_clobber(run, folder, name):  # noqa: F811
     command = RUNS[name]
     files = [output.split()[1] for output in command.outputs if output != "-o motions"]
     files += ["motions/part.csv", "motions/other.csv"] if name == "sequence" else []
@@ -201,9 +95,7 @@ def test_reports_keep_the_schema_and_say_how_it_ended(run, folder, name, validat
 
 
 @EACH
-def test_what_cannot_be_written_is_a_named_failure(
-    run, folder, program, name, validator
-):  # noqa: F811
+def test_what_cannot_be_written_is_named(run, folder, program, name, validator):  # noqa: F811
     """Files that must not grow: the report says so too, and no half-written file is left."""
     before = sorted(contents(folder))
     for output in RUNS[name].outputs:
@@ -212,7 +104,9 @@ def test_what_cannot_be_written_is_a_named_failure(
                 f"{program} {name} {RUNS[name].words} -q {RUNS[name].needed} --report - > /dev/full"
             )
         else:
-            line = f"ulimit -f 0; {program} {name} {RUNS[name].words} -q {output} --report - | cat"
+            needed = "" if output.startswith("-o") else RUNS[name].needed
+            words = f"{name} {RUNS[name].words} -q {needed} {output} --report -"
+            line = f"ulimit -f 0; {program} {words} | cat"
         done = subprocess.run(
             ["bash", "-o", "pipefail", "-c", line], cwd=folder, capture_output=True, text=True
         )
@@ -231,110 +125,7 @@ def test_what_cannot_be_written_is_a_named_failure(
         assert sorted(contents(folder)) == before, line
 
 
-@EACH
-def test_standard_output_has_the_bytes_of_the_file(run, folder, name):
-    for output in RUNS[name].streams:
-        option, file = output.split()
-        environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}  # of pages
-        assert run(name, output, "-q", env=environment).returncode == RUNS[name].status
-        done = run(name, option, "-", env=environment)
-        assert done.returncode == RUNS[name].status and not (folder / "-").exists()
-        assert done.stdout.encode("utf-8", "surrogateescape") == (folder / file).read_bytes()
-
-
-@EACH
-def test_inputs_come_from_pipes(run, folder, program, name):
-    """A pipe of the same name in another folder: the report is the one of the file."""
-    command = RUNS[name]
-    expected = json.loads(run(name, command.needed, "--report -").stdout)
-    for input in command.inputs:
-        if name == "study":  # reads its files in several processes, and again
-            break
-        (folder / "pipes").mkdir(exist_ok=True)
-        os.mkfifo(folder / "pipes" / input)
-        words = command.words.replace(input, "pipes/" + input)
-        line = f"cat {input} > pipes/{input} & {program} {name} {words} {command.needed} --report -"
-        done = subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True)
-        assert done.returncode == command.status, (input, done.stderr)
-        found = reproducible(json.loads(done.stdout.replace("pipes/", "")))
-        assert {**found, "solid": 0} == {**reproducible(expected), "solid": 0}, input
-
-
-@EACH
-def test_a_signal_ends_the_wait_for_a_pipe(folder, program, name):
-    """Nobody writes into the pipe: before this the program could only be killed."""
-    command = RUNS[name]
-    for input in command.inputs[: 0 if name == "study" else None]:
-        (folder / "pipes").mkdir(exist_ok=True)
-        os.mkfifo(folder / "pipes" / input)
-        words = f"{name} {command.words.replace(input, 'pipes/' + input)} {command.needed}"
-        child = subprocess.Popen([program, *shlex.split(words)], cwd=folder, stderr=subprocess.PIPE)
-        time.sleep(0.5)
-        assert child.poll() is None, child.stderr.read()
-        child.send_signal(signal.SIGTERM)
-        try:
-            child.wait(timeout=60)
-        except subprocess.TimeoutExpired:
-            child.kill()
-            raise AssertionError(f"{words} goes on") from None
-        finally:
-            child.stderr.close()
-        assert child.returncode in (-signal.SIGTERM, 128 + signal.SIGTERM), input  # 143 in a shell
-
-
-def long_words(folder, name):
-    """Words of a run that takes minutes."""
-    write = _swept.write_mesh
-    if name in ("path", "sequence"):  # a bent part in a closed box: searched as long as it may be
-        bent = joined(box((-3, -3, -3), (3, 3, -2)), box((-3, -3, -1.9), (-2, 3, 3)))
-        write(folder / "part.ply", *bent)
-        walls = [((-5, -5, -5), (5, 5, -4)), ((-5, -5, 4), (5, 5, 5)), ((-5, -5, -4), (5, -4, 4)),
-                 ((-5, 4, -4), (5, 5, 4)), ((-5, -4, -4), (-4, 4, 4)), ((4, -4, -4), (5, 4, 4))]  # fmt: skip
-        write(folder / "wall.ply", *joined(*(box(*wall) for wall in walls)))
-        how = "part.ply --extract 90" if name == "path" else "--part part.ply out:90"
-        return f"{how} wall.ply --budget 3000"
-    if name == "overlap":
-        for i in range(12):
-            points, triangles = ball(10.0, 160, 80)
-            write(folder / f"ball{i}.ply", points + [0.8 * i, 0.3 * i, 0], triangles)
-        return " ".join(f"ball{i}.ply" for i in range(12))
-    rows = np.zeros((20000, 8))
-    rows[:, 0], rows[:, 7] = np.arange(len(rows)), 1
-    rows[:, 1:4] = 0.5 * np.random.default_rng(1).normal(size=(len(rows), 3))
-    np.savetxt(folder / "way.csv", rows, "%.9g", ",")
-    write(folder / "part.ply", *ball(10.0, 400, 200))
-    points, triangles = ball(10.0, 400, 200)
-    write(folder / "wall.ply", points + [22, 0, 0], triangles)
-    return (
-        RUNS[name].words.replace("--cell 0.5", "--resolution 900").replace("--rules rules.txt", "")
-    )
-
-
-@pytest.mark.parametrize("name", [n for n in RUNS if n not in ("check", "study", "solid")])
-def test_terminated_runs_end_with_143(folder, program, name, validator):  # noqa: F811
-    words = shlex.split(long_words(folder, name)) + ["--report", "made.json"]
-    words += ["-o", "made.ply"] if name == "envelope" else []
-    before = set(contents(folder))
-    child = subprocess.Popen(
-        [program, name, *words],
-        cwd=folder,
-        stderr=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
-    )
-    wait_until_caught(child, signal.SIGTERM)
-    time.sleep(0.5)
-    assert child.poll() is None, child.communicate()
-    child.send_signal(signal.SIGTERM)
-    _, said = child.communicate(timeout=240)
-    assert child.returncode == 143 and said.startswith("swept: Cancelled"), said
-    report = json.loads((folder / "made.json").read_text())
-    validator.validate(report)
-    assert report["status"] == "Cancelled"
-    assert set(contents(folder)) - before == {"made.json"}
-
-
-def test_the_report_of_a_study_is_none_of_its_results(run, folder):
+def test_the_report_of_a_study_is_none_of_its_results(run, folder):  # noqa: F811
     for target in ("results/study.csv", "results/part way/x.json", "results/STUDY.json"):
         done = run("study", "--report", f"'{target}'")
         if target == "results/STUDY.json":
@@ -364,7 +155,7 @@ def test_the_report_of_a_study_is_none_of_its_results(run, folder):
     assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
 
 
-def test_shared_volumes_are_refused_before_anything_is_computed(run, folder):
+def test_shared_volumes_are_refused_before_anything_is_computed(run, folder):  # noqa: F811
     for target in ("x.step", "x.foo", "x"):
         done = run("overlap", "--shared", target)
         assert done.returncode == 2 and "unknown format" in done.stderr, done.stderr
@@ -374,7 +165,7 @@ def test_shared_volumes_are_refused_before_anything_is_computed(run, folder):
     assert done.returncode == 1 and report["code"] == "NothingShared" and report["pairs"]
 
 
-def scene_of_examples(folder):
+def scene_of_examples(folder):  # noqa: F811
     """Files of the names that the examples of the help speak of."""
     far = 0
     body, motion = box((0, 0, 0), (10, 20, 30)), "0,0,0,0,0,0,0,1\n1,0.05,0,0,0,0,0,1\n"
@@ -392,6 +183,8 @@ def scene_of_examples(folder):
             path.write_text(STUDY)
         elif path.suffix == ".csv":
             path.write_text(motion)
+        elif path.suffix == ".xz":
+            path.write_bytes(lzma.compress(motion.encode()))
 
     return make
 
@@ -410,7 +203,9 @@ def test_the_examples_of_the_help_run(call, program, folder, name):  # noqa: F81
             r"(-o|--output|--report|--shared|--page|--csv|--offer-rules|--sources) \S+", "", line
         )
         line = line.replace("parts/*.stl", "parts/a.stl parts/b.stl")
-        for file in re.findall(r"[\w/]+\.(?:ply|stl|step|csv|toml)\b", read.replace("*", "a")):
+        for file in re.findall(
+            r"[\w/]+\.(?:ply|stl|step|csv|toml)(?:\.xz)?\b", read.replace("*", "a")
+        ):
             if not (folder / file).exists():
                 make(file)
         if "parts/" in line:
