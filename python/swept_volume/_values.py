@@ -61,6 +61,18 @@ def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.ND
     return array
 
 
+def matrix(values: npt.ArrayLike, name: str) -> Floats:
+    """A placement, (4, 4)."""
+    return frozen(values, np.float64, (4, 4), name)
+
+
+def way_out(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
+    """A radius in mm or a direction (x, y, z)."""
+    if extract is None or np.ndim(extract) == 0:
+        return extract if extract is None else float(extract)  # type: ignore[arg-type]
+    return frozen(extract, np.float64, (3,), "extract")
+
+
 class Mesh:
     """Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), counter-clockwise seen from
     outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may leave
