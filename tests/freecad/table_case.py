@@ -96,7 +96,8 @@ class Table(Case):
         }
 
     def fresh(self):
-        """{name: content} of the document computed anew, as it is now; None where that is refused."""
+        """{name: content} of the document computed anew, as it is now; None where that is refused, and the
+        code where only a run finds out: the state before that run is stale."""
         path = os.path.join(self.folder, "fresh.FCStd")
         self.doc.saveCopy(path)
         kept, self.doc = self.doc, App.openDocument(path)
@@ -107,8 +108,10 @@ class Table(Case):
                 try:
                     self.modules()[kind_of(obj)].compute(obj)
                     found[obj.Name] = self.content(obj)
-                except (InputProblem, core.CoreError):
+                except InputProblem:
                     found[obj.Name] = None
+                except core.CoreError as error:
+                    found[obj.Name] = error.code
             return found
         finally:
             App.closeDocument(self.doc.Name)

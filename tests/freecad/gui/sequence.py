@@ -116,6 +116,9 @@ def scenario():
     yield 0.6
     assert names() == ["Block", "Lid"]
     panel = sequence_panel.opened[-1]
+    # What was found before the edit is neither told as true nor played.
+    assert "stale" in panel.message.text() and states() == ["", ""], panel.message.text()
+    assert panel.player.isHidden()
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
     yield lambda: panel.run is None
     assert made[0].Status == UP_TO_DATE and len(ours(doc, "Motion")) == 2, panel.message.text()

@@ -255,13 +255,9 @@ class Plan(StillParts):
 
     def rename(self, report):
         """The pairs of a report get the names that their parts have now. Returns whether any has another."""
-        found = row_names.placed(report, "parts", "places")
-        pairs = {known: row_names.pair_at(self.document, place) for known, place in found}
-        labels = {known: convert.label_of(*pair) for known, pair in pairs.items() if pair}
-        if all(known == one or known.startswith(one + " (") for known, one in labels.items()):
+        new = self._renamed(row_names.placed(report, "parts", "places"))
+        if not new:
             return False
-        names = self.names()
-        new = {known: names.get(pair, known) for known, pair in pairs.items()}
         report["parts"] = [new.get(known, known) for known in report["parts"]]
         for name in ("joined", "ignored"):
             report[name] = [[new.get(known, known) for known in both] for both in report[name]]
@@ -273,6 +269,15 @@ class Plan(StillParts):
                 row_names.rename_in_summary(report, row["name"], name)
             row["name"] = name
         return True
+
+    def _renamed(self, found):
+        """{name in a report: name now} of [(name, place)]; empty where none has another."""
+        pairs = {known: row_names.pair_at(self.document, place) for known, place in found}
+        labels = {known: convert.label_of(*pair) for known, pair in pairs.items() if pair}
+        if all(known == one or known.startswith(one + " (") for known, one in labels.items()):
+            return {}
+        names = self.names()
+        return {known: names.get(pair, known) for known, pair in pairs.items()}
 
     # --- the run
 

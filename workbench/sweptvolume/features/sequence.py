@@ -48,6 +48,9 @@ class Sequence(Check):
     def report_of(self, obj):
         return report_of(obj)
 
+    def summary(self, report):
+        return summary(report)
+
 
 def is_sequence(obj):
     return kind_of(obj) == Sequence.KIND
@@ -71,6 +74,9 @@ def work(request, control, seen=None):
     order = request.search["Order"]
     report = core_paths.find_sequence(rows, request.standing(), order, options, control, seen)
     numbers = {row.part.name: k for k, row in enumerate(request.rows)}
+    report["places"] = [request.rows[numbers[name]].part.place for name in report["parts"]]
+    standing = {part.name: part.place for part in request.still}
+    report["still_places"] = [standing[name] for name in report["still"]]
     found = {}
     for step in report["steps"]:
         row = request.rows[numbers[step["part"]]]

@@ -12,8 +12,8 @@ from .. import contents, convert
 from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory.poses import shift_to
-from . import mechanism_plan, pair_rules, path_plan, still_parts
-from . import motion as motion_feature
+from . import mechanism_plan, pair_rules, path_plan, row_names, still_parts
+from .base import UP_TO_DATE
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
 
@@ -74,7 +74,7 @@ class Request:
 
 class Plan(mechanism_plan.Plan):
     """motions: one for each of pairs, None for what is searched for; search: values of SEARCH; steps: those
-    of the stored report."""
+    of the stored report, none where it is not that of the document as it is."""
 
     SETTINGS = ("Required", "Release", "Tolerance", "Deflection")
 
@@ -86,7 +86,8 @@ class Plan(mechanism_plan.Plan):
     def of(cls, obj):
         plan = super().of(obj)
         report = obj.Proxy.report_of(obj) if obj.Report else None
-        plan.steps = report["steps"] if report and report["verdict"] == "found" else []
+        current = obj.Status == UP_TO_DATE and report and report["verdict"] == "found"
+        plan.steps = report["steps"] if current else []
         return plan
 
     def groups(self):
@@ -139,6 +140,22 @@ class Plan(mechanism_plan.Plan):
         self.motions = [motions[k] for k in order]
         self._words = None
 
+    def rename(self, report):
+        """The steps of a report, and what was in their way, get the names that their parts have now. Returns
+        whether any has another."""
+        found = row_names.placed(report, "parts", "places")
+        new = self._renamed(found + row_names.placed(report, "still", "still_places"))
+        if not new:
+            return False
+        for name in ("parts", "still"):
+            report[name] = [new.get(known, known) for known in report[name]]
+        for step in report["steps"]:
+            step["part"] = new.get(step["part"], step["part"])
+            way_out = step.get("escape")
+            if way_out is not None:
+                way_out["blockers"] = [new.get(known, known) for known in way_out["blockers"]]
+        return True
+
     # --- the run
 
     def request(self):
@@ -150,7 +167,8 @@ class Plan(mechanism_plan.Plan):
             if group is None:
                 rows.append(self._searched(pair, names[pair], deflection))
                 continue
-            rows += [Row(part) for part in self._moving_parts(group, names, deflection, straight)]
+            parts = self._moving_parts(group, group.way(), names, deflection, straight)
+            rows += [Row(part) for part in parts]
             notes += [group.motion.Message] if group.motion.Message else []
         still = []
         if self._has_standing():
@@ -190,10 +208,11 @@ class Plan(mechanism_plan.Plan):
         begins = {step["part"]: step["begin"] for step in self.steps}
         names = self.names()
         for pair, group in zip(self.pairs, self.groups()):
-            body = Seen(convert.body_from([pair], deflection), group.into_base())
-            times = motion_feature.world_poses_of(group.motion).times
+            way = group.way()
+            body = Seen(convert.body_from([pair], deflection), way.into_base)
+            times = way.poses.times
             begin = begins.get(names[pair], 0.0)
-            found.append((body, _delayed(group.course(), times[0], times[-1], begin)))
+            found.append((body, _delayed(way.course(), times[0], times[-1], begin)))
         return found
 
 

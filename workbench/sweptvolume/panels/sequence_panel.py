@@ -6,6 +6,7 @@ from PySide import QtCore
 
 from .. import runner
 from ..features import pair_rules, path_plan, sequence, sequence_plan
+from ..features.base import STALE
 from ..texts import mark, translate
 from ..views.ghost import MOVING_TRIANGLES, MovingPart, MovingParts
 from . import focus, guard, widgets
@@ -90,8 +91,10 @@ class SequencePanel(SearchPanel):
             pair: pair_rules.of(plan.pair_rules, plan.pairs[0], pair) for pair in self.beside.pairs
         }
         self.beside.table.show_pairs(self.beside.pairs, kept)
-        if plan.lost:
-            widgets.show_message(self.message, plan.lost)
+        text = self.obj.Message
+        if self.obj.Status == STALE:
+            text = translate("Panels", "{0} (stale: check again)").format(self.obj.Summary)
+        widgets.show_message(self.message, text)
         self._show_player()
 
     # --- inputs

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Two blocks that are let down into a shaft one after the other, for tests of sequences."""
+from case import V
+from sweptvolume.features.sequence_plan import Plan
+
+VALUES = {"Required": 0.4, "Release": 0.0, "Tolerance": 0.01, "Deflection": 0.05}
+
+
+def solid(doc, name, sizes, at):
+    obj = doc.addObject("Part::Box", name)
+    obj.Length, obj.Width, obj.Height = sizes
+    obj.Placement.Base = V(*at)
+    return obj
+
+
+def shaft(doc, height=40):
+    """Four walls and a floor, 20 mm wide inside, open at the top."""
+    return [
+        solid(doc, "Floor", (26, 26, 3), (-13, -13, -3)),
+        solid(doc, "West", (3, 26, height), (-13, -13, 0)),
+        solid(doc, "East", (3, 26, height), (10, -13, 0)),
+        solid(doc, "South", (20, 3, height), (-10, -13, 0)),
+        solid(doc, "North", (20, 3, height), (-10, 10, 0)),
+    ]
+
+
+def stack(doc):
+    """Blocks in the shaft, given from the top: the lower one has to come first."""
+    return [
+        solid(doc, "Upper", (18, 18, 9), (-9, -9, 11)),
+        solid(doc, "Lower", (18, 18, 9), (-9, -9, 1)),
+    ]
+
+
+def plan_of(doc, parts, walls, motions=None, **search):
+    pairs = [(part, "") for part in parts]
+    beside = [(wall, "") for wall in walls]
+    plan = Plan(doc, pairs, motions or [None] * len(pairs), beside, False, VALUES)
+    plan.search.update(Out=90.0, Budget=600.0, **search)
+    return plan
