@@ -104,6 +104,24 @@ class Gaps:
         )
 
 
+#: s for an answer, beside what the machine itself lets the event loop wait.
+ANSWER = 0.3
+#: s that the window's own thread may compute meanwhile.
+WORK = 0.2
+
+
+def stopped(done):
+    """A step of a scenario: presses Stop, waits until done(), and judges how long that took. Returns the
+    seconds."""
+    gaps, began = Gaps(), time.perf_counter()
+    click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
+    yield done
+    took = time.perf_counter() - began
+    gaps.stop()
+    assert took < ANSWER + gaps.lost and gaps.busy < WORK, (took, gaps.lost, gaps.busy)
+    return took
+
+
 def say(text):
     os.write(1, (text + "\n").encode())
 

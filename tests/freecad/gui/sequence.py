@@ -21,6 +21,7 @@ from driver import (  # noqa: E402
     say,
     select,
     shot,
+    stopped,
 )
 
 V = App.Vector
@@ -130,8 +131,7 @@ def scenario():
     assert names() == ["Lid", "Block"]
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
     yield lambda: panel.run is not None and panel.looked == 1
-    panel.run.cancel()
-    yield lambda: panel.run is None
+    yield from stopped(lambda: panel.run is None)
     assert len(ours(doc, "Motion")) == 2
     click(panel_button(Close))
     yield no_panel

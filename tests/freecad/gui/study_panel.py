@@ -4,7 +4,6 @@ opened at its worst place, stop and go on, a study file, a run of it as objects,
 import os
 import sys
 import tempfile
-import time
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
@@ -25,6 +24,7 @@ from driver import (  # noqa: E402
     say,
     select,
     shot,
+    stopped,
 )
 
 FOLDER = tempfile.mkdtemp()
@@ -176,10 +176,8 @@ def of_a_file(doc):
     table = find(QtWidgets.QTableView, "SweptVolumeStudyTable")
     yield lambda: list(rows(table).values()).count("Not run") == 1
     shot("93_study_runs")
-    began = time.perf_counter()
-    click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
-    yield lambda: run_button().isEnabled()
-    say("stopped after {:.2f} s".format(time.perf_counter() - began))
+    took = yield from stopped(run_button().isEnabled)
+    say("stopped after {:.2f} s".format(took))
     obj = doc.getObject("Study001")
     assert obj.Status == study.CANCELLED and run_button().text() == "Go on", obj.Status
     assert rows(table) == dict(zip(rows(table), ("Not clear", "Not clear", "Done", "Not run")))
