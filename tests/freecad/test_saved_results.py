@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results in documents that were saved: by this version, and as version 1 left them."""
+import json
+import os
+import shutil
+
+import FreeCAD as App
+
 from case import Case, V, shift, turn
 from scene_case import Scene, plate
 from sweptvolume import core
@@ -82,3 +88,61 @@ class BeforePivots(Case):
         self.assertEqual(hull.Status, envelope.UP_TO_DATE)
         envelope.compute(hull)
         self.assertAlmostEqual(hull.Volume.Value, volume, delta=1e-9 * volume)
+
+
+class Stored(Case):
+    """documents/results_of_before.FCStd, made by make_results_of_before.py."""
+
+    NEEDS_CORE = True
+    HERE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "documents")
+
+    def setUp(self):
+        super().setUp()
+        with open(os.path.join(self.HERE, "results_of_before.json")) as file:
+            self.known = json.load(file)
+        opened = shutil.copy(os.path.join(self.HERE, "results_of_before.FCStd"), self.folder)
+        self.doc = App.openDocument(opened)
+
+    def told(self, obj):
+        if clearance.is_clearance(obj):
+            rows = clearance.report_of(obj)["neighbours"]
+            return [obj.Status, sorted([row["name"], row["distance"]] for row in rows)]
+        if hasattr(obj, "Mesh"):
+            return [obj.Status, obj.Mesh.CountFacets, obj.Volume.Value]
+        return [obj.Status, len(obj.Shape.Faces), obj.Shape.Volume]
+
+    def all_told(self):
+        return {name: self.told(self.doc.getObject(name)) for name in self.known}
+
+    def test_results_of_before_are_the_same(self):
+        """Opened, looked at again, and saved and opened once more."""
+        self.assertEqual(self.all_told(), self.known)
+        self.doc.recompute(None, True)
+        self.assertEqual(self.all_told(), self.known)
+        self.reopen()
+        self.doc.recompute(None, True)
+        self.assertEqual(self.all_told(), self.known)
+
+    def test_computed_anew_they_are_as_near_as_the_cells_allow(self):
+        """Poses turn about the origin of the file, as they did; nothing moves."""
+        for name, (status, *known) in self.known.items():
+            obj = self.doc.getObject(name)
+            module = {"E": envelope, "C": clearance}[name[0]] if "Solid" not in name else solid
+            module.compute(obj)
+            now, *found = self.told(obj)
+            with self.subTest(result=name):
+                self.assertEqual(now, status)
+                if name.startswith("Clearance"):
+                    for (one, before), (other, after) in zip(known[0], found[0]):
+                        self.assertEqual(one, other)
+                        self.assertAlmostEqual(before, after, delta=0.02)
+                else:
+                    # Grown ones lay up to a cell too far out; now their vertices lie at the distance.
+                    near = 5e-3 if getattr(obj, "Offset", 0.0) else 2e-3
+                    self.assertAlmostEqual(found[1], known[1], delta=near * known[1])
+
+    def test_a_change_is_noticed(self):
+        self.doc.Part.Length = 10.5
+        self.doc.Inner.Placement = shift(0, 0, 41)
+        self.doc.recompute()
+        self.assertNotIn("Up to date", [told[0] for told in self.all_told().values()])
