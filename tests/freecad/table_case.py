@@ -37,6 +37,15 @@ def add_box(doc, name, place):
     return obj
 
 
+def hidden_link(doc, name, linked):
+    """A link where its object stands, for a change to use. FreeCAD 1.0 crashes when a document is closed in
+    which the making of a link was undone, so changes make none."""
+    link = doc.addObject("App::Link", name)
+    link.LinkedObject, link.Placement = linked, linked.Placement
+    link.Visibility = False
+    return link
+
+
 def put_into(group, obj, place=shift(0, 3)):
     """An object goes into a group that is moved first, and so stands elsewhere."""
     group.Placement = place

@@ -10,7 +10,7 @@ from shaft import plan_of, shaft, stack
 from sweptvolume import core
 from sweptvolume.features import envelope, sequence
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
-from table_case import Table, add_box, changes, put_into, rows
+from table_case import Table, add_box, changes, hidden_link, put_into, rows
 
 #: name -> what a user does to the document of States.setUp().
 CHANGES, change = changes()
@@ -101,9 +101,7 @@ def a_part_stands_elsewhere(doc):
 
 @change
 def a_part_is_a_link(doc):
-    link = doc.addObject("App::Link", "Link")
-    link.LinkedObject = doc.Upper
-    doc.Sequence.Generators = [(doc.Lower, ""), (link, "")]
+    doc.Sequence.Generators = [(doc.Lower, ""), (doc.Link, "")]
 
 
 @change
@@ -220,10 +218,8 @@ def a_wall_goes(doc):
 
 @change
 def a_wall_is_a_link(doc):
-    link = doc.addObject("App::Link", "Link")
-    link.LinkedObject, link.Placement = doc.West, doc.West.Placement
     kept = [pair for pair in doc.Sequence.Neighbours if pair[0] is not doc.West]
-    doc.Sequence.Neighbours = kept + [(link, "")]
+    doc.Sequence.Neighbours = kept + [(doc.WallLink, "")]
 
 
 @change
@@ -337,6 +333,8 @@ class States(Table):
         super().setUp()
         doc = self.doc
         walls, parts = shaft(doc), stack(doc)
+        hidden_link(doc, "Link", doc.Upper)
+        hidden_link(doc, "WallLink", doc.West)
         self.sheet("gap", "0.6 mm")
         other = add_box(doc, "Other", shift(40, 40))
         other.setExpression("Length", "Values.gap * 10")

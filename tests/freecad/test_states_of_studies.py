@@ -13,7 +13,7 @@ from sweptvolume.convert import InputProblem
 from sweptvolume.features import clearance, mechanism, motion, neighbour_rules, study
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
 from sweptvolume.features.neighbour_rules import CONTACT, Rule
-from table_case import Table, changes, put_into, rows
+from table_case import Table, changes, hidden_link, put_into, rows
 
 CHANGES, change = changes()
 
@@ -157,9 +157,8 @@ def the_post_is_hidden_and_all_that_is_visible_checked(doc):
 
 @change
 def the_wall_is_a_link(doc):
-    link = doc.addObject("App::Link", "Link")
-    link.LinkedObject, link.Placement = doc.Wall, shift(50)
-    doc.Clearance.Neighbours = [(link, "")]
+    doc.Link.Placement = shift(50)
+    doc.Clearance.Neighbours = [(doc.Link, "")]
 
 
 @change
@@ -206,6 +205,7 @@ class OfADocument(Table):
         doc = self.doc
         box, wall, post = self.box(), self.box("Wall"), self.box("Post")
         wall.Placement, post.Placement = shift(60), shift(0, 25)
+        hidden_link(doc, "Link", wall)
         self.sheet("length", "6 mm")
         self.line(30)
         self.envelope([box], doc.Motion, Resolution=16)

@@ -28,6 +28,8 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
+#: s for searches that find a way, on a machine that is busy as well.
+BUDGET = 600
 
 
 def type_text(edit, text):
@@ -89,6 +91,7 @@ def slot(doc):
     table = find(QtWidgets.QTableWidget, "SweptVolumeNeighbours")
     assert [table.item(r, 0).text() for r in range(table.rowCount())] == ["Case"]
     choose("SweptVolumeStartKind", "Place")
+    find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(BUDGET)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))  # the placement is missing
     yield 0.2
     assert "6 numbers" in panel_text(), panel_text()
@@ -203,6 +206,7 @@ def just_out(doc):
     yield 0.5
     table = find(QtWidgets.QTableWidget, "SweptVolumeNeighbours")
     assert table.rowCount() == 3, table.rowCount()
+    find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(BUDGET)
     find(QtWidgets.QWidget, "SweptVolumePathClearance").setProperty("rawValue", 0.5)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
     yield lambda: motions(doc)

@@ -74,20 +74,21 @@ class Request:
 
 class Plan(mechanism_plan.Plan):
     """motions: one for each of pairs, None for what is searched for; search: values of SEARCH; steps: those
-    of the stored report, none where it is not that of the document as it is."""
+    of the stored report in the order of the parts, none where it is not that of the document as it is; known:
+    hash of its inputs."""
 
     SETTINGS = ("Required", "Release", "Tolerance", "Deflection")
 
     def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
         super().__init__(document, pairs, motions, neighbours, all_visible, values, rules)
-        self.search, self.steps = dict(SEARCH), []
+        self.search, self.steps, self.known = dict(SEARCH), [], ""
 
     @classmethod
     def of(cls, obj):
         plan = super().of(obj)
         report = obj.Proxy.report_of(obj) if obj.Report else None
         current = obj.Status == UP_TO_DATE and report and report["verdict"] == "found"
-        plan.steps = report["steps"] if current else []
+        plan.steps, plan.known = report["steps"] if current else [], obj.InputHash
         return plan
 
     def groups(self):
@@ -144,6 +145,12 @@ class Plan(mechanism_plan.Plan):
         """The steps of a report, and what was in their way, get the names that their parts have now. Returns
         whether any has another."""
         found = row_names.placed(report, "parts", "places")
+        there = {s["part"]: pair for s, pair in zip(report["steps"], self.pairs)}
+        whole = len(there) == len(self.pairs) and set(there) == {known for known, _ in found}
+        if whole and self.known and self.known == self.hash():
+            # The same contents in the same order: what took a part's place is told by its own name.
+            found = [(known, row_names.place_of(*there[known])) for known, _ in found]
+            report["places"] = [place for _, place in found]
         new = self._renamed(found + row_names.placed(report, "still", "still_places"))
         if not new:
             return False
@@ -205,13 +212,11 @@ class Plan(mechanism_plan.Plan):
         """As mechanism_plan.Plan.seen(), on the timeline of the stored result: a part waits at its first key
         and stays at its last one. Raises InputProblem."""
         found, deflection = [], self.seen_deflection()
-        begins = {step["part"]: step["begin"] for step in self.steps}
-        names = self.names()
-        for pair, group in zip(self.pairs, self.groups()):
+        begins = [step["begin"] for step in self.steps] or [0.0] * len(self.pairs)
+        for pair, group, begin in zip(self.pairs, self.groups(), begins):
             way = group.way()
             body = Seen(convert.body_from([pair], deflection), way.into_base)
             times = way.poses.times
-            begin = begins.get(names[pair], 0.0)
             found.append((body, _delayed(way.course(), times[0], times[-1], begin)))
         return found
 

@@ -73,16 +73,8 @@ class SequencePanel(SearchPanel):
 
     @guard.told
     def _show_plan(self, plan):
-        steps = {step["part"]: step for step in plan.steps}
-        names = plan.names()
-        self.rows.show_rows(
-            plan.pairs,
-            plan.motions,
-            [
-                sequence.step_text(steps[n]) if n in steps else ""
-                for n in map(names.get, plan.pairs)
-            ],
-        )
+        states = [sequence.step_text(step) for step in plan.steps]
+        self.rows.show_rows(plan.pairs, plan.motions, states)
         self.required.setProperty("rawValue", plan.values["Required"])
         self.release.setProperty("rawValue", plan.values["Release"])
         self.deflection.setProperty("rawValue", plan.values["Deflection"])
