@@ -10,7 +10,7 @@ from . import containers, missing, neighbour_rules, row_names, status
 from . import envelope as envelope_feature
 from .base import set_changed
 from .moving import Moving, Seen
-from .still_parts import StillParts, chord_of, left_out_text, listed, no_neighbour
+from .still_parts import StillParts, chord_of, has_surface, left_out_text, listed, no_neighbour
 
 
 class Request:
@@ -194,11 +194,10 @@ class Plan(StillParts):
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def hash_of_before(self):
-        """As version 1 had it; raises InputProblem."""
+        """As version 1 had it, which did not count what has no surface; raises InputProblem."""
         words = self.moving().words_of_before()
-        return contents.short(
-            words + [contents.signature_of_before(self.leaves()), self._settings()]
-        )
+        counted = [pair for pair in self.leaves() if has_surface(*pair)]
+        return contents.short(words + [contents.signature_of_before(counted), self._settings()])
 
     def _settings(self):
         return json.dumps(contents.steady(self.values), sort_keys=True)

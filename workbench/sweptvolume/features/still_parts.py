@@ -62,6 +62,12 @@ def no_neighbour():
     )
 
 
+def has_surface(root, path):
+    """Whether something can come near to it: not to points, wires and axes."""
+    linked = _linked(root, path)
+    return linked.isDerivedFrom("Mesh::Feature") or bool(linked.Shape.Faces)
+
+
 def chord_of(pairs, deflection):
     """How far (mm) the triangles of parts may leave them: meshes are what they are."""
     shapes = any(
