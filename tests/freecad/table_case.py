@@ -8,7 +8,7 @@ import FreeCAD as App
 from case import Case, shift
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope, mechanism, sequence, solid, study
+from sweptvolume.features import clearance, envelope, mechanism, sequence, shared, solid, study
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
@@ -101,6 +101,7 @@ class Table(Case):
             clearance.Clearance.KIND: clearance,
             mechanism.Mechanism.KIND: mechanism,
             sequence.Sequence.KIND: sequence,
+            shared.Shared.KIND: shared,
             study.Study.KIND: study,
         }
 
