@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
@@ -50,6 +51,18 @@ def pictures_in(path):
     return len(re.findall(rb"/Subtype\s*/Image\b", content))
 
 
+def picture():
+    """s of CPU of the window's thread for one picture of FreeCAD's own: no call takes it in pieces."""
+    from sweptvolume.panels.page_pictures import SIZE
+
+    view, took = Gui.activeDocument().activeView(), []
+    for _ in range(3):
+        began = time.thread_time()
+        view.saveImage(os.path.join(FOLDER, "alone.bmp"), *SIZE, "White")
+        took.append(time.thread_time() - began)
+    return max(took)
+
+
 def exported(obj, name):
     """Writes a report by the command; gives its path at the end."""
     from sweptvolume.panels import file_dialogs
@@ -57,15 +70,17 @@ def exported(obj, name):
     path = os.path.join(FOLDER, name)
     file_dialogs.ask_report = lambda label: path
     select(obj)
-    gaps = Gaps()
+    alone, gaps = picture(), Gaps()
     Gui.runCommand("SweptVolume_ExportReport")
     yield no_panel
-    say("{}: the window stood still for {}".format(name, gaps.stop()))
+    told = "{}: the window stood still for {}; a picture takes {:.0f} ms"
+    say(told.format(name, gaps.stop(), 1000 * alone))
     assert os.path.exists(path), os.listdir(FOLDER)
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
-    # 50 ms are allowed; the rest of a gap the thread waits for a core of a busy machine.
-    assert gaps.busy < 0.05, gaps.busy
+    # 50 ms are allowed, or two pictures of FreeCAD's own where they take longer here: the one that is taken,
+    # and the one that the window draws next. The rest of a gap the thread waits for a core.
+    assert gaps.busy < max(0.05, 2.5 * alone), (gaps.busy, alone)
     return path
 
 
