@@ -32,6 +32,8 @@ class SequencePanel(SearchPanel):
     def __init__(self, document, pairs=(), obj=None):
         self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
         self.looked = -1
+        # What an object has and no field shows stays: tolerance, and rules of the parts among each other.
+        self.tolerance, self.own_rules = path_plan.DEFAULTS["Tolerance"], {}
         self.looks = QtCore.QTimer()
         self.looks.timeout.connect(self._look)
         plan = sequence.Plan.of(obj) if obj is not None else None
@@ -75,10 +77,16 @@ class SequencePanel(SearchPanel):
     def _show_plan(self, plan):
         states = [sequence.step_text(step) for step in plan.steps]
         self.rows.show_rows(plan.pairs, plan.motions, states)
+        self.tolerance = plan.values["Tolerance"]
+        self.own_rules = {
+            both: rule
+            for both, rule in plan.pair_rules.items()
+            if all(part in plan.pairs for part in both)
+        }
         self.required.setProperty("rawValue", plan.values["Required"])
         self.release.setProperty("rawValue", plan.values["Release"])
         self.deflection.setProperty("rawValue", plan.values["Deflection"])
-        self.take_neighbours(plan.neighbours)
+        self.take_neighbours(plan.leaves() if plan.all_visible else plan.neighbours)
         kept = {
             pair: pair_rules.of(plan.pair_rules, plan.pairs[0], pair) for pair in self.beside.pairs
         }
@@ -102,14 +110,15 @@ class SequencePanel(SearchPanel):
         values = {
             "Required": float(self.required.property("rawValue")),
             "Release": float(self.release.property("rawValue")),
-            "Tolerance": path_plan.DEFAULTS["Tolerance"],
+            "Tolerance": self.tolerance,
             "Deflection": float(self.deflection.property("rawValue")),
         }
-        rules = {
-            pair_rules.key(part, beside): rule
+        rules = dict(self.own_rules)
+        rules.update(
+            (pair_rules.key(part, beside), rule)
             for beside, rule in self.beside.rules().items()
             for part in self.rows.pairs
-        }
+        )
         plan = sequence.Plan(
             self.document,
             self.rows.pairs,
