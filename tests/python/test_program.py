@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import resource
 import signal
 import stat
@@ -50,7 +51,7 @@ COMMANDS += ["solid"] * _swept.HAS_SOLIDS
 
 
 def test_help_and_version(call):
-    listed = call("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
+    listed = re.split("subcommands:\n", call("--help").stdout, flags=re.I)[1].split("\n\n")[0]
     named = [line.split()[0] for line in listed.splitlines() if line[2] != " "]
     assert sorted(named) == sorted([*COMMANDS, "manual", "completion"]), "a command is not tested"
     commands = COMMANDS
