@@ -104,6 +104,30 @@ class Clearance(Neighbours):
         self.assertEqual((again.Summary, again.Status), (summary, clearance.UP_TO_DATE))
         self.assertEqual(len(self.rows(again)), 2)
 
+    def test_a_table_never_replaces_what_a_document_reads(self):
+        obj = self.made()
+        clearance.compute(obj)
+        path, link = (os.path.join(self.folder, name) for name in ("way.csv", "link.csv"))
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("0,0,0,0,0,0,0,1\n")
+        os.symlink(path, link)
+        obj.Motion.SourceFile = path
+        with open(path, "rb") as file:
+            before = file.read()
+        for target in (path, link):
+            with self.assertRaises(InputProblem) as caught:
+                clearance_table.write_csv(clearance.report_of(obj), target)
+            self.assertIn(obj.Motion.Label, str(caught.exception))
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(), before)
+        self.doc.saveAs(os.path.join(self.folder, "kept.FCStd"))
+        with self.assertRaises(InputProblem):
+            clearance_table.write_csv(clearance.report_of(obj), self.doc.FileName)
+        obj.Motion.SourceFile = ""
+        clearance_table.write_csv(clearance.report_of(obj), path)
+        with open(path, "rb") as file:
+            self.assertNotEqual(file.read(), before)
+
     def test_table_and_spreadsheet(self):
         obj = self.made()
         clearance.compute(obj)

@@ -2,6 +2,8 @@
 """Files that are going to be written: whether they can be."""
 import os
 
+import FreeCAD as App
+
 from .body import InputProblem
 from .texts import translate
 
@@ -18,3 +20,26 @@ def check_target(path, suffixes):
         raise InputProblem(translate("Messages", '"{0}" is a folder.').format(path))
     if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
         raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
+
+
+def check_not_read(path):
+    """Says whether an open document is this file or reads it: then it would be lost. Window's thread. Raises
+    InputProblem."""
+    if not os.path.exists(path):
+        return
+    for document in App.listDocuments().values():
+        if _is_same(document.FileName, path):
+            text = translate("Messages", '"{0}" is the document "{1}": choose another file.')
+            raise InputProblem(text.format(path, document.Label))
+        for obj in document.Objects:
+            for name in obj.PropertiesList:
+                if obj.getTypeIdOfProperty(name) != "App::PropertyFile":
+                    continue
+                if _is_same(getattr(obj, name), path):
+                    text = translate("Messages", '"{0}" is read by "{1}": choose another file.')
+                    raise InputProblem(text.format(path, obj.Label))
+
+
+def _is_same(known, path):
+    """The same file, also by another spelling or a link."""
+    return bool(known) and os.path.exists(known) and os.path.samefile(known, path)

@@ -4,7 +4,9 @@ of FreeCAD's preferences, which the head of a column names; numbers in files hav
 others can read them."""
 import csv
 
+from .. import targets
 from ..quantities import TABLE_DIGITS, length_unit, number, quantity
+from ..safe_file import written_beside
 from ..texts import translate
 from .neighbour_rules import CONTACT, REQUIRED
 
@@ -161,14 +163,16 @@ def table(report):
 
 
 def write_csv(report, path):
-    """The table as a CSV file (UTF-8)."""
+    """The table as a CSV file (UTF-8). Raises InputProblem where a document reads that file."""
     write_rows([columns()] + table(report), path)
 
 
 def write_rows(rows, path):
-    """Rows of a table as a CSV file (UTF-8)."""
-    with open(path, "w", encoding="utf-8", newline="") as out:
-        csv.writer(out).writerows(rows)
+    """Rows of a table as a CSV file (UTF-8). Raises InputProblem where a document reads that file."""
+    targets.check_not_read(path)
+    with written_beside(path) as beside:
+        with open(beside, "w", encoding="utf-8", newline="") as out:
+            csv.writer(out).writerows(rows)
 
 
 def make_spreadsheet(obj, report):

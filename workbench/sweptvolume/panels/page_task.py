@@ -6,7 +6,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import core, page, quantities
+from .. import core, page, quantities, targets
 from ..runner import Task
 from ..safe_file import written_beside
 from ..texts import translate
@@ -103,6 +103,7 @@ class PageTask(WritingTask):
         self.watched = [obj]
         self.path = path
         page.check_target(path)
+        targets.check_not_read(path)
         self.pdf = page.is_pdf(path)
         changed = bool(Gui.getDocument(obj.Document.Name).Modified)
         self.request = page.request(obj, changed, self.pdf)

@@ -5,7 +5,7 @@ import os
 
 from PySide import QtCore
 
-from .. import core, export, quantities
+from .. import core, export, quantities, targets
 from ..features import solid
 from ..texts import translate
 from . import focus, guard, tasks, widgets
@@ -199,6 +199,7 @@ def show(source, obj=None, path=""):
     Raises InputProblem."""
     if path:
         export.check_target(path)
+        targets.check_not_read(path)
     panel = SolidPanel(source, obj, path)
     opened[:] = [panel]
     focus.show(panel)

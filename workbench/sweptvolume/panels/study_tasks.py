@@ -2,7 +2,7 @@
 """The runs of a study's panel: the study itself, its report, a run of a study file as objects."""
 import FreeCAD as App
 
-from .. import page, settings, studies
+from .. import page, settings, studies, targets
 from ..convert import InputProblem
 from ..features import study
 from ..features.study_import import Taken, problem_text
@@ -54,6 +54,7 @@ class StudyPageTask(WritingTask):
         self.title = translate("Messages", "Export report")
         self.document, self.watched, self.path = obj.Document, [obj], path
         page.check_target(path)
+        targets.check_not_read(path)
         self.study, self.results = study.written(obj)
 
     def work(self, control):

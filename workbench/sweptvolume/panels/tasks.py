@@ -8,7 +8,7 @@ import time
 
 import FreeCAD as App
 
-from .. import contents, core, export, quantities
+from .. import contents, core, export, quantities, targets
 from ..features import clearance, envelope, mechanism, overlap_plan, shared, solid
 from ..runner import Task
 from ..texts import mark, translate
@@ -323,6 +323,7 @@ class ExportTask(Task):
         self.watched = [source]
         self.path = path
         export.check_target(path)
+        targets.check_not_read(path)
         self.request = export.request(source, settings)
 
     def work(self, control):
