@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -83,8 +84,10 @@ class PlateGap {
 
   const Eigen::Matrix3d& R_;
   const Eigen::Vector3d& t_;
-  const Plate* moving_ = nullptr;
-  Eigen::Vector3d centre_, axis_, direction_;
+  const Plate* moving_ = nullptr;  ///< whose centre and axis are known in the still one's frame
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace swept::clearance

@@ -69,7 +69,7 @@ def scenario():
         motion.motion_from_poses(
             doc, [0, 1], [App.Placement(), App.Placement(V(*way), App.Rotation())]
         )
-        for way in ((0, 0, 6.0), (2, 0, 0))
+        for way in ((0, 0, 3.0), (2, 0, 0))
     ]
     doc.recompute()
     Gui.SendMsgToActiveView("ViewFit")
