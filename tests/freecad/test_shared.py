@@ -58,6 +58,23 @@ class Shared(Case):
         solid.compute(made)
         self.assertAlmostEqual(made.Shape.Volume, 4 * 9 * 9, 4)
 
+    def test_flush_solids_share_a_clean_solid(self):
+        """Where faces lie on each other the mesh has triangles without area; its solid has none of them."""
+        if not core.has_solids():
+            self.skipTest("built without OpenCASCADE")
+        leaning = turn(30, V(1, 2, 3))
+        for k, (by, faces, volume) in enumerate((((5, 0, 0), 6, 500), ((5, 4, 0), 6, 300))):
+            left, right = self.box("Flush{}".format(k)), self.box("Beside{}".format(k))
+            left.Placement, right.Placement = leaning, leaning.multiply(shift(*by))
+            self.doc.recompute()
+            obj = self.make([left], [right])
+            shared.compute(obj)
+            made = solid.make_solid(self.doc, obj)
+            solid.compute(made)
+            self.assertEqual((made.Status, len(made.Shape.Faces)), (UP_TO_DATE, faces))
+            self.assertTrue(made.Shape.isValid())
+            self.assertAlmostEqual(made.Shape.Volume, volume, 3)
+
     def test_solids_against_the_booleans_of_opencascade(self):
         for k, degrees in enumerate((10, 33, 71)):
             one = self.doc.addObject("Part::Torus", "Ring{}".format(k))

@@ -54,6 +54,13 @@ def test_pairs_are_ignored_and_bad_input_is_named():
     assert error.value.code == "NoCommonTime"
     with pytest.raises(TypeError, match="a part is"):
         sv.mechanism([("left", CUBE)])
+    with pytest.raises(sv.InvalidInput, match="names 'boom', and no part has that name") as error:
+        sv.mechanism(PASSING, rules=[("left", "boom", 4)])
+    assert error.value.code == "UnknownPart"
+    still = [(name, mesh, None) for name, mesh, _ in PASSING]  # all motions are missing
+    with pytest.raises(sv.InvalidInput) as error:
+        sv.mechanism(still)
+    assert error.value.code == "NothingMoves", error.value
 
 
 def test_a_run_is_cancelled_soon():

@@ -80,8 +80,11 @@ def mesh_from_arrays(vertices, triangles, beside=False):
 
 def arrays_from_mesh(mesh):
     """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
-    local = mesh.copy()
-    local.Placement = App.Placement()
+    local = mesh
+    # Copied only where needed: while a copy is made no other thread goes on.
+    if not mesh.Placement.isIdentity():
+        local = mesh.copy()
+        local.Placement = App.Placement()
     with passing(".ply") as path:
         local.write(path)
         with open(path, "rb") as file:

@@ -43,6 +43,35 @@ class BoxGap {
   Vector3d offset_, world_, local_, gap_;
 };
 
+// Gap of two nodes at one pose, by their boxes and, where these are not far enough apart, plates.
+class NodeGap {
+ public:
+  NodeGap(const Part& body, const Part& neighbour, const Matrix3d& R, const Vector3d& t)
+      : body_(body), neighbour_(neighbour), boxes_(R, t), plates_(R, t) {}
+
+  /// mm; a bound of at least `enough` is not sharpened.
+  double between(BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b, double enough) {
+    double gap = boxes_.inWorld(a, b);
+    if (gap < enough) gap = std::max(gap, boxes_.inBody(a, b));
+    if (gap < enough) gap = std::max(gap, betweenPlates(i, j));
+    return gap;
+  }
+  /// 0 where one of the nodes has no plate.
+  double betweenPlates(BoxTree::Node i, BoxTree::Node j) {
+    const Plate* a = body_.plate(i);
+    const Plate* b = neighbour_.plate(j);
+    return a && b ? plates_.between(*a, *b) : 0.0;
+  }
+  BoxGap& boxes() { return boxes_; }
+  const PlateGap& plates() const { return plates_; }
+
+ private:
+  const Part& body_;
+  const Part& neighbour_;
+  BoxGap boxes_;
+  PlateGap plates_;
+};
+
 struct Item {
   BoxTree::Node body;
   BoxTree::Node neighbour;
@@ -158,14 +187,10 @@ PairDistance PairSearch::distanceAt(const Matrix3d& R, const Vector3d& t, double
     if (d < best.distance) best = {d, pair, p.a, p.b};
   };
   if (hint.body >= 0) tryPair(hint);
-  BoxGap gap(R, t);
-  const auto gapOf = [&](const Box& a, const Box& b) {
-    const double first = gap.inWorld(a, b);
-    return first >= best.distance ? first : std::max(first, gap.inBody(a, b));
-  };
+  NodeGap gap(body_, neighbour_, R, t);
   Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
-    const double g = gapOf(a, b);
+    const double g = gap.between(i, a, j, b, best.distance);
     if (g < best.distance) stack.push({i, j, g});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
@@ -192,12 +217,11 @@ LeafPair PairSearch::anyNearerThan(const Matrix3d& R, const Vector3d& t, double 
     return Slab(a, b).gap < below && nearestPoints(a, b).squared < below * below;
   };
   if (hint.body >= 0 && nearer(hint)) return hint;
-  BoxGap gap(R, t);
+  NodeGap gap(body_, neighbour_, R, t);
   Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
-    const double first = gap.inWorld(a, b);
-    if (first >= below || gap.inBody(a, b) >= below) return;
-    stack.push({i, j, first});
+    const double g = gap.between(i, a, j, b, below);
+    if (g < below) stack.push({i, j, g});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
@@ -236,24 +260,29 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
     return false;
   };
   if (hint.body >= 0 && !pairHolds(hint)) return result;
-  BoxGap gap(motion.R, motion.t);
+  NodeGap gap(body_, neighbour_, motion.R, motion.t);
   // -1: proven apart; otherwise the gap, for ordering.
-  const auto openGap = [&](const Box& a, const Box& b) {
-    const double first = gap.inWorld(a, b);
+  const auto openGap = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
+    const double first = gap.boxes().inWorld(a, b);
     if (first - motion.reach >= apart) return -1.0;
-    const double second = gap.inBody(a, b);
+    const double second = gap.boxes().inBody(a, b);
     if (second - motion.reach >= apart) return -1.0;
     if (first > apart &&
-        first - motion.advance(gap.worldDirection(first), a.centre, a.half) >= apart)
+        first - motion.advance(gap.boxes().worldDirection(first), a.centre, a.half) >= apart)
       return -1.0;
     if (second > apart &&
-        second - motion.advance(gap.bodyDirection(second), a.centre, a.half) >= apart)
+        second - motion.advance(gap.boxes().bodyDirection(second), a.centre, a.half) >= apart)
       return -1.0;
-    return std::max(first, second);
+    const double third = gap.betweenPlates(i, j);
+    if (third - motion.reach >= apart) return -1.0;
+    if (third > apart &&
+        third - motion.advance(gap.plates().direction(), a.centre, a.half) >= apart)
+      return -1.0;
+    return std::max({first, second, third});
   };
   Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
-    const double g = openGap(a, b);
+    const double g = openGap(i, a, j, b);
     if (g >= 0) stack.push({i, j, g});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
@@ -284,10 +313,11 @@ bool PairSearch::containedAt(const Matrix3d& R, const Vector3d& t) const {
 std::vector<LeafPair> PairSearch::pairsWithin(const Matrix3d& R, const Vector3d& t, double apart,
                                               std::size_t limit) const {
   std::vector<LeafPair> found;
-  BoxGap gap(R, t);
+  NodeGap gap(body_, neighbour_, R, t);
+  const double beyond = std::nextafter(apart, HUGE_VAL);
   Stack stack(body_, neighbour_);
   const auto push = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
-    if (!(gap.inWorld(a, b) > apart || gap.inBody(a, b) > apart)) stack.push({i, j, 0});
+    if (gap.between(i, a, j, b, beyond) < beyond) stack.push({i, j, 0});
   };
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));

@@ -96,6 +96,7 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
     corners_[place] = piece.corners;
     triangles_[place] = piece.triangle;
   }
+  plates_ = Plates(tree_, corners_);
   // Vertices at the same place are one, so that triangle soups (STL) have edges in common.
   auto welded = std::make_unique<TriMesh>(mesh);
   applyMap(exactWeld(mesh.vertices), *welded);

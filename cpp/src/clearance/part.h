@@ -1,6 +1,6 @@
 // One of the parts of a clearance check, in its own frame, prepared once for all poses.
 // In:    triangles, mm. Out: their hierarchy of boxes; nearest point, inside test.
-// Cost:  O(n) to build, about 200 bytes a triangle; O(log n) a query on well-shaped parts.
+// Cost:  O(n) to build, about 220 bytes a triangle; O(log n) a query on well-shaped parts.
 // Long thin triangles, plentiful on tessellated solids, are cut in pieces first (at most half as
 // many more): a box round a long oblique sliver is nearly empty and would be opened for nothing.
 // The boxes keep the axes of their mesh: one rotation then serves every pair of boxes of two
@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "clearance/plates.h"
 #include "geometry/box_tree.h"
 #include "geometry/ray_columns.h"
 #include "geometry/triangle_distance.h"
@@ -40,6 +41,7 @@ class Part {
   const BoxTree& tree() const { return tree_; }
   /// Exact for the root, else rounded outward.
   Box box(BoxTree::Node node) const;
+  const Plate* plate(BoxTree::Node node) const { return plates_.of(node); }
   /// Of the triangle, or piece of one, at a place of the tree.
   const Triangle3d& corners(std::uint32_t place) const { return corners_[place]; }
   std::int64_t triangle(std::uint32_t place) const { return triangles_[place]; }
@@ -67,6 +69,7 @@ class Part {
   BoxTree tree_;
   std::vector<Triangle3d> corners_;      ///< by place, like all below
   std::vector<std::int64_t> triangles_;  ///< of the mesh
+  Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;
   std::unique_ptr<const TriMesh> mesh_;  ///< where rays_ finds it when the part moves
   std::optional<RayColumns> rays_;       ///< of closed meshes

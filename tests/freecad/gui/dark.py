@@ -54,6 +54,9 @@ def scenario():
         ("EditEnvelope", (hull,)),
         ("Clearance", (hull,)),
         ("Solid", (hull,)),
+        ("Mechanism", (box, path)),
+        ("Overlap", (box, wall)),
+        ("Study", ()),
     ):
         select(*items)
         Gui.runCommand("SweptVolume_" + name)
@@ -79,7 +82,15 @@ def scenario():
         assert text > 127, "the theme is not dark"
         shot("42_dark_" + name)
         yield 0.8
-        click(panel_button(Close if name == "Clearance" else Cancel))
+        if name == "Overlap":
+            click(find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces"))
+            yield 0.3
+            yield lambda: find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces").isEnabled()
+            read_verdicts(find(QtWidgets.QTableWidget, "SweptVolumeSpacesTable"))
+            shot("42_dark_Overlap_checked")
+            yield 0.8
+        checks = ("Clearance", "Mechanism", "Overlap", "Study")
+        click(panel_button(Close if name in checks else Cancel))
         yield no_panel
     path.Interpolation = "Screw"
     wall.Placement.Base.y = 14

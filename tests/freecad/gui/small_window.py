@@ -62,10 +62,13 @@ def panels_fit(doc, folder):
         find_path_panel,
         improve_panel,
         made_panel,
+        mechanism_panel,
         motion_panel,
+        overlap_panel,
         sequence_panel,
         solid_panel,
         source_panel,
+        study_panel,
     )
 
     wire = doc.addObject("Part::Feature", "Wire")
@@ -86,6 +89,9 @@ def panels_fit(doc, folder):
         ("improve", lambda: improve_panel.show(doc, motion=path, pairs=part)),
         ("sequence", lambda: sequence_panel.show(doc, pairs=part)),
         ("made", lambda: made_panel.show(doc, hull)),
+        ("mechanism", lambda: mechanism_panel.show(doc, pairs=part, motions=[path])),
+        ("overlap", lambda: overlap_panel.show(doc, part)),
+        ("study", lambda: study_panel.show(doc)),
     ):
         panel = opened()
         yield 0.8
