@@ -17,7 +17,7 @@ class Clearance(Neighbours):
         return {row["name"]: row for row in clearance.report_of(obj)["neighbours"]}
 
     def test_all_visible_others(self):
-        obj = self.made(Required=4.0)
+        obj = self.made(RequiredDistance=4.0)
         self.assertEqual(obj.Status, clearance.NOT_COMPUTED)
         clearance.compute(obj)
         self.assertEqual(obj.Status, clearance.UP_TO_DATE)

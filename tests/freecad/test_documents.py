@@ -27,7 +27,7 @@ class Damaged(Case):
         wall = self.box("Wall")
         wall.Placement = shift(0, 15)
         neighbours = {"AllVisible": False, "Neighbours": [(wall, "")]}
-        settings = dict(Generators=[(self.box(), "")], Motion=self.line(), **neighbours)
+        settings = dict(MovingParts=[(self.box(), "")], Motion=self.line(), **neighbours)
         obj = clearance.make_clearance(self.doc, **settings)
         self.doc.recompute()
         clearance.compute(obj)

@@ -166,15 +166,15 @@ class PagesOfMechanisms(Case):
         self.wall.Placement = shift(y=12)
         self.there = self.line(20.0)
         self.back = self.line(-25.0)
-        self.back.Frame = "RelativeToFirst"
+        self.back.PoseType = "RelativeToFirst"
         self.there.Label, self.back.Label = "There", "Back"
         self.doc.recompute()
         self.obj = mechanism.make_mechanism(
             self.doc,
-            Generators=[(self.left, ""), (self.right, "")],
+            MovingParts=[(self.left, ""), (self.right, "")],
             Motions=[self.there, self.back],
             AllVisible=True,
-            Required=8.0,
+            RequiredDistance=8.0,
         )
         rule = {
             pair_rules.key((self.left, ""), (self.wall, "")): Rule(neighbour_rules.REQUIRED, 1.0)

@@ -57,7 +57,7 @@ class Frames(Case):
         self.assertIn("far apart", obj.Message)
         wall = self.box("Wall")
         wall.Placement = shift(0, 90)
-        check = clearance.make_clearance(self.doc, Generators=[(self.bar, "")], Motion=path)
+        check = clearance.make_clearance(self.doc, MovingParts=[(self.bar, "")], Motion=path)
         self.doc.recompute()
         clearance.compute(check)
         self.assertIn("far apart", check.Message)

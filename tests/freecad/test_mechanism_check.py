@@ -48,7 +48,7 @@ class SliderCrank(Case):
     def check(self, motions, **settings):
         settings.setdefault("Neighbours", [(self.wall, "")])
         parts = [(m.SourceObjects[1], "") for m in motions]
-        obj = mechanism.make_mechanism(self.doc, Generators=parts, Motions=motions, **settings)
+        obj = mechanism.make_mechanism(self.doc, MovingParts=parts, Motions=motions, **settings)
         self.doc.recompute()
         return obj
 
@@ -143,7 +143,7 @@ class Distances(SliderCrank):
     POSES = 361
 
     def test_distances_are_those_of_the_formula(self):
-        obj = self.check(self.motions(), Required=6)
+        obj = self.check(self.motions(), RequiredDistance=6)
         mechanism.compute(obj)
         self.doc.recompute()
         self.assertEqual(obj.Status, UP_TO_DATE)
@@ -211,7 +211,7 @@ class Distances(SliderCrank):
 
 class Kept(SliderCrank):
     def test_table_and_file(self):
-        obj = self.check(self.motions(), Required=6)
+        obj = self.check(self.motions(), RequiredDistance=6)
         mechanism.compute(obj)
         path = os.path.join(self.folder, "table.csv")
         mechanism_table.write_csv(mechanism.report_of(obj), path)
@@ -307,7 +307,7 @@ class BadInput(SliderCrank):
         """pairs: (part, motion)."""
         obj = mechanism.make_mechanism(
             self.doc,
-            Generators=[(part, "") for part, _ in pairs],
+            MovingParts=[(part, "") for part, _ in pairs],
             Motions=[m for _, m in pairs],
             **settings,
         )
@@ -355,7 +355,7 @@ class BadInput(SliderCrank):
     def test_missing_motion(self):
         crank = self.motions(9)[0]
         obj = mechanism.make_mechanism(
-            self.doc, Generators=[(self.crank, ""), (self.rod, "")], Motions=[crank]
+            self.doc, MovingParts=[(self.crank, ""), (self.rod, "")], Motions=[crank]
         )
         self.doc.recompute()
         self.assertIn("2 moving parts and 1 motions", obj.Message)
@@ -367,7 +367,7 @@ class BadInput(SliderCrank):
         self.doc.recompute()
         path = self.line()
         obj = mechanism.make_mechanism(
-            self.doc, Generators=[(group, ""), (box, "")], Motions=[path, path]
+            self.doc, MovingParts=[(group, ""), (box, "")], Motions=[path, path]
         )
         self.doc.recompute()
         self.assertRegex(obj.Message, '"Group" and "Inside": one holds the other')
@@ -388,9 +388,9 @@ class BadInput(SliderCrank):
             right,
             mechanism.make_mechanism(
                 self.doc,
-                Generators=[(left, "One."), (right, "Other.")],
+                MovingParts=[(left, "One."), (right, "Other.")],
                 Motions=[self.line(), back],
-                Required=3.0,
+                RequiredDistance=3.0,
             ),
         )
 
@@ -439,14 +439,14 @@ class BadInput(SliderCrank):
 class Warned(SliderCrank):
     def test_clearance_names_what_moves_too(self):
         crank = self.motions(9)[0]
-        obj = clearance.make_clearance(self.doc, Generators=[(self.crank, "")], Motion=crank)
+        obj = clearance.make_clearance(self.doc, MovingParts=[(self.crank, "")], Motion=crank)
         self.doc.recompute()
         clearance.compute(obj)
         self.assertIn('"Rod", "Slider" moved as well', obj.Message)
         self.assertIn("Check mechanism", obj.Message)
         self.assertNotIn('"Wall"', obj.Message)
         other = clearance.make_clearance(
-            self.doc, Generators=[(self.crank, "")], Motion=self.line()
+            self.doc, MovingParts=[(self.crank, "")], Motion=self.line()
         )
         other.Motion.Placements = [turn(0), turn(90)]
         self.doc.recompute()

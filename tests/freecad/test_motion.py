@@ -20,7 +20,7 @@ class Motion(Case):
         obj = motion.motion_from_poses(self.doc, [1, 3.5], [shift(), turn(90)], "Screw", "Relative")
         self.doc.recompute()
         self.assertEqual((obj.Count, obj.Duration, obj.Interpolation), (2, 2.5, "Screw"))
-        self.assertEqual((obj.Frame, obj.SourceType, obj.Status), ("Relative", "Stored", ""))
+        self.assertEqual((obj.PoseType, obj.SourceType, obj.Status), ("Relative", "Stored", ""))
 
     def test_times_may_not_go_back(self):
         with self.assertRaisesRegex(InputProblem, "pose 3: .*0.5 s comes before the 1 s"):

@@ -69,7 +69,7 @@ class Shared(Case):
             self.doc.recompute()
             exact = one.Shape.common(other.Shape).Volume
             self.assertGreater(exact, 100)
-            obj = self.make([one], [other], Deflection=0.01)
+            obj = self.make([one], [other], MeshDeflection=0.01)
             shared.compute(obj)
             # A chord of height d in a circle of radius r: polygons lack 4/3 d/r of the area.
             lacks = 1 - obj.Volume.Value / exact

@@ -44,7 +44,7 @@ class Lost(Scene):
 
     def test_one_of_several_parts(self):
         second = self.box("Second")
-        self.swept.Generators = [(self.part, ""), (second, "")]
+        self.swept.MovingParts = [(self.part, ""), (second, "")]
         self.doc.recompute()
         envelope.compute(self.swept)
         self.doc.removeObject("Second")
@@ -54,7 +54,7 @@ class Lost(Scene):
         with self.assertRaisesRegex(InputProblem, "Second"):
             envelope.compute(self.swept)
         # Chosen anew, though what is left is the same.
-        self.swept.Generators = [(self.part, "")]
+        self.swept.MovingParts = [(self.part, "")]
         self.doc.recompute()
         self.assertEqual(self.swept.Status, envelope.STALE)
         envelope.compute(self.swept)
@@ -196,7 +196,7 @@ class Neighbours(Scene):
         envelope.compute(other)
         check = clearance.make_clearance(
             self.doc,
-            Generators=[(self.part, "")],
+            MovingParts=[(self.part, "")],
             Motion=self.path,
             AllVisible=False,
             Neighbours=[(other, "")],

@@ -47,7 +47,7 @@ def scenario():
     starter, path = doc.getObject("Starter"), doc.getObject("Motion")
     assert starter is not None and path.Count == 12
     assert starter.Label == "Anlasser" and path.Label == "Einbaubahn"
-    checked = clearance.make_clearance(doc, Generators=[starter], Motion=path)
+    checked = clearance.make_clearance(doc, MovingParts=[starter], Motion=path)
     doc.recompute()
     clearance.compute(checked)
     text = page.text(page.request(checked), core.Control())

@@ -106,7 +106,7 @@ def scenario():
     doc.getObject("SecondPart").Height = 10
     doc.recompute()
     assert kept.Status == shared.UP_TO_DATE, kept.Status
-    kept.Deflection = 0.02
+    kept.MeshDeflection = 0.02
     doc.recompute()
     assert kept.Status == shared.STALE, kept.Status
     select(kept)

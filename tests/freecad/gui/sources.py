@@ -116,7 +116,7 @@ def scenario():
     yield no_panel
     along = made(doc).Placements[0].Rotation.multVec(V(1, 0, 0))
     assert (along - V(0, 0, 1)).Length < 1e-9, along
-    assert made(doc).Frame == "RelativeToFirst"  # it follows the wire from where the part is
+    assert made(doc).PoseType == "RelativeToFirst"  # it follows the wire from where the part is
 
     # A driven value: the cell of a spreadsheet moves the box.
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")

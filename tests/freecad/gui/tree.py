@@ -58,7 +58,7 @@ def scenario():
     envelope.compute(hull)
     body = solid.make_solid(doc, hull)
     solid.compute(body)
-    check = clearance.make_clearance(doc, Envelope=hull, Required=5.0)
+    check = clearance.make_clearance(doc, Envelope=hull, RequiredDistance=5.0)
     doc.recompute()
     clearance.compute(check)
     yield 1.0

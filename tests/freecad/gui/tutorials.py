@@ -51,7 +51,7 @@ def bay():
     made, body = doc.getObject("Envelope"), doc.getObject("EnvelopeSolid")
     motion = made.Motion
     assert motion.Count == 12 and list(motion.Times) == list(range(12))
-    assert made.Generators[0][0].Label == "Starter" and made.Mesh.isSolid()
+    assert made.MovingParts[0][0].Label == "Starter" and made.Mesh.isSolid()
     verdicts = {
         row["name"]: row["verdict"] for row in json.loads(doc.Clearance.Report)["neighbours"]
     }

@@ -13,7 +13,7 @@ INPUT = [
     ),
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         mark("Properties", "Parts that move together, where no envelope is given"),
         None,
     ),
@@ -35,16 +35,16 @@ INPUT = [
         mark("Properties", "Check all other visible parts instead of Neighbours"),
         True,
     ),
-    ("App::PropertyLength", "Required", mark("Properties", "Distance asked for"), 5.0),
+    ("App::PropertyLength", "RequiredDistance", mark("Properties", "Distance asked for"), 5.0),
     (
         "App::PropertyLength",
-        "Tolerance",
+        "Accuracy",
         mark("Properties", "How far the smallest distance may be off between two poses"),
         0.01,
     ),
     (
         "App::PropertyLength",
-        "Deflection",
+        "MeshDeflection",
         mark(
             "Properties",
             "Chord error to which solids are meshed; it is subtracted from the distances",

@@ -248,7 +248,7 @@ def make_envelope(document, generators, motion, label=None, **settings):
     obj = document.addObject(TYPE, "Envelope")
     Envelope(obj)
     obj.Label = label or translate("Messages", "Envelope")
-    containers.set_pairs(obj, "Generators", pairs_of_items(generators))
+    containers.set_pairs(obj, "MovingParts", pairs_of_items(generators))
     obj.Motion = motion
     for name, value in settings.items():
         setattr(obj, name, value)

@@ -49,7 +49,7 @@ class Plan:
             values[name] = getattr(value, "Value", value)
         seen_from = convert.pairs_of(obj.Reference)
         plan = cls(
-            convert.pairs_of(obj.Generators),
+            convert.pairs_of(obj.MovingParts),
             obj.Motion,
             values,
             obj.Motions,
@@ -62,7 +62,7 @@ class Plan:
     def write(self, obj):
         """Puts the plan into an envelope object."""
         missing.forget(obj)
-        containers.set_pairs(obj, "Generators", self.pairs)
+        containers.set_pairs(obj, "MovingParts", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
         self.tell_motions()

@@ -17,7 +17,7 @@ BACKENDS = {"Auto": "auto", "CPU": "cpu", "GPU": "gpu"}
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         "Input",
         mark("Properties", "Solids and meshes that move together, seen through groups and links"),
         None,
@@ -37,7 +37,7 @@ INPUT = [
         "Input",
         mark(
             "Properties",
-            "One motion for each of Generators, where they move by themselves; empty: all by Motion",
+            "One motion for each of MovingParts, where they move by themselves; empty: all by Motion",
         ),
         None,
         0,

@@ -2,14 +2,13 @@
 """What a check of a mechanism looks at, read off an object or a panel: parts with motions of their own, parts
 that stand still, rules of pairs -> the input of the core as plain arrays."""
 import itertools
-import json
 
 from .. import contents, convert
 from ..convert import InputProblem
 from ..quantities import number
 from ..texts import translate
 from ..trajectory.poses import Poses, at_time
-from . import containers, missing, pair_rules, row_names, status
+from . import containers, missing, pair_rules, renamed, row_names, status
 from . import motion as motion_feature
 from .base import set_changed, whole
 from .moving import Seen, grouped
@@ -95,7 +94,7 @@ class Plan(StillParts):
     """What is to be checked. Reads documents only in the thread of the GUI. motions: one for each of
     pairs."""
 
-    SETTINGS = ("Required", "Tolerance", "Deflection", "Range")
+    SETTINGS = ("RequiredDistance", "Accuracy", "MeshDeflection", "Range")
 
     def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
         self.document = document
@@ -111,7 +110,7 @@ class Plan(StillParts):
     def of(cls, obj):
         plan = cls(
             obj.Document,
-            convert.pairs_of(obj.Generators),
+            convert.pairs_of(obj.MovingParts),
             obj.Motions,
             convert.pairs_of(obj.Neighbours),
             obj.AllVisible,
@@ -123,7 +122,7 @@ class Plan(StillParts):
     def write(self, obj):
         """Puts the plan into an object."""
         missing.forget(obj)
-        containers.set_pairs(obj, "Generators", self.pairs)
+        containers.set_pairs(obj, "MovingParts", self.pairs)
         set_changed(obj, "Motions", self.motions)
         containers.set_pairs(obj, "Neighbours", self.neighbours)
         set_changed(obj, "AllVisible", self.all_visible)
@@ -220,7 +219,7 @@ class Plan(StillParts):
         beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
         words = [word for group in self.groups() for word in group.words()]
         words += contents.words(beside) if beside else []
-        words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+        words.append(renamed.hashed(contents.steady(self.values)))
         words.append(pair_rules.words(self.pair_rules))
         return words
 
@@ -283,8 +282,8 @@ class Plan(StillParts):
     def reading(self):
         """The same in pieces: a generator that returns it. Between them the window may go on, and the
         document must not change (check_unchanged())."""
-        deflection = max(float(self.values["Deflection"]), 1e-4)
-        tolerance = float(self.values["Tolerance"])
+        deflection = max(float(self.values["MeshDeflection"]), 1e-4)
+        tolerance = float(self.values["Accuracy"])
         parts, ways, notes, names = [], [], [], self.names()
         for group in self.groups():
             yield
@@ -304,7 +303,7 @@ class Plan(StillParts):
                 )
             )
         options = {
-            "required": float(self.values["Required"]),
+            "required": float(self.values["RequiredDistance"]),
             "tolerance": tolerance,
             "range": float(self.values["Range"]),
         }

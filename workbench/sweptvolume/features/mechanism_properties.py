@@ -6,7 +6,7 @@ from . import clearance_properties
 from .neighbour_rules import PARTS_PROPERTY
 
 #: What it has as the clearance check has it.
-_SAME = ("Neighbours", "Required", "Tolerance", "Deflection", "RuleKinds")
+_SAME = ("Neighbours", "RequiredDistance", "Accuracy", "MeshDeflection", "RuleKinds")
 _GIVEN = {
     name: (kind, name, text, default) for kind, name, text, default in clearance_properties.INPUT
 }
@@ -14,7 +14,7 @@ _GIVEN = {
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         mark("Properties", "Parts that move, each with the motion of the same number"),
         None,
     ),

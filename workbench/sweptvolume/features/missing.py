@@ -90,6 +90,15 @@ def forget(holder, name=None):
         _write(holder, kept)
 
 
+def rename(holder, names):
+    """Inputs have other names now, {old: new}."""
+    found = _read(holder)
+    for entry in found:
+        entry["property"] = names.get(entry["property"], entry["property"])
+    if found:
+        _write(holder, found)
+
+
 def changed(holder, name):
     """A property was set: what was lost there before is no longer missed. The loss itself sets it too,
     while the lost object is still there."""

@@ -39,7 +39,7 @@ PROPERTIES = [
         list(INTERPOLATIONS),
         0,
     ),
-    ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
+    ("App::PropertyEnumeration", "PoseType", "Motion", FRAME_HELP, list(FRAMES), 0),
     (
         "App::PropertyVectorDistance",
         "Pivot",
@@ -47,7 +47,7 @@ PROPERTIES = [
         mark(
             "Properties",
             "Point that goes straight (Linear) or along the spline between two poses, in the "
-            "coordinates that a pose places: of the part where Frame is Absolute",
+            "coordinates that a pose places: of the part where PoseType is Absolute",
         ),
         None,
         0,
@@ -225,7 +225,7 @@ _SETTINGS = {
     ),
     "convention": (
         "App::PropertyEnumeration",
-        "SourceConvention",
+        "SourceRotaryAxes",
         mark("Properties", "What the words A, B and C turn: the tool head, or the table"),
         CONVENTIONS,
     ),

@@ -27,7 +27,7 @@ def _in_world(motion, standing):
     """(poses, base): the poses of a motion seen from the document, and the frame in which they take a part
     that stands there."""
     poses = motion_feature.world_poses_of(motion)
-    base = base_of(poses, motion.Frame, standing, motion_feature.container_of(motion))
+    base = base_of(poses, motion.PoseType, standing, motion_feature.container_of(motion))
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
@@ -173,7 +173,7 @@ class Way:
 
 
 class Moving:
-    """Generators with one motion. reference: (root, sub) of a part that moves itself by
+    """Moving parts with one motion. reference: (root, sub) of a part that moves itself by
     reference_motion; the generators are then seen from it, where it stands now."""
 
     def __init__(self, pairs, motion, reference=None, reference_motion=None):

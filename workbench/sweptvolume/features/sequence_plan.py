@@ -5,14 +5,13 @@ searched for, and what stands still -> the input of the core as plain values.
 A part that is searched for belongs where it stands; its poses are placed by the middle of the part, as in
 path_plan."""
 import itertools
-import json
 import math
 
 from .. import contents, convert
 from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory.poses import shift_to
-from . import mechanism_plan, pair_rules, path_plan, still_parts
+from . import mechanism_plan, pair_rules, path_plan, renamed, still_parts
 from . import motion as motion_feature
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
@@ -76,7 +75,7 @@ class Plan(mechanism_plan.Plan):
     """motions: one for each of pairs, None for what is searched for; search: values of SEARCH; steps: those
     of the stored report."""
 
-    SETTINGS = ("Required", "Release", "Tolerance", "Deflection")
+    SETTINGS = ("RequiredDistance", "ReleaseDistance", "Accuracy", "MeshDeflection")
 
     def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
         super().__init__(document, pairs, motions, neighbours, all_visible, values, rules)
@@ -128,7 +127,7 @@ class Plan(mechanism_plan.Plan):
             for pair, group in zip(self.pairs, self.groups()):
                 words += contents.words([pair]) if group is None else group.words()
             words += contents.words(beside) if beside else []
-            words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+            words.append(renamed.hashed(contents.steady(self.values)))
             words.append(pair_rules.words(self.pair_rules))
             self._words = words
         return self._words
@@ -143,8 +142,8 @@ class Plan(mechanism_plan.Plan):
 
     def request(self):
         """The search as plain values. Raises InputProblem."""
-        deflection = max(float(self.values["Deflection"]), 1e-4)
-        straight = 0.5 * float(self.values["Tolerance"])
+        deflection = max(float(self.values["MeshDeflection"]), 1e-4)
+        straight = 0.5 * float(self.values["Accuracy"])
         names, rows, notes = self.names(), [], []
         for pair, group in zip(self.pairs, self.groups()):
             if group is None:
@@ -170,9 +169,9 @@ class Plan(mechanism_plan.Plan):
     def _options(self):
         v, s = self.values, self.search
         return {
-            "clearance": float(v["Required"]),
-            "release": float(v["Release"]),
-            "tolerance": float(v["Tolerance"]),
+            "clearance": float(v["RequiredDistance"]),
+            "release": float(v["ReleaseDistance"]),
+            "tolerance": float(v["Accuracy"]),
             "translation_only": bool(s["TranslationOnly"]),
             "max_angle": None if s["LargestTurn"] >= 180.0 else math.radians(s["LargestTurn"]),
             "interpolation": path_plan.INTERPOLATION.lower(),

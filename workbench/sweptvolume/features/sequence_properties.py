@@ -4,14 +4,14 @@ one's."""
 from ..texts import mark
 from . import mechanism_properties, path_plan
 
-_SAME = ("Neighbours", "AllVisible", "Tolerance", "Deflection")
+_SAME = ("Neighbours", "AllVisible", "Accuracy", "MeshDeflection")
 _SAME += ("RuleParts", "RuleKinds", "RuleLengths")
 _GIVEN = {row[1]: row for row in mechanism_properties.INPUT}
 
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         mark("Properties", "Parts in the order in which they are installed"),
         None,
     ),
@@ -23,15 +23,15 @@ INPUT = [
     ),
     (
         "App::PropertyLength",
-        "Required",
+        "RequiredDistance",
         mark("Properties", "Clearance from all that is there when a part comes"),
-        path_plan.DEFAULTS["Required"],
+        path_plan.DEFAULTS["RequiredDistance"],
     ),
     (
         "App::PropertyLength",
-        "Release",
+        "ReleaseDistance",
         mark("Properties", "So far from its ends a part may touch what it touches there"),
-        path_plan.DEFAULTS["Release"],
+        path_plan.DEFAULTS["ReleaseDistance"],
     ),
 ] + [_GIVEN[name] for name in _SAME]
 RESULT = [row for row in mechanism_properties.RESULT if row[1] != "Checked"] + [

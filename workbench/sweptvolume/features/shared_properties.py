@@ -9,7 +9,7 @@ from .envelope_properties import PLACED
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         "Input",
         mark("Properties", "Parts, envelopes or other reserved spaces: the one side"),
         None,
@@ -42,7 +42,7 @@ INPUT = [
     ("App::PropertyFloat", "Time", "Input", mark("Properties", "Time of the motions (s)"), 0.0, 0),
     (
         "App::PropertyLength",
-        "Deflection",
+        "MeshDeflection",
         "Input",
         mark("Properties", "How far the triangles of solids may leave them"),
         0.05,

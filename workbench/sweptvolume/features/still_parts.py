@@ -129,7 +129,7 @@ class StillParts:
 
     def seen_deflection(self):
         """mm, how far the triangles of solids may leave them in pictures."""
-        return DRAWN * max(float(self.values["Deflection"]), 0.05)
+        return DRAWN * max(float(self.values["MeshDeflection"]), 0.05)
 
     def left_out(self):
         """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""

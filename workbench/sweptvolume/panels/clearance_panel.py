@@ -16,7 +16,7 @@ from .rules_table import RulesTable
 from .tasks import ClearanceTask, FirstContactsTask
 from .widgets import QtWidgets
 
-DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05}
+DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05}
 
 
 class ClearancePanel(CheckRun, ResultPanel):
@@ -85,11 +85,11 @@ class ClearancePanel(CheckRun, ResultPanel):
         rows.addRow(self.chosen)
         rows.addRow(self.take)
         self._build_rules(rows)
-        self.required = widgets.length(values["Required"], 0.0, 0.5)
-        self.tolerance = widgets.length(values["Tolerance"], 1e-6, 0.01)
-        self.deflection = widgets.length(values["Deflection"], 1e-4, 0.01)
+        self.required = widgets.length(values["RequiredDistance"], 0.0, 0.5)
+        self.tolerance = widgets.length(values["Accuracy"], 1e-6, 0.01)
+        self.deflection = widgets.length(values["MeshDeflection"], 1e-4, 0.01)
         rows.addRow(translate("Panels", "Required distance"), self.required)
-        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
+        rows.addRow(translate("Panels", "Accuracy"), self.tolerance)
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheck")
@@ -132,9 +132,9 @@ class ClearancePanel(CheckRun, ResultPanel):
         elif self.path.currentData():
             path = self.document.getObject(self.path.currentData())
         values = {
-            "Required": float(self.required.property("rawValue")),
-            "Tolerance": float(self.tolerance.property("rawValue")),
-            "Deflection": float(self.deflection.property("rawValue")),
+            "RequiredDistance": float(self.required.property("rawValue")),
+            "Accuracy": float(self.tolerance.property("rawValue")),
+            "MeshDeflection": float(self.deflection.property("rawValue")),
         }
         chosen, every = self.neighbours, self.all.isChecked()
         plan = clearance.Plan(self.document, pairs, path, chosen, every, values, envelope)
@@ -167,7 +167,7 @@ class ClearancePanel(CheckRun, ResultPanel):
     def taken(self, plan):
         self.rules = plan.rules
         Gui.Selection.clearSelection()  # its green would hide the colours
-        self.required_band.setProperty("rawValue", self.obj.Required.Value)
+        self.required_band.setProperty("rawValue", self.obj.RequiredDistance.Value)
 
 
 def show(document, **given):

@@ -100,7 +100,7 @@ class ResultPanel(played_result.PlayedPanel):
     def _shared(self, plan, sides, motions, time):
         if None in sides[1]:
             raise gone()
-        return shared.Plan(self.document, *sides, motions, time, plan.values["Deflection"])
+        return shared.Plan(self.document, *sides, motions, time, plan.values["MeshDeflection"])
 
     def _view(self):
         return self.obj.ViewObject.Proxy

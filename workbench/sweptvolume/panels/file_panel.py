@@ -36,7 +36,7 @@ class FilePanel:
         rows.addRow(line)
         self.unit = widgets.choice(UNITS, obj.SourceUnit if obj else "mm")
         self.unit.setObjectName("SweptVolumeUnit")
-        now = (obj.Interpolation, obj.Frame) if obj else ("Linear", "Absolute")
+        now = (obj.Interpolation, obj.PoseType) if obj else ("Linear", "Absolute")
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
@@ -84,7 +84,7 @@ class FilePanel:
                 self.document.recompute([obj])
             else:
                 self.obj.SourceFile, self.obj.SourceUnit = given
-                self.obj.Interpolation, self.obj.Frame = rules
+                self.obj.Interpolation, self.obj.PoseType = rules
                 motion.reload_source(self.obj)
                 self.document.recompute()
         Gui.Control.closeDialog()

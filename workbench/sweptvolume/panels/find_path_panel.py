@@ -100,7 +100,7 @@ class FindPathPanel(SearchPanel):
     @guard.told
     def _take_ends(self, path):
         poses = motion.world_poses_of(path).placements
-        if path.Frame == "Absolute" and len(poses) > 1:
+        if path.PoseType == "Absolute" and len(poses) > 1:
             self.start_at.show_placement(poses[0])
             self.goal.show_placement(poses[-1])
 

@@ -15,7 +15,7 @@ from .rules_table import RulesTable
 from .tasks import MechanismTask, PairContactsTask
 from .widgets import QtWidgets
 
-DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05, "Range": 0.0}
+DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Range": 0.0}
 #: More pairs than this and only those that came near, or have a rule, are listed.
 MOST_PAIRS = 300
 
@@ -80,10 +80,10 @@ class MechanismPanel(CheckRun, ResultPanel):
         for widget in (self.all, self.chosen, self.take, self.asked, self.touching):
             rows.addRow(widget)
         self.fields = {
-            "Required": (translate("Panels", "Required distance"), 0.0, 0.5),
+            "RequiredDistance": (translate("Panels", "Required distance"), 0.0, 0.5),
             "Range": (translate("Panels", "List pairs nearer than"), 0.0, 1.0),
-            "Tolerance": (translate("Panels", "Tolerance"), 1e-6, 0.01),
-            "Deflection": (translate("Panels", "Mesh deflection"), 1e-4, 0.01),
+            "Accuracy": (translate("Panels", "Accuracy"), 1e-6, 0.01),
+            "MeshDeflection": (translate("Panels", "Mesh deflection"), 1e-4, 0.01),
         }
         for name, (text, least, step) in self.fields.items():
             field = widgets.length(values[name], least, step)

@@ -81,7 +81,7 @@ class MotionPanel(KeysInView):
             list(INTERPOLATIONS), self.obj.Interpolation if self.obj else "Linear"
         )
         self.interpolation.setObjectName("SweptVolumeInterpolation")
-        self.frame = widgets.choice(FRAMES, self.obj.Frame if self.obj else "Absolute")
+        self.frame = widgets.choice(FRAMES, self.obj.PoseType if self.obj else "Absolute")
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Between poses"), self.interpolation)
         rows.addRow(translate("Panels", "A pose is"), self.frame)
@@ -363,7 +363,7 @@ class MotionPanel(KeysInView):
             if content(self.keys) != self.before:
                 motion.set_tangents(self.obj, self.keys.tangents)
             self.obj.Interpolation = self.interpolation.currentData()
-            self.obj.Frame = self.frame.currentData()
+            self.obj.PoseType = self.frame.currentData()
             motion.set_changed(self.obj, "Pivot", self.keys.pivot)
             motion.set_parts(self.obj, [self.pair] if self.pair else [], anew=self.chose)
             self.document.recompute()

@@ -18,7 +18,7 @@ from .tasks import OverlapTask, SharedTask
 from .verdict_table import VerdictTable
 from .widgets import QtWidgets
 
-DEFAULTS = {"Required": 0.0, "Deflection": 0.05}
+DEFAULTS = {"RequiredDistance": 0.0, "MeshDeflection": 0.05}
 
 
 class OverlapPanel(StayingPanel):
@@ -47,9 +47,9 @@ class OverlapPanel(StayingPanel):
         self.chosen.setObjectName("SweptVolumeSpaces")
         self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected"))
         self.take.setObjectName("SweptVolumeTakeSpaces")
-        self.required = widgets.length(DEFAULTS["Required"], 0.0, 0.5)
+        self.required = widgets.length(DEFAULTS["RequiredDistance"], 0.0, 0.5)
         self.required.setObjectName("SweptVolumeSpacesRequired")
-        self.deflection = widgets.length(DEFAULTS["Deflection"], 1e-4, 0.01)
+        self.deflection = widgets.length(DEFAULTS["MeshDeflection"], 1e-4, 0.01)
         self.deflection.setObjectName("SweptVolumeSpacesDeflection")
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheckSpaces")

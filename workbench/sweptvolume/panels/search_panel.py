@@ -35,10 +35,10 @@ class SearchPanel(StayingPanel):
     def _build_rules(self):
         rows = widgets.group(translate("Panels", "Rules"), self.layout)
         now = path_plan.DEFAULTS
-        self.required = widgets.length(now["Required"], 0.0, 0.5)
+        self.required = widgets.length(now["RequiredDistance"], 0.0, 0.5)
         self.required.setObjectName("SweptVolumePathClearance")
         self.release = widgets.hint(
-            widgets.length(now["Release"], 0.0, 5.0),
+            widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "Panels",
                 "Parts that touch, or are nearer than the clearance, where the way begins or ends may do "
@@ -60,7 +60,7 @@ class SearchPanel(StayingPanel):
         )
         self.seed.setObjectName("SweptVolumeSeed")
         self.seed.setRange(1, 1000000)
-        self.deflection = widgets.length(now["Deflection"], 1e-4, 0.01)
+        self.deflection = widgets.length(now["MeshDeflection"], 1e-4, 0.01)
         rows.addRow(translate("Panels", "Time at most"), self.budget)
         rows.addRow(translate("Panels", "Seed"), self.seed)
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
@@ -68,11 +68,11 @@ class SearchPanel(StayingPanel):
     def rules(self):
         """What the fields say that all searches have."""
         return {
-            "Required": float(self.required.property("rawValue")),
-            "Release": float(self.release.property("rawValue")),
+            "RequiredDistance": float(self.required.property("rawValue")),
+            "ReleaseDistance": float(self.release.property("rawValue")),
             "Budget": self.budget.value(),
             "Seed": self.seed.value(),
-            "Deflection": float(self.deflection.property("rawValue")),
+            "MeshDeflection": float(self.deflection.property("rawValue")),
         }
 
     def part_text(self):

@@ -82,9 +82,9 @@ class SequencePanel(SearchPanel):
                 for n in map(names.get, plan.pairs)
             ],
         )
-        self.required.setProperty("rawValue", plan.values["Required"])
-        self.release.setProperty("rawValue", plan.values["Release"])
-        self.deflection.setProperty("rawValue", plan.values["Deflection"])
+        self.required.setProperty("rawValue", plan.values["RequiredDistance"])
+        self.release.setProperty("rawValue", plan.values["ReleaseDistance"])
+        self.deflection.setProperty("rawValue", plan.values["MeshDeflection"])
         self.take_neighbours(plan.neighbours)
         kept = {
             pair: pair_rules.of(plan.pair_rules, plan.pairs[0], pair) for pair in self.beside.pairs
@@ -105,10 +105,10 @@ class SequencePanel(SearchPanel):
     def plan(self, order):
         """What is asked for. Raises InputProblem."""
         values = {
-            "Required": float(self.required.property("rawValue")),
-            "Release": float(self.release.property("rawValue")),
-            "Tolerance": path_plan.DEFAULTS["Tolerance"],
-            "Deflection": float(self.deflection.property("rawValue")),
+            "RequiredDistance": float(self.required.property("rawValue")),
+            "ReleaseDistance": float(self.release.property("rawValue")),
+            "Accuracy": path_plan.DEFAULTS["Accuracy"],
+            "MeshDeflection": float(self.deflection.property("rawValue")),
         }
         rules = {
             pair_rules.key(part, beside): rule

@@ -35,7 +35,7 @@ class SourcePanel:
         if build is not None:
             build(rows)
         self.told = ""  # what was said of the poses before they are taken
-        now = (obj.Interpolation, obj.Frame) if obj else (interpolation_of(kind), frame_of(kind))
+        now = (obj.Interpolation, obj.PoseType) if obj else (interpolation_of(kind), frame_of(kind))
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
@@ -223,7 +223,7 @@ class SourcePanel:
             self.document.recompute([obj])
             return obj
         motion.change_source(self.obj, values)
-        self.obj.Interpolation, self.obj.Frame = rules
+        self.obj.Interpolation, self.obj.PoseType = rules
         motion.reload_source(self.obj)
         self.document.recompute()
         return self.obj

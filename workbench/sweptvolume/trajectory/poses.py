@@ -12,7 +12,7 @@ INTERPOLATIONS = {"None": "none", "Linear": "linear", "Screw": "screw", "Spline"
 #: A curved way is halved until its straight pieces are near enough, at most this often.
 MOST_HALVINGS = 10
 
-#: What a pose of the motion means for the part (property Frame).
+#: What a pose of the motion means for the part (property PoseType).
 FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
 FRAME_HELP = mark(
     "Properties",

@@ -54,7 +54,7 @@ class ClearanceView(View):
     def getIcon(self):
         verdict = self.Object.Verdict
         if not verdict:  # computed before there were rules
-            near = self.Object.Smallest.Value < self.Object.Required.Value
+            near = self.Object.Smallest.Value < self.Object.RequiredDistance.Value
             verdict = "below" if near else "clear"
             verdict = "clash" if self.Object.Smallest.Value <= 0 else verdict
         return verdict_icon("SweptVolume_Clearance", self.Object, verdict)
