@@ -32,7 +32,7 @@ class Clearance(Neighbours):
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
         self.assertTrue(
             obj.Summary.startswith(
-                "2 checked, 1 too near, smallest 3.5 mm, at least 3.39 mm, at t = 1 s (Wall)"
+                "2 checked, 1 below required, smallest 3.5 mm, at least 3.39 mm, at t = 1 s (Wall)"
             ),
             obj.Summary,
         )

@@ -134,7 +134,7 @@ class Pages(Slide):
         self.obj.Report = json.dumps(report)
         with mock.patch.object(page, "language", lambda: "de"):
             text = self.written()
-        self.assertIn("zu nah", text)
+        self.assertIn("unter Sollabstand", text)
         self.assertIn("Eine Notiz &lt;x&gt;", text)
         self.assertNotIn("sind englisch", text)
         self.assertEqual(texts.language(), "en")

@@ -43,11 +43,13 @@ void checkPart(const SequencePart& part, const SequenceOptions& options) {
     o.bodyChordError = part.chordError;
     if (part.motion) {
       const std::vector<Pose>& keys = part.motion->poses;
-      if (keys.size() < 2) refuse("BadPose", "a motion of less than two poses has no way");
+      if (keys.size() < 2)
+        refuse("BadPose",
+               "the motion has fewer than two poses; add poses, or leave out the motion");
       for (std::size_t i = 1; i < keys.size(); ++i)
         if (!(keys[i].timeSeconds > keys[i - 1].timeSeconds))
-          refuse("EqualTimes",
-                 "key " + std::to_string(i + 1) + " comes no later than the one in front of it");
+          refuse("EqualTimes", "key " + std::to_string(i + 1) +
+                                   " is not later than the key before it; times must increase");
       std::vector<Finding> findings;
       clearance::timedPoses({part.name, {}, *part.motion}, findings);
       task = {};

@@ -52,14 +52,15 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
                       "release zone in which the part may touch, or ignore that neighbour");
   }
   if (!task.start && !task.extraction)
-    throw Error(Status::InvalidInput, "NoStart",
-                "give a start, or how far or in which direction the part is to get out");
+    throw Error(
+        Status::InvalidInput, "NoStart",
+        "there is no start; give a start placement, or a distance or direction of extraction");
   if (task.start && task.extraction)
-    badOption("a start and an extraction exclude each other; give one of them");
+    badOption("a start and an extraction are both given; give only one of them");
   if (task.extraction) {
     if (task.extraction->direction &&
         !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
-      badOption("the direction of the extraction has no length");
+      badOption("the direction of the extraction is (0, 0, 0); give a direction");
     if (!task.extraction->direction)
       requireLength("radius of the extraction", task.extraction->radius, false);
   }

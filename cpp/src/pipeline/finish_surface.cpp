@@ -27,8 +27,8 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
        specks.count,
        {},
        textOf(3, specks.count,
-              " specks that hang on the envelope by less than the grid can see were dropped, the "
-              "largest ",
+              " small separate pieces at the envelope, below the resolution of the grid, were "
+              "removed; the largest is ",
               specks.largestSize * cell, " mm across, ", specks.largestVolume * cell * cell * cell,
               " mm^3")});
 }
@@ -43,8 +43,8 @@ bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishi
                              count,
                              {},
                              std::to_string(count) +
-                                 " shells of a few cells, thinner than their vertices are "
-                                 "exact, came out inside out and were turned over"});
+                                 " very thin shells of a few cells faced inwards and were "
+                                 "reversed"});
   return true;
 }
 

@@ -179,7 +179,7 @@ void refuseKernelFailure(const Standard_Failure& failure, const KernelSession& k
 
 void refuseMemory(std::size_t triangles) {
   throw Error(Status::OutOfMemory, "OutOfMemory",
-              "the memory did not suffice for the solid of a mesh of " + std::to_string(triangles) +
+              "there is not enough memory to make a solid of " + std::to_string(triangles) +
                   " triangles; simplify the envelope or export a mesh file");
 }
 

@@ -46,7 +46,7 @@ class Request:
 
 def _all_ignored():
     return InputProblem(
-        translate("Messages", "the rules ignore every neighbour: leave at least one to be checked.")
+        translate("Messages", "the rules ignore every neighbour: change at least one rule.")
     )
 
 
@@ -114,7 +114,7 @@ class Plan(StillParts):
             return Moving(self.pairs, self.motion)
         if not envelope_feature.is_envelope(self.envelope):
             raise InputProblem(
-                translate("Messages", '"{0}" is no envelope: choose another one.').format(
+                translate("Messages", '"{0}" is not an envelope: choose an envelope.').format(
                     self.envelope.Label
                 )
             )
@@ -123,7 +123,8 @@ class Plan(StillParts):
             raise InputProblem(
                 translate(
                     "Messages",
-                    'the parts of "{0}" have motions of their own: check each part with its motion.',
+                    'the parts of "{0}" have individual motions: use Check mechanism, or check each part '
+                    "with its motion.",
                 ).format(self.envelope.Label)
             )
         return groups[0]
@@ -142,8 +143,8 @@ class Plan(StillParts):
             return []
         text = translate(
             "Messages",
-            "{0} moved as well when this motion was read, and stand still in this check: use Check mechanism "
-            "for parts that move at the same time.",
+            "{0} also moved when this motion was read, but stand still in this check: use Check "
+            "mechanism for parts that move at the same time.",
         )
         return [text.format(listed(names))]
 

@@ -67,7 +67,7 @@ class Envelope(Feature):
             for name, text in (
                 ("Report", mark("Properties", "Report of the run (JSON)")),
                 ("InputHash", mark("Properties", "Inputs of the stored result")),
-                ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
+                ("TriedHash", mark("Properties", "Inputs of the last run that failed")),
                 (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
                 (made_by.PROPERTY, mark("Properties", "What made each triangle (packed)")),
             )

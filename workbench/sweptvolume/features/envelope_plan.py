@@ -93,7 +93,8 @@ class Plan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "{0} moving parts and {1} motions of their own: give one for each part, or none.",
+                    "there are {0} moving parts but {1} individual motions: give one motion for each part, "
+                    "or none.",
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)
@@ -177,8 +178,8 @@ class Plan:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "cavities cannot be kept where parts have motions of their own: make one "
-                        "envelope for each motion.",
+                        "cavities cannot be kept if parts have individual motions: create one envelope for "
+                        "each motion.",
                     )
                 )
         deflection = max(max(self.values["MeshDeflection"], 1e-3) * cell, finest)

@@ -32,12 +32,14 @@ class ImprovePlan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" only stands at its poses: choose what it does between them first.',
+                    '"{0}" has the interpolation None: choose another interpolation first.',
                 ).format(self.motion.Label)
             )
         if not self.neighbours:
             raise InputProblem(
-                translate("Messages", "no neighbour is given: choose parts or show some others.")
+                translate(
+                    "Messages", "there is no neighbour: choose parts, or make other parts visible."
+                )
             )
         moving, v = Moving(self.pairs, self.motion), self.values
         deflection = max(float(v["MeshDeflection"]), 1e-4)

@@ -154,13 +154,14 @@ class Plan(StillParts):
             raise InputProblem(convert.no_part_text())
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages", "{0} moving parts and {1} motions: give one motion for each part."
+                "Messages",
+                "there are {0} moving parts but {1} motions: give one motion for each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
         for pair, motion in zip(self.pairs, self.motions):
             if not motion_feature.is_motion(motion):
-                text = translate("Messages", '"{0}" has no motion: choose one for it.')
+                text = translate("Messages", '"{0}" has no motion: choose one in the table.')
                 raise InputProblem(text.format(convert.label_of(*pair)))
         groups = grouped(self.pairs, self.motions)
         for group in groups:
@@ -175,12 +176,11 @@ class Plan(StillParts):
                 continue
             names = convert.label_of(one, a), convert.label_of(other, b)
             if a == b:
-                text = translate("Messages", '"{0}" is there twice: give each part one motion.')
+                text = translate("Messages", '"{0}" is in the list twice: remove one entry.')
             else:
                 text = translate(
                     "Messages",
-                    '"{0}" and "{1}": one holds the other, so that it would move twice. Take one of '
-                    "them away.",
+                    '"{0}" and "{1}": one contains the other, which would move twice. Remove one of them.',
                 )
             raise InputProblem(text.format(*names))
 
@@ -189,8 +189,8 @@ class Plan(StillParts):
             if motion.Interpolation == "None":
                 text = translate(
                     "Messages",
-                    '"{0}" only jumps from pose to pose: parts that move at the same time need a motion '
-                    "between them. Choose another interpolation.",
+                    '"{0}" has the interpolation None, but parts that move at the same time must move '
+                    "between their poses: choose another interpolation.",
                 )
                 raise InputProblem(text.format(motion.Label))
         late = max(motions, key=lambda m: m.Times[0] if m.Times else 0.0)
@@ -198,7 +198,8 @@ class Plan(StillParts):
         if late.Times and early.Times and late.Times[0] >= early.Times[-1] and late is not early:
             text = translate(
                 "Messages",
-                'there is no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s.',
+                'the motions have no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s. '
+                "Change their times so that they overlap.",
             )
             begin, end = number(late.Times[0]), number(early.Times[-1])
             raise InputProblem(text.format(early.Label, end, late.Label, begin))
@@ -227,7 +228,7 @@ class Plan(StillParts):
         """Raises InputProblem where the document is no longer what it was when words() was first asked."""
         if self.words() != self._words_now():
             text = translate(
-                "Messages", "the document was changed while its parts were read: start again."
+                "Messages", "the document changed while its parts were read: start the run again."
             )
             raise InputProblem(text)
 
@@ -299,7 +300,7 @@ class Plan(StillParts):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "one part alone has no distance: add a second one that moves or stands still.",
+                    "only one part is given: add a second part, moving or standing still.",
                 )
             )
         options = {

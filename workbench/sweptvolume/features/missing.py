@@ -66,8 +66,7 @@ def text(holder):
         return ""
     return translate(
         "Messages",
-        "{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo "
-        "the deletion.",
+        "{0} was deleted, and {1} needs it: choose a replacement ({2}), or undo the deletion.",
     ).format(
         ", ".join('"{}"'.format(entry["label"]) for entry in found),
         '"{}"'.format(holder.Label),

@@ -66,11 +66,15 @@ class PathPlan:
             raise InputProblem(convert.no_part_text())
         if not self.neighbours:
             raise InputProblem(
-                translate("Messages", "no neighbour is given: choose parts or show some others.")
+                translate(
+                    "Messages", "there is no neighbour: choose parts, or make other parts visible."
+                )
             )
         if self.start is None and self.extract is None:
             raise InputProblem(
-                translate("Messages", "give a start, or how far the part is to get out.")
+                translate(
+                    "Messages", "there is no start: give a placement, a distance or a direction."
+                )
             )
 
     def request(self):

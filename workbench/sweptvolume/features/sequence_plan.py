@@ -95,12 +95,12 @@ class Plan(mechanism_plan.Plan):
         if not self.pairs:
             raise InputProblem(
                 translate(
-                    "Messages", "no part is given: select the parts, then press Add selected."
+                    "Messages", "there is no part: select the parts, then press Add selected."
                 )
             )
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages", "{0} parts and {1} motions: give one motion for each part."
+                "Messages", "there are {0} parts but {1} motions: give one motion for each part."
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
@@ -113,7 +113,7 @@ class Plan(mechanism_plan.Plan):
             if motion.Interpolation == "None":
                 text = translate(
                     "Messages",
-                    '"{0}" only jumps from pose to pose: choose another interpolation, or let the way be '
+                    '"{0}" has the interpolation None: choose another interpolation, or let a path be '
                     "found.",
                 )
                 raise InputProblem(text.format(motion.Label))

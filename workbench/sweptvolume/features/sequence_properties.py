@@ -12,25 +12,28 @@ INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
-        mark("Properties", "Parts in the order in which they are installed"),
+        mark("Properties", "Parts, in the order in which they are installed"),
         None,
     ),
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark("Properties", "The motion of each of the parts, which ends where the part belongs"),
+        mark("Properties", "One motion for each part, which ends at its installed position"),
         None,
     ),
     (
         "App::PropertyLength",
         "RequiredDistance",
-        mark("Properties", "Clearance from all that is there when a part comes"),
+        mark("Properties", "Distance that each part must keep from everything already in place"),
         path_plan.DEFAULTS["RequiredDistance"],
     ),
     (
         "App::PropertyLength",
         "ReleaseDistance",
-        mark("Properties", "So far from its ends a part may touch what it touches there"),
+        mark(
+            "Properties",
+            "Within this distance of its start and end, a part may touch what it touches there",
+        ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),
 ] + [_GIVEN[name] for name in _SAME]

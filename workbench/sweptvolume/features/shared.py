@@ -148,12 +148,14 @@ class Plan:
             raise InputProblem(self.lost)
         if not all(self.sides):
             raise InputProblem(
-                translate("Messages", "two sides are needed: choose two parts or envelopes.")
+                translate(
+                    "Messages", "a shared volume needs two sides: choose two parts or envelopes."
+                )
             )
         for pair in self.sides[0]:
             if pair in self.sides[1]:
                 text = translate(
-                    "Messages", '"{0}" is on both sides: it shares all of itself with itself.'
+                    "Messages", '"{0}" is on both sides: choose another object for one of them.'
                 )
                 raise InputProblem(text.format(convert.label_of(*pair)))
 
@@ -209,7 +211,7 @@ def notes_of(obj):
     """What is to be said of the stored result."""
     if not obj.InputHash or obj.Mesh.CountFacets:
         return ""
-    text = translate("Messages", "They share no space; the smallest distance is {0}.")
+    text = translate("Messages", "They share no volume; the smallest distance is {0}.")
     return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
 
 

@@ -58,7 +58,7 @@ def left_out_text(problem):
 
 def no_neighbour():
     return InputProblem(
-        translate("Messages", "no neighbour is given: choose parts or show some others.")
+        translate("Messages", "there is no neighbour: choose parts, or make other parts visible.")
     )
 
 
@@ -145,8 +145,8 @@ class StillParts:
         return [
             translate(
                 "Messages",
-                "Left out: {0} (envelopes and their solids are checked where they are chosen as "
-                "neighbours).",
+                "Left out: {0}. Envelopes and their solids are only checked if you choose them as "
+                "neighbours.",
             ).format(", ".join('"{}"'.format(label) for label in labels))
         ]
 
@@ -161,7 +161,7 @@ class StillParts:
             return InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
+                    '"{0}" is both a neighbour and a moving part: remove it from one of the lists.',
                 ).format(label)
             )
         return convert.holds_nothing(root, sub)

@@ -96,5 +96,7 @@ class Taken:
 
 def problem_text(name):
     """What is said of a run that the study file does not have any more."""
-    text = translate("Messages", 'the study file has no run "{0}" any more: run the study again.')
+    text = translate(
+        "Messages", 'the study file no longer contains the run "{0}": run the study again.'
+    )
     return text.format(name)

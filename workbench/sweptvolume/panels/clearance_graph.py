@@ -127,7 +127,7 @@ class DistanceGraph(QtWidgets.QWidget):
         painter = QtGui.QPainter(self)
         if not self.order:
             painter.setPen(self._ink())
-            text = translate("Panels", "No curve yet: check first.")
+            text = translate("Panels", "No graph yet: run the check first.")
             painter.drawText(self.rect(), QtCore.Qt.AlignCenter, text)
             painter.end()
             return

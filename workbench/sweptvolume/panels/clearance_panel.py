@@ -75,8 +75,9 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
         rows.addRow(translate("Panels", "Moving parts"), self.moving)
         rows.addRow(translate("Panels", "Motion"), self.path)
-        self.all = QtWidgets.QCheckBox(translate("Panels", "All other visible parts"))
+        self.all = QtWidgets.QCheckBox(translate("Panels", "All visible"))
         self.all.setChecked(bool(all_visible))
+        widgets.hint(self.all, translate("Panels", "All other visible parts are neighbours"))
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
         self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
@@ -101,12 +102,12 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.source.currentIndexChanged.connect(lambda *ignored: self._show_neighbours())
 
     def _build_rules(self, rows):
-        self.asked = RulesTable("SweptVolumeRules", translate("Panels", "length"), height=130)
+        self.asked = RulesTable("SweptVolumeRules", translate("Panels", "Distance"), height=130)
         self.touching = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Allow what &touches at first")),
+            QtWidgets.QPushButton(translate("Panels", "Allow initial con&tacts")),
             translate(
                 "Panels",
-                "What the moving parts touch at the first pose of the motion may be touched at any time",
+                "Allows contact with the neighbours that the moving parts touch at the first pose",
             ),
         )
         self.touching.setObjectName("SweptVolumeTouching")

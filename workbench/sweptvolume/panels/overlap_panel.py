@@ -79,7 +79,8 @@ class OverlapPanel(StayingPanel):
         self.keep = widgets.hint(
             QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
             translate(
-                "Panels", "Makes an object of what the two share, which tells when they change"
+                "Panels",
+                "Adds the volume that both share as an object, which shows when it is out of date",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")
@@ -175,10 +176,10 @@ class OverlapPanel(StayingPanel):
         count = len(self.report["pairs"])
         total = sum(pair.get("volume", 0.0) for pair in self.report["pairs"])
         if total > 0:
-            text = translate("Panels", "Pairs checked: {0}, shared: {1}")
+            text = translate("Panels", "Pairs checked: {0}, shared volume: {1}")
             return text.format(count, quantities.volume(total))
         least = min(pair["clearance"]["distance"] for pair in self.report["pairs"])
-        text = translate("Panels", "Pairs checked: {0}, no space is shared, smallest distance: {1}")
+        text = translate("Panels", "Pairs checked: {0}, none shares volume, smallest distance: {1}")
         return text.format(count, quantities.quantity(least, quantities.TABLE_DIGITS))
 
     def _cells(self, pair):

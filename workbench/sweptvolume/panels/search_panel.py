@@ -41,13 +41,13 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "Panels",
-                "Parts that touch, or are nearer than the clearance, where the way begins or ends may do "
-                "so until no point of the part is farther than this from there",
+                "A neighbour that is nearer than the required distance at the start or the end may "
+                "stay so until a point of the part has moved this far from there",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")
-        rows.addRow(translate("Panels", "Clearance"), self.required)
-        rows.addRow(translate("Panels", "Contact allowed for"), self.release)
+        rows.addRow(translate("Panels", "Required distance"), self.required)
+        rows.addRow(translate("Panels", "Release distance"), self.release)
         self.build_rules(rows)
         self.budget = QtWidgets.QDoubleSpinBox()
         self.budget.setObjectName("SweptVolumeBudget")
@@ -56,12 +56,15 @@ class SearchPanel(StayingPanel):
         self.budget.setSuffix(" s")
         self.budget.setValue(now["Budget"])
         self.seed = widgets.hint(
-            QtWidgets.QSpinBox(), translate("Panels", "Another number may find another path")
+            QtWidgets.QSpinBox(),
+            translate(
+                "Panels", "The search uses random numbers; another seed may find another path"
+            ),
         )
         self.seed.setObjectName("SweptVolumeSeed")
         self.seed.setRange(1, 1000000)
         self.deflection = widgets.length(now["MeshDeflection"], 1e-4, 0.01)
-        rows.addRow(translate("Panels", "Time at most"), self.budget)
+        rows.addRow(translate("Panels", "Time limit"), self.budget)
         rows.addRow(translate("Panels", "Seed"), self.seed)
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
 
@@ -76,7 +79,7 @@ class SearchPanel(StayingPanel):
         }
 
     def part_text(self):
-        none = translate("Panels", "none: select it, then press Pick")
+        none = translate("Panels", "none: select the part, then press Pick")
         return ", ".join(convert.label_of(*p) for p in self.pairs) or none
 
     @guard.told

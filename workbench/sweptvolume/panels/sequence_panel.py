@@ -46,9 +46,7 @@ class SequencePanel(SearchPanel):
         self.finds.setObjectName("SweptVolumeFindOrder")
         widgets.hint(
             self.finds,
-            translate(
-                "Panels", "By taking apart: what can be taken out goes, and the order is turned"
-            ),
+            translate("Panels", "Finds an order of disassembly and reverses it"),
         )
         self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)
         self.finds.clicked.connect(lambda *ignored: self.start("find"))
@@ -57,7 +55,8 @@ class SequencePanel(SearchPanel):
         self.out = widgets.length(sequence_plan.SEARCH["Out"], 1.0, 10.0)
         self.out.setObjectName("SweptVolumeOut")
         widgets.hint(
-            self.out, translate("Panels", "A part is out when it is so far from where it belongs")
+            self.out,
+            translate("Panels", "Distance from its goal at which a part counts as removed"),
         )
         self.player = Player()
         self.player.hide()
@@ -67,7 +66,7 @@ class SequencePanel(SearchPanel):
     def build_rules(self, rows):
         self.straight = QtWidgets.QCheckBox(translate("Panels", "The parts never turn"))
         self.straight.setObjectName("SweptVolumeTranslationOnly")
-        rows.addRow(translate("Panels", "Parts come from"), self.out)
+        rows.addRow(translate("Panels", "Removal distance"), self.out)
         rows.addRow(self.straight)
 
     @guard.told
@@ -165,7 +164,7 @@ class SequencePanel(SearchPanel):
                 self.rows.set_state(self.looked, "")
             self._forget_ghost()
             self.looked = row
-        text = translate("Panels", "is searched for ({0} of {1} found)")
+        text = translate("Panels", "searching ({0} of {1} found)")
         self.rows.set_state(row, text.format(found, len(self.rows.pairs)))
         searched = self.run.task.request.rows[row]
         if farthest is not None and searched.pivot is not None:

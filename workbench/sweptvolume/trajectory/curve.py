@@ -47,7 +47,11 @@ def poses(objects, count, orientation, duration):
     objects: the path, then for SecondCurve the curve that orients."""
     edges = _path(objects, orientation)
     if count < 2:
-        raise InputProblem(translate("Messages", "a path needs at least two poses."))
+        raise InputProblem(
+            translate(
+                "Messages", "a curve needs at least two poses: set Count to 0, or to 2 or more."
+            )
+        )
     track = _Track(edges)
     samples = [track.sample(track.total * i / (count - 1)) for i in range(count)]
     shares = [i / (count - 1) for i in range(count)]
@@ -63,7 +67,7 @@ def poses_within(objects, accuracy, orientation, duration):
     edges = _path(objects, orientation)
     if not accuracy > 0:
         raise InputProblem(
-            translate("Messages", "an accuracy of {0}: it must be greater than 0.").format(
+            translate("Messages", "the accuracy is {0}, but must be greater than 0.").format(
                 quantity(accuracy)
             )
         )
@@ -80,9 +84,12 @@ def _path(objects, orientation):
     wanted = 2 if orientation == "SecondCurve" else 1
     if len(objects) < wanted or not all(is_curve(obj) for obj in objects[:wanted]):
         raise InputProblem(
-            translate("Messages", "choose two wires: the path, then the curve that orients.")
+            translate(
+                "Messages",
+                "choose two wires: the curve to follow, then the curve that sets the orientation.",
+            )
             if wanted == 2
-            else translate("Messages", "choose one wire, edge or sketch as the path.")
+            else translate("Messages", "choose one wire, edge or sketch to follow.")
         )
     return _edges(objects[0])
 
@@ -144,7 +151,8 @@ def _adaptive(track, accuracy, turning):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "an accuracy of {0} takes more than {1} poses along this path: allow more.",
+                    "an accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy "
+                    "value.",
                 ).format(quantity(accuracy), count(MAX_POSES))
             )
         samples.append(sample)
@@ -239,8 +247,8 @@ def _turns_by_second(samples, others, objects):
             raise InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" begins in the direction of the path "{1}": it does not say where up is. '
-                    "Move it sideways.",
+                    '"{0}" starts in the direction of the curve "{1}", so it does not define the z axis: '
+                    "move it sideways.",
                 ).format(objects[1].Label, objects[0].Label)
             )
         turns.append(turn)
@@ -255,9 +263,10 @@ def _edges(obj):
     groups = Part.sortEdges(shape.Edges)
     if len(groups) != 1:
         raise InputProblem(
-            translate("Messages", '"{0}" has {1} separate pieces; a path must be one.').format(
-                obj.Label, len(groups)
-            )
+            translate(
+                "Messages",
+                '"{0}" has {1} separate pieces: join them to one curve, or select one piece.',
+            ).format(obj.Label, len(groups))
         )
     return groups[0]
 

@@ -11,7 +11,7 @@ from ..features.clearance_plan import envelope_arrays
 from ..texts import translate
 from .base import View, verdict_icon
 
-#: Colours of the bands: clash, contact, too near, clear.
+#: Colours of the bands: clash, contact, below required, clear.
 BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
 GHOST, LINE = (0.20, 0.70, 0.30), (0.85, 0.0, 0.6)
 

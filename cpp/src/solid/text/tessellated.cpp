@@ -206,7 +206,8 @@ class Reader {
       std::array<std::int32_t, 3> triangle{};
       for (int k = 0; k < 3; ++k) {
         const std::int64_t number = integer();
-        if (number < 1 || number > list.count) fail("a triangle with a point that is not there");
+        if (number < 1 || number > list.count)
+          fail("a triangle refers to a point that does not exist");
         triangle[k] = static_cast<std::int32_t>(list.first + number - 1);
         expect(k < 2 ? "," : ")");
       }
