@@ -1495,8 +1495,8 @@ Versucht:
    <translation>Wählen Sie eine Baugruppen-Simulation, dann das zu verfolgende Teil.</translation>
   </message>
   <message>
-   <source>the simulation "{0}" stopped at {3} s of {4} s ({1} of {2} frames), because the solver found no valid position: check the joints and formulas, or set an earlier end time.</source>
-   <translation>Die Simulation „{0}“ endete bei {3} s von {4} s ({1} von {2} Bildern), weil der Löser keine gültige Lage fand: Prüfen Sie Gelenke und Formeln, oder setzen Sie ein früheres Ende.</translation>
+   <source>the simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames), because its solver found no valid position: check the joints and formulas, or set an earlier end time.</source>
+   <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern), weil ihr Löser keine gültige Lage fand: Prüfen Sie Gelenke und Formeln, oder setzen Sie ein früheres Ende.</translation>
   </message>
   <message>
    <source>"{0}" cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.</source>

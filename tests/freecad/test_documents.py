@@ -69,7 +69,7 @@ class Damaged(Case):
     def test_times_and_velocities_beyond_all_measure(self):
         places = [shift(), turn(60), shift(9)]
         for times in ([0, 1, float("inf")], [float("nan"), 1, 2]):
-            with self.assertRaisesRegex(InputProblem, "is no moment"):
+            with self.assertRaisesRegex(InputProblem, "must be a finite number"):
                 poses.Poses(times, places)
         for times, tangents in (
             ([0, 1, 1e300], []),
@@ -101,7 +101,7 @@ class Damaged(Case):
     def test_links_to_objects_of_another_kind_are_refused_by_name(self):
         body = self.envelope([self.box()], self.line())
         body.Reference, body.ReferenceMotion = (self.box("B"), [""]), self.box("C")
-        with self.assertRaisesRegex(InputProblem, '"C" is no motion'):
+        with self.assertRaisesRegex(InputProblem, '"C" is not a motion'):
             envelope.compute(body)
         check = self.checked()
         check.Envelope = self.doc.Wall

@@ -353,7 +353,7 @@ class SolidAndFiles(Computed):
 
     def test_targets_are_checked_first(self):
         for name, text in (
-            ("a.xyz", "unknown"),
+            ("a.xyz", "not supported"),
             (os.path.join("no", "a.step"), "does not exist"),
         ):
             with self.assertRaisesRegex(InputProblem, text):
@@ -363,5 +363,5 @@ class SolidAndFiles(Computed):
             export.check_target(os.path.join(self.folder, "d.step"))
 
     def test_nothing_to_export(self):
-        with self.assertRaisesRegex(InputProblem, "compute the envelope first"):
+        with self.assertRaisesRegex(InputProblem, "has no mesh yet: compute it first"):
             export.request(self.envelope([self.box()], self.line()))

@@ -84,7 +84,7 @@ class Pages(Slide):
         self.assertIn(("Table", "stands", "allowed"), kinds)
 
     def test_results_that_are_not_there_or_stale_are_refused(self):
-        with self.assertRaisesRegex(InputProblem, "no result that is up to date"):
+        with self.assertRaisesRegex(InputProblem, "is not up to date"):
             self.written()
         clearance.compute(self.obj)
         self.wall.Placement = shift(x=60)
@@ -100,7 +100,7 @@ class Pages(Slide):
     def test_targets_that_cannot_be_are_named(self):
         clearance.compute(self.obj)
         for name, text in (
-            ("a.txt", "unknown"),
+            ("a.txt", "not supported"),
             (os.path.join("no", "a.html"), "does not exist"),
             ("a.pdf", "by the window alone"),
         ):
@@ -189,7 +189,7 @@ class PagesOfMechanisms(Case):
             return file.read()
 
     def test_a_page_tells_of_every_pair(self):
-        with self.assertRaisesRegex(InputProblem, "no result that is up to date"):
+        with self.assertRaisesRegex(InputProblem, "is not up to date"):
             self.written()
         mechanism.compute(self.obj)
         text = self.written()

@@ -219,7 +219,7 @@ class Kept(SliderCrank):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 3)
         row = next(r for r in rows if (r["First"], r["Second"]) == ("Slider", "Wall"))
-        self.assertEqual((row["Verdict"], row["Meets rule"]), ("below", "no"))
+        self.assertEqual((row["Verdict"], row["Meets rule"]), ("below required", "no"))
         self.assertAlmostEqual(float(row["Distance (mm)"]), 5, delta=0.01)
         self.assertAlmostEqual(float(row["First X (mm)"]), CRANK + ROD + HALF, delta=0.02)
         sheet = mechanism_table.make_spreadsheet(obj, mechanism.report_of(obj))
@@ -323,7 +323,7 @@ class BadInput(SliderCrank):
         late.Label = "Late"
         jumps = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(9)], "None")
         jumps.Label = "Jumps"
-        self.refused("no moving part is given")
+        self.refused("there is no moving part")
         self.refused('"Crank" is there twice', (self.crank, crank), (self.crank, rod))
         self.refused(
             '"Crank" is chosen as a neighbour and is a moving part itself',
@@ -358,7 +358,7 @@ class BadInput(SliderCrank):
             self.doc, MovingParts=[(self.crank, ""), (self.rod, "")], Motions=[crank]
         )
         self.doc.recompute()
-        self.assertIn("2 moving parts and 1 motions", obj.Message)
+        self.assertIn("2 moving parts but 1 motions", obj.Message)
 
     def test_a_part_inside_another(self):
         group = self.doc.addObject("App::Part", "Group")
@@ -370,7 +370,7 @@ class BadInput(SliderCrank):
             self.doc, MovingParts=[(group, ""), (box, "")], Motions=[path, path]
         )
         self.doc.recompute()
-        self.assertRegex(obj.Message, '"Group" and "Inside": one holds the other')
+        self.assertRegex(obj.Message, '"Group" and "Inside": one contains the other')
 
     def grouped(self):
         """Two groups with a part each that passes the other, and the check of both."""
@@ -404,7 +404,7 @@ class BadInput(SliderCrank):
         pair_rules.write(obj, crossing)
         self.doc.recompute()
         with self.assertRaisesRegex(
-            InputProblem, "contradict each other for .*none of them is the narro"
+            InputProblem, "contradict each other for .*neither is more specific"
         ):
             mechanism.compute(obj)
         self.assertEqual(obj.Status, FAILED)
@@ -442,7 +442,7 @@ class Warned(SliderCrank):
         obj = clearance.make_clearance(self.doc, MovingParts=[(self.crank, "")], Motion=crank)
         self.doc.recompute()
         clearance.compute(obj)
-        self.assertIn('"Rod", "Slider" moved as well', obj.Message)
+        self.assertIn('"Rod", "Slider" also moved', obj.Message)
         self.assertIn("Check mechanism", obj.Message)
         self.assertNotIn('"Wall"', obj.Message)
         other = clearance.make_clearance(
@@ -451,7 +451,7 @@ class Warned(SliderCrank):
         other.Motion.Placements = [turn(0), turn(90)]
         self.doc.recompute()
         clearance.compute(other)
-        self.assertNotIn("moved as well", other.Message)
+        self.assertNotIn("also moved", other.Message)
 
     def test_a_motion_of_one_part_knows_it_too(self):
         values = {"start": 0, "end": 90, "count": 4}

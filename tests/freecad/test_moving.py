@@ -42,7 +42,7 @@ class Moving(Case):
     def test_every_part_needs_its_motion(self):
         along, up = self.lines((30, 0, 0), (0, 20, 0))
         obj = self.envelope([self.box("A"), self.box("B")], along, Motions=[up])
-        with self.assertRaisesRegex(InputProblem, "2 moving parts and 1 motions"):
+        with self.assertRaisesRegex(InputProblem, "2 moving parts but 1 individual motions"):
             envelope.compute(obj)
 
     def test_cancel_in_the_second_part(self):

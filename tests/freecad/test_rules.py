@@ -187,7 +187,7 @@ class Rules(Neighbours):
     def test_impossible_rules_are_named(self):
         obj = self.usual()
         for name, value, text in (
-            ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a length of -3 mm is not possible'),
+            ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a rule cannot have a length of -3 mm'),
             ("RuleLengths", [0.0], "do not fit its parts (3 parts, 3 kinds, 1 lengths)"),
             ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall": there is no rule "Near"'),
         ):

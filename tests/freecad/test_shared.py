@@ -160,7 +160,7 @@ class Shared(Case):
         left, right = self.sides()
         with self.assertRaisesRegex(convert.InputProblem, '"Left" is on both sides'):
             shared.compute(self.make([left], [left, right]))
-        with self.assertRaisesRegex(convert.InputProblem, "two sides are needed"):
+        with self.assertRaisesRegex(convert.InputProblem, "needs two sides"):
             shared.compute(self.make([left], []))
         mesh = self.doc.addObject("Mesh::Feature", "Open")
         facets = Mesh.createBox(10, 10, 10)

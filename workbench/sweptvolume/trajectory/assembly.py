@@ -83,9 +83,9 @@ def shortfall(label, start, end, step, frames):
         return ""
     return translate(
         "Messages",
-        'the simulation "{0}" stopped at {3} s of {4} s ({1} of {2} frames), because the '
-        "solver found no valid position: check the joints and formulas, or set an earlier end "
-        "time.",
+        'the simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames), because '
+        "its solver found no valid position: check the joints and formulas, or set an earlier "
+        "end time.",
     ).format(
         label, count(frames), count(expected), number(start + step * (frames - 1)), number(end)
     )
