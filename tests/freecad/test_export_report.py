@@ -102,7 +102,7 @@ class Pages(Slide):
         for name, text in (
             ("a.txt", "not supported"),
             (os.path.join("no", "a.html"), "does not exist"),
-            ("a.pdf", "by the window alone"),
+            ("a.pdf", "needs the FreeCAD window"),
         ):
             with self.assertRaisesRegex(InputProblem, text):
                 page.write(self.obj, os.path.join(self.folder, name))

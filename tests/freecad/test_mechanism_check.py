@@ -333,7 +333,7 @@ class BadInput(SliderCrank):
         )
         self.refused('"Late" begins at 5 s', (self.crank, crank), (self.rod, late))
         self.refused('"Jumps" only jumps', (self.crank, crank), (self.rod, jumps))
-        self.refused("one part alone has no distance", (self.crank, crank))
+        self.refused("only one part is given", (self.crank, crank))
         self.refused('"Rod" has no motion', (self.crank, crank), (self.rod, self.wall))
         self.refused(
             "rules of .* do not fit",

@@ -158,7 +158,7 @@ class Sequences(Case):
         with self.assertRaisesRegex(InputProblem, "there is no part"):
             plan_of(self.doc, [], self.walls).request()
         twice = plan_of(self.doc, [self.parts[0], self.parts[0]], self.walls)
-        with self.assertRaisesRegex(InputProblem, "is there twice"):
+        with self.assertRaisesRegex(InputProblem, "is in the list twice"):
             twice.request()
         self.parts[0].Placement.Base.z -= 3
         self.doc.recompute()

@@ -139,7 +139,7 @@ class Edges(Case):
         solid.compute(body)
         largest = max(edge.Tolerance for edge in body.Shape.Edges)
         self.assertAlmostEqual(body.EdgeTolerance.Value, largest, 12)
-        self.assertEqual("tolerance of an edge" in body.Message, largest > 0.3)
+        self.assertEqual("have a gap of" in body.Message, largest > 0.3)
         body.EdgeTolerance = 1.25  # as one was seen
         self.doc.recompute()
         self.assertIn("1.25 mm", body.Message)
@@ -210,7 +210,7 @@ class Neighbours(Scene):
         envelope.compute(other)
         self.assertEqual(check.Status, clearance.STALE)
         wire = self.straight_wire()
-        for chosen, words in ((wire, "no solid"), (self.part, "moving part itself")):
+        for chosen, words in ((wire, "no solid"), (self.part, "both a neighbour and a moving part")):
             check.Neighbours = [(self.wall, ""), (chosen, "")]
             self.doc.recompute()
             with self.assertRaisesRegex(InputProblem, chosen.Label + ".*" + words):

@@ -57,9 +57,9 @@ def scenario():
     menus = [action.text() for action in Gui.getMainWindow().menuBar().actions()]
     assert "Überstri&chener Raum" in menus, menus
     for name, items, expected in (
-        ("EditMotion", (starter, path), ("Zwischen Lagen", "Aufnehmen")),
+        ("EditMotion", (starter, path), ("Art der Lage", "Aufnehmen")),
         ("Envelope", (starter, path), ("Genauigkeit",)),
-        ("Clearance", (starter, path), ("Geforderter Abstand",)),
+        ("Clearance", (starter, path), ("Sollabstand",)),
     ):
         select(*items)
         Gui.runCommand("SweptVolume_" + name)

@@ -56,7 +56,7 @@ def stops_early(doc):
             yield 0.4
             if button == 0:
                 said = told()
-                for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK once more"):
+                for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK again"):
                     assert words in said, said
                 shot("26_stops_early_{}".format(len(chosen)))
                 yield 0.6

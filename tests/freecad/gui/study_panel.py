@@ -181,7 +181,7 @@ def of_a_file(doc):
     yield lambda: run_button().isEnabled()
     say("stopped after {:.2f} s".format(time.perf_counter() - began))
     obj = doc.getObject("Study001")
-    assert obj.Status == study.CANCELLED and run_button().text() == "Go on", obj.Status
+    assert obj.Status == study.CANCELLED and run_button().text() == "Continue", obj.Status
     assert rows(table) == dict(zip(rows(table), ("Not clear", "Not clear", "Done", "Not run")))
     with open(path, "w") as file:
         file.write(FILE)
