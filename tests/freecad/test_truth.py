@@ -210,7 +210,10 @@ class Neighbours(Scene):
         envelope.compute(other)
         self.assertEqual(check.Status, clearance.STALE)
         wire = self.straight_wire()
-        for chosen, words in ((wire, "no solid"), (self.part, "both a neighbour and a moving part")):
+        for chosen, words in (
+            (wire, "no solid"),
+            (self.part, "both a neighbour and a moving part"),
+        ):
             check.Neighbours = [(self.wall, ""), (chosen, "")]
             self.doc.recompute()
             with self.assertRaisesRegex(InputProblem, chosen.Label + ".*" + words):

@@ -18,7 +18,7 @@ constexpr double kRigidLimit = 1e-4;
                      "); export placements as rotation and translation only"));
 }
 
-// Says what a linear part that is no rotation does instead.
+// Describes a matrix that is not a rotation: scale, shear or mirror, and how much.
 std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const Eigen::Vector3d lengths = m.colwise().norm();
   const double spread = lengths.maxCoeff() - lengths.minCoeff();

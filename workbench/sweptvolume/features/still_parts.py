@@ -9,7 +9,7 @@ from . import envelope as envelope_feature
 from .base import kind_of
 
 
-#: How much coarser than for distances solids are where they are only looked at.
+#: Solids that are only drawn, not measured, are meshed with this many times the mesh deflection.
 DRAWN = 4
 #: Kinds of results that stand in the document as parts do.
 _RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")

@@ -27,8 +27,8 @@ MAX_POSES = 20_000
 MAX_HALVINGS = 24
 #: Smaller turns (rad) between two edges are none: half a millimetre at a distance of 500 m.
 CORNER = 1e-6
-#: Where between two poses the curve is looked at: parts of a whole that no number of turns of a helix has in
-#: common, else a piece of four turns seems straight at its quarters.
+#: Fractions between two poses at which the deviation of the curve is measured. They are irrational, because at
+#: simple fractions a helix of several turns looks straight.
 LOOK_AT = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
 #: A whole turn in place takes as long as this share of the path.
 TURN_SHARE = 0.25

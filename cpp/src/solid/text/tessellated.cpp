@@ -69,7 +69,7 @@ class Writer {
     }
     lines_.raw(")").end();
     const Id id = lines_.begin("TRIANGULATED_FACE");
-    // No normals, no surface, no selection of the points.
+    // The empty attributes: normals, surface, and the list that selects some of the points.
     lines_.raw("'',").id(list).raw(",").integer(count);
     lines_.raw(",(),$,()");
     for (std::size_t i = 0; i < triangles.size(); ++i) {
