@@ -105,7 +105,7 @@ class Damaged(Case):
             envelope.compute(body)
         check = self.checked()
         check.Envelope = self.doc.Wall
-        with self.assertRaisesRegex(InputProblem, '"Wall" is no envelope'):
+        with self.assertRaisesRegex(InputProblem, '"Wall" is not an envelope'):
             clearance.compute(check)
 
     def test_a_resolution_beyond_every_limit_is_refused_before_the_triangles(self):
