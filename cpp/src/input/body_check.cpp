@@ -140,7 +140,7 @@ void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
           " triangles were oriented against their neighbours and were reversed");
   add(result, "Flipped", oriented.inverted,
       std::to_string(oriented.inverted) + " of " + std::to_string(oriented.shells) +
-          " shells had their normals on the wrong side and were turned over");
+          " shells had inverted normals and were reversed");
   add(result, "Cavities", oriented.cavities,
       std::to_string(oriented.cavities) + " shells are hollow spaces inside the body");
   add(result, "NestedShells", oriented.nested,
@@ -150,8 +150,8 @@ void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
       std::to_string(oriented.inconsistent) +
           " shells have no consistent orientation; every face is sampled, which takes longer");
   add(result, "InsideOut", oriented.insideOut ? 1 : 0,
-      "the surface crosses itself and is inside out in places; every face is sampled, which takes "
-      "longer");
+      "the surface intersects itself, and some regions are inside out; every face is sampled, "
+      "which takes longer");
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ void EnvelopeRun::refuseCombinations() const {
   }
   if (!(options_.positionFilter > 0) || !options_.conservative) return;
   throw Error(Status::InvalidInput, "BadOption",
-              "a conservative envelope holds every pose: it cannot be had with a position filter; "
-              "leave one of them out");
+              "a conservative envelope contains every pose and cannot be combined with a position "
+              "filter; leave out one of them");
 }
 
 void EnvelopeRun::describePlan() {

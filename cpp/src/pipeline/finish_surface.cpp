@@ -56,8 +56,8 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
   report.warnings.push_back({"Mended",
                              before - pairs.count,
                              {},
-                             std::to_string(before) + " pairs of triangles met at first; " +
-                                 std::to_string(pairs.count) + " are left after mending"});
+                             std::to_string(before) + " pairs of triangles intersected at first; " +
+                                 std::to_string(pairs.count) + " are left after repair"});
   with.stage("mend");
 }
 
@@ -106,11 +106,12 @@ MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Fi
   }
   with.stage("check");
   if (report.check.selfIntersections > 0) {
-    report.warnings.push_back({"SelfIntersections",
-                               report.check.selfIntersections,
-                               {},
-                               std::to_string(report.check.selfIntersections) +
-                                   " pairs of triangles meet; a smaller cell usually clears them"});
+    report.warnings.push_back(
+        {"SelfIntersections",
+         report.check.selfIntersections,
+         {},
+         std::to_string(report.check.selfIntersections) +
+             " pairs of triangles intersect; a smaller cell usually avoids this"});
   }
   if (consistent) requirePassed(report.check, "the envelope", report.cellSize);
   return topology;

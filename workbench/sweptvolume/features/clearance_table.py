@@ -53,7 +53,7 @@ def worst(report):
 
 
 def worst_first(report):
-    """Indices of the rows: what does not meet its rule first, clashes before contact before what is below required,
+    """Indices of the rows: what does not meet its rule first, clashes before contact before below required,
     the deepest and then the nearest first."""
     rows = report["neighbours"]
 

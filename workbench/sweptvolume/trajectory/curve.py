@@ -27,7 +27,7 @@ MAX_POSES = 20_000
 MAX_HALVINGS = 24
 #: Smaller turns (rad) between two edges are none: half a millimetre at a distance of 500 m.
 CORNER = 1e-6
-#: Fractions between two poses at which the deviation of the curve is measured. They are irrational, because at
+#: Fractions between two poses at which the deviation of the curve is measured. They are irrational: at
 #: simple fractions a helix of several turns looks straight.
 LOOK_AT = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
 #: A whole turn in place takes as long as this share of the path.
