@@ -188,7 +188,7 @@ class Rules(Neighbours):
         obj = self.usual()
         for name, value, text in (
             ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a rule cannot have a length of -3 mm'),
-            ("RuleLengths", [0.0], "do not fit its parts (3 parts, 3 kinds, 1 lengths)"),
+            ("RuleLengths", [0.0], "3 parts, 3 kinds and 1 lengths"),
             ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall": there is no rule "Near"'),
         ):
             before = list(getattr(obj, name))

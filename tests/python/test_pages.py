@@ -150,7 +150,12 @@ def test_german_pages(report):
     check_alone(page)
     assert '<html lang="de"' in page
     rows = cells(page, "verdicts")
-    assert [row[1] for row in rows[1:]] == ["Kollision", "unter Sollabstand", "Kontakt, erlaubt", "frei"]
+    assert [row[1] for row in rows[1:]] == [
+        "Kollision",
+        "unter Sollabstand",
+        "Kontakt, erlaubt",
+        "frei",
+    ]
     assert (
         rows[2][3] == "1,99 mm" and "2 von 4 geprüften Paaren erfüllen ihre Regeln nicht." in page
     )
