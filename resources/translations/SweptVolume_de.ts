@@ -849,8 +849,8 @@ Versucht:
    <translation>Hohlräume können nicht erhalten bleiben, wenn Teile eigene Bewegungen haben: Erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
   </message>
   <message>
-   <source>there are {0} moving parts but {1} individual motions: give one motion for each part, or none.</source>
-   <translation>Es gibt {0} bewegte Teile, aber {1} eigene Bewegungen: Geben Sie für jedes Teil eine Bewegung an oder keine.</translation>
+   <source>the number of individual motions ({1}) is not that of the moving parts ({0}): give one motion for each part, or none.</source>
+   <translation>Die Anzahl der eigenen Bewegungen ({1}) ist nicht die der bewegten Teile ({0}): Geben Sie für jedes Teil eine Bewegung an oder keine.</translation>
   </message>
   <message>
    <source>the core was built without OpenCASCADE, so FreeCAD made one face for each triangle and recognised no surfaces</source>
@@ -893,8 +893,8 @@ Versucht:
    <translation>Mechanismus</translation>
   </message>
   <message>
-   <source>there are {0} moving parts but {1} motions: give one motion for each part.</source>
-   <translation>Es gibt {0} bewegte Teile, aber {1} Bewegungen: Geben Sie für jedes Teil eine Bewegung an.</translation>
+   <source>the number of motions ({1}) is not that of the moving parts ({0}): give one motion for each part.</source>
+   <translation>Die Anzahl der Bewegungen ({1}) ist nicht die der bewegten Teile ({0}): Geben Sie für jedes Teil eine Bewegung an.</translation>
   </message>
   <message>
    <source>the motions have no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s. Change their times so that they overlap.</source>
@@ -1049,8 +1049,8 @@ Versucht:
    <translation>{0}, keine Hindernisse</translation>
   </message>
   <message>
-   <source>there are {0} parts but {1} motions: give one motion for each part.</source>
-   <translation>Es gibt {0} Teile, aber {1} Bewegungen: Geben Sie für jedes Teil eine Bewegung an.</translation>
+   <source>the number of motions ({1}) is not that of the parts ({0}): give one motion for each part.</source>
+   <translation>Die Anzahl der Bewegungen ({1}) ist nicht die der Teile ({0}): Geben Sie für jedes Teil eine Bewegung an.</translation>
   </message>
   <message>
    <source>there is no part: select the parts, then press Add selected.</source>

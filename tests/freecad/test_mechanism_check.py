@@ -324,19 +324,19 @@ class BadInput(SliderCrank):
         jumps = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(9)], "None")
         jumps.Label = "Jumps"
         self.refused("there is no moving part")
-        self.refused('"Crank" is there twice', (self.crank, crank), (self.crank, rod))
+        self.refused('"Crank" is in the list twice', (self.crank, crank), (self.crank, rod))
         self.refused(
-            '"Crank" is chosen as a neighbour and is a moving part itself',
+            '"Crank" is both a neighbour and a moving part',
             (self.crank, crank),
             (self.rod, rod),
             Neighbours=[(self.crank, "")],
         )
         self.refused('"Late" begins at 5 s', (self.crank, crank), (self.rod, late))
-        self.refused('"Jumps" only jumps', (self.crank, crank), (self.rod, jumps))
+        self.refused('"Jumps" has the interpolation None', (self.crank, crank), (self.rod, jumps))
         self.refused("only one part is given", (self.crank, crank))
         self.refused('"Rod" has no motion', (self.crank, crank), (self.rod, self.wall))
         self.refused(
-            "rules of .* do not fit",
+            "rules of .* are inconsistent",
             (self.crank, crank),
             (self.slider, slider),
             RuleParts=[(self.crank, "")],
@@ -344,7 +344,7 @@ class BadInput(SliderCrank):
             RuleLengths=[0.0],
         )
         self.refused(
-            'contradict each other for "Crank - Rod"',
+            'two rules for "Crank - Rod" contradict each other',
             (self.crank, crank),
             (self.rod, rod),
             RuleParts=[(self.crank, ""), (self.rod, ""), (self.rod, ""), (self.crank, "")],
@@ -358,7 +358,7 @@ class BadInput(SliderCrank):
             self.doc, MovingParts=[(self.crank, ""), (self.rod, "")], Motions=[crank]
         )
         self.doc.recompute()
-        self.assertIn("2 moving parts but 1 motions", obj.Message)
+        self.assertIn("number of motions (1) is not that of the moving parts (2)", obj.Message)
 
     def test_a_part_inside_another(self):
         group = self.doc.addObject("App::Part", "Group")

@@ -201,7 +201,7 @@ class Rules(Neighbours):
         obj.RuleParts = [(self.wall, ""), (self.wall, ""), (self.far, "")]
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(obj)
-        self.assertIn('two rules contradict each other for "Wall"', str(refused.exception))
+        self.assertIn('two rules for "Wall" contradict each other', str(refused.exception))
         every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(self.made(every))

@@ -93,8 +93,8 @@ class Plan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "there are {0} moving parts but {1} individual motions: give one motion for each part, "
-                    "or none.",
+                    "the number of individual motions ({1}) is not that of the moving parts ({0}): give "
+                    "one motion for each part, or none.",
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)

@@ -155,7 +155,8 @@ class Plan(StillParts):
         if len(self.motions) != len(self.pairs):
             text = translate(
                 "Messages",
-                "there are {0} moving parts but {1} motions: give one motion for each part.",
+                "the number of motions ({1}) is not that of the moving parts ({0}): give one motion "
+                "for each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()

@@ -100,7 +100,9 @@ class Plan(mechanism_plan.Plan):
             )
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages", "there are {0} parts but {1} motions: give one motion for each part."
+                "Messages",
+                "the number of motions ({1}) is not that of the parts ({0}): give one motion for each "
+                "part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
