@@ -83,7 +83,7 @@ def scenario():
     Gui.Selection.clearSelection()
     shot("70_german_Solid")
     yield 0.8
-    assert "Flächen höchstens" in texts_of_panel()
+    assert "Max. Flächen" in texts_of_panel()
     click(panel_button(Cancel))
     yield no_panel
 
@@ -120,7 +120,7 @@ def scenario():
     Gui.runCommand("SweptVolume_Recompute")
     yield lambda: not runner.running()
     yield 0.3
-    text = "Die Zelle ist für das Teil zu groß: Nehmen Sie eine kleinere. (the cell of 5000 mm"
+    text = "Die Zelle ist größer als das Teil: Wählen Sie eine kleinere Zelle oder eine höhere Auflösung. (the cell"
     assert hull.Message.startswith(text), hull.Message
     assert any(text in line for line in texts_of_panel())
     shot("70_german_refusal")
