@@ -1718,8 +1718,8 @@ Versucht:
    <translation>{0} (veraltet: erneut prüfen)</translation>
   </message>
   <message>
-   <source>&amp;Previous place</source>
-   <translation>&amp;Vorige Stelle</translation>
+   <source>Pre&amp;vious place</source>
+   <translation>Vori&amp;ge Stelle</translation>
   </message>
   <message>
    <source>Goes back to the place that is worse than this one</source>

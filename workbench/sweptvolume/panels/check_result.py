@@ -120,7 +120,7 @@ class ResultPanel(StayingPanel):
             widgets.hint(QtWidgets.QPushButton(text), tip)
             for text, tip in (
                 (
-                    translate("Panels", "&Previous place"),
+                    translate("Panels", "Pre&vious place"),
                     translate("Panels", "Goes back to the place that is worse than this one"),
                 ),
                 (
