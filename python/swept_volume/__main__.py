@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import signal
 import sys
-from typing import Any, List, Sequence
+from typing import Any, List, NoReturn, Sequence
 
-from . import Error, RunContext, __version__
+from . import Error, ExportFailed, RunContext, __version__
+from ._report_file import check_report, silence_output, write_report
 from ._study import Row, run_study
+from ._study_checks import RESERVED
 from ._study_file import read_study
 from ._study_run import Report, json_text
-from ._values import bad_option
+from ._values import bad_option, core_error
 
 USAGE, FAILED = 2, 1
 EXAMPLES = """Exit status 0 if all runs are done and clear, 3 if one is not clear, 1 if one failed.
@@ -23,8 +24,15 @@ Examples:
   swept study doors.toml --scheduler tcp://cluster:8786 --send-files"""
 
 
+class _Parser(argparse.ArgumentParser):
+    """Refuses in one line, as the program does."""
+
+    def error(self, message: str) -> NoReturn:
+        raise bad_option(f"{message}; see {self.prog} --help")
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser("swept")
+    parser = _Parser("swept")
     parser.add_argument("-V", "--version", action="version", version=f"swept {__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
     study = commands.add_parser(
@@ -41,6 +49,7 @@ def _parser() -> argparse.ArgumentParser:
     study.add_argument("--again", action="store_true", help="compute what is there again")
     study.add_argument("--page", action="store_true", help="also write study.html, for people")
     study.add_argument("--rows", action="store_true", help="rows of runs as JSON, as they end")
+    study.add_argument("--no-clobber", action="store_true", help="replace nothing that is there")
     study.add_argument("--report", metavar="FILE", help="write the report of the study")
     study.add_argument("-q", "--quiet", action="store_true", help="no progress, no summary")
     return parser
@@ -66,14 +75,19 @@ def _tell_kept(rows: Sequence[Row]) -> None:
         print(json.dumps({"row": row}), flush=True)
 
 
-def _check_report(options: argparse.Namespace) -> None:
-    """A report that replaced an input would be noticed at the end only."""
-    if not options.report or not os.path.exists(options.report):
+def _check_outputs(options: argparse.Namespace) -> None:
+    """What would be lost is refused before anything is computed."""
+    if not (options.report or options.no_clobber):
         return
     study = read_study(options.file, options.output)
-    for file in [options.file, *(file for run in study.runs for file in run.files())]:
-        if os.path.samefile(file, options.report):
-            raise bad_option(f"--report '{options.report}' is an input; name another file")
+    for name in RESERVED:
+        if options.no_clobber and (study.output / name).exists():
+            text = f"'{study.output / name}' exists and is not to be replaced; name another folder"
+            raise core_error(ExportFailed, "Exists", text)
+    if options.report:
+        inputs = [options.file, *(file for run in study.runs for file in run.files())]
+        results = [*RESERVED, *(run.name for run in study.runs)]
+        check_report(options.report, inputs, str(study.output), results, options.no_clobber)
 
 
 def _exit_status(report: Report) -> int:
@@ -85,7 +99,7 @@ def _exit_status(report: Report) -> int:
 def _study(options: argparse.Namespace) -> int:
     if options.rows and options.report == "-":
         raise bad_option("--rows and --report - both take standard output; name a file")
-    _check_report(options)
+    _check_outputs(options)
     context = RunContext()
     received: List[int] = []
 
@@ -93,7 +107,10 @@ def _study(options: argparse.Namespace) -> int:
         received.append(number)
         context.cancel()
 
-    for number in (signal.SIGINT, signal.SIGTERM):
+    numbers = [signal.SIGINT, signal.SIGTERM]
+    if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # nohup
+        numbers.append(signal.SIGHUP)
+    for number in numbers:
         signal.signal(number, cancel)
     report = run_study(
         options.file,
@@ -107,12 +124,8 @@ def _study(options: argparse.Namespace) -> int:
         kept=_tell_kept if options.rows else None,
         run=context,
     )
-    text = json_text(report)
-    if options.report == "-":
-        sys.stdout.write(text)
-    elif options.report:
-        with open(options.report, "w", encoding="utf-8") as file:
-            file.write(text)
+    if options.report:
+        write_report(options.report, json_text(report))
     if not (options.quiet or options.rows or options.report == "-"):
         print(
             f"{report['name']}: {report['done']} done, {report['not_clear']} not clear, "
@@ -128,13 +141,14 @@ def _study(options: argparse.Namespace) -> int:
 
 def main(words: List[str]) -> int:
     """Runs a command; returns its exit status."""
-    options = _parser().parse_args(words)
     try:
-        return _study(options)
+        return _study(_parser().parse_args(words))
     except Error as error:
         print(f"swept: {error.status}/{error.code}: {error}", file=sys.stderr)
-        return USAGE if error.code == "BadOption" else FAILED
+        return USAGE if error.code in ("BadOption", "SameFile") else FAILED
     except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            silence_output()
         place = f"'{error.filename}': " if error.filename else ""
         print(f"swept: {place}{error.strerror or error}", file=sys.stderr)
         return FAILED

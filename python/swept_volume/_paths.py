@@ -9,7 +9,7 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, Rules, _neighbour, rule_texts
-from ._values import MeshLike, Motion, MotionLike, mesh_of, motion_of
+from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, way_out
 
 
 def find_path(
@@ -41,11 +41,11 @@ def find_path(
     report, arrays = _core.find_path(
         body.vertices,
         body.triangles,
-        goal,
+        matrix(goal, "goal"),
         [_neighbour(item) for item in neighbours],
-        start,
-        extract,
-        list(via),
+        None if start is None else matrix(start, "start"),
+        way_out(extract),
+        [matrix(place, "via") for place in via],
         clearance,
         release,
         translation_only,

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, _neighbour
-from ._values import MeshLike, Motion, MotionLike, mesh_of, motion_of
+from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, way_out
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,10 @@ class SequencePart:
         chord = mesh.chord_error if self.chord_error is None else self.chord_error
         motion = None if self.motion is None else motion_of(self.motion, None)
         way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-        places = (self.goal, self.start, self.extract, list(self.via))
+        ends = ((self.goal, "goal"), (self.start, "start"))
+        goal, start = (None if end is None else matrix(end, name) for end, name in ends)
+        via = [matrix(place, "via") for place in self.via]
+        places = (goal, start, way_out(self.extract), via)
         return (self.name, mesh.vertices, mesh.triangles, chord, *places, *way)
 
 
@@ -87,9 +90,9 @@ def find_sequence(
         return report, None
     motions = {}
     for part, keys in zip(given, arrays):
-        own = None if part.motion is None else motion_of(part.motion, None)
-        way, pivot = (
-            (interpolation, (0.0, 0.0, 0.0)) if own is None else (own.interpolation, own.pivot)
-        )
-        motions[part.name] = Motion(*keys, interpolation=way, pivot=pivot)
+        if part.motion is None:
+            motions[part.name] = Motion(*keys, interpolation=interpolation)
+        else:
+            own = motion_of(part.motion, None)
+            motions[part.name] = Motion(*keys, interpolation=own.interpolation, pivot=own.pivot)
     return report, motions

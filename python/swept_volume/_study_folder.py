@@ -21,6 +21,7 @@ from ._study_run import (
     output_names,
     partial_folder,
 )
+from ._values import core_error
 
 if sys.platform != "win32":
     import fcntl
@@ -31,9 +32,7 @@ _LOCK = ".study.lock"
 
 def _in_use(path: pathlib.Path) -> _core.InvalidInput:
     text = f"another study is filling '{path}'; wait until it has ended, or name another folder"
-    error = _core.InvalidInput(text)
-    error.status, error.code, error.report = "InvalidInput", "FolderInUse", None
-    return error
+    return core_error(_core.InvalidInput, "FolderInUse", text)
 
 
 class Folder:

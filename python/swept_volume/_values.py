@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 
+Failure = TypeVar("Failure", bound=_core.Error)
 Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int32]
 
 
-def bad_option(message: str) -> _core.InvalidInput:
-    """The error of options that cannot be had, as the core raises it."""
-    error = _core.InvalidInput(message)
-    error.status, error.code, error.report = "InvalidInput", "BadOption", None
+def core_error(kind: Type[Failure], code: str, message: str) -> Failure:
+    """An error as the core raises it."""
+    error = kind(message)
+    error.status, error.code, error.report = kind.__name__, code, None
     return error
+
+
+def bad_option(message: str) -> _core.InvalidInput:
+    """The error of options that cannot be had."""
+    return core_error(_core.InvalidInput, "BadOption", message)
 
 
 def refuse_both(resolution: Optional[int], cell: Optional[float]) -> None:
@@ -53,6 +59,18 @@ def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.ND
     array = np.array(given, dtype=dtype, order="C")
     array.setflags(write=False)
     return array
+
+
+def matrix(values: npt.ArrayLike, name: str) -> Floats:
+    """A placement, (4, 4)."""
+    return frozen(values, np.float64, (4, 4), name)
+
+
+def way_out(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
+    """A radius in mm or a direction (x, y, z)."""
+    if extract is None or np.ndim(extract) == 0:
+        return extract if extract is None else float(extract)  # type: ignore[arg-type]
+    return frozen(extract, np.float64, (3,), "extract")
 
 
 class Mesh:

@@ -308,6 +308,13 @@ def test_the_example_of_an_assembly_runs(example, tmp_path):
     assert len(sv.read_motion(tmp_path / "path.csv").times) > 2
 
 
+def test_the_example_of_an_installation_runs(example, tmp_path):
+    said = example("installation.py", "made")
+    assert "order: motor, lid" in said and "lid and motor share" in said
+    assert "study: 1 done, nearest 1 mm" in said
+    assert (tmp_path / "made/results/study.csv").exists()
+
+
 def test_a_step_file_is_a_body(mesh, motion, tmp_path):
     if not sv.HAS_SOLIDS:
         pytest.skip("built without OpenCASCADE")

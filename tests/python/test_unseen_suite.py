@@ -71,3 +71,12 @@ def test_the_slowest_for_their_output_come_first():
 
 def test_little_output_does_not_make_a_quick_run_slow():
     assert Outcome("", 0.02, 12, ()).microseconds == pytest.approx(1.0)
+
+
+def test_no_drawn_cell_is_larger_than_the_part():
+    fewest = []
+    for case in unseen_inputs.cases(3, 60, most_triangles=300, most_poses=300):
+        part, way = np.ptp(case.mesh[0], axis=0).max(), np.ptp(case.motion[2], axis=0).max()
+        assert way / case.options["resolution"] < part
+        fewest.append(way / part)
+    assert max(fewest) > 24  # which the smallest resolution would not do for

@@ -152,8 +152,10 @@ def draw_case(seed, most_triangles=300_000, most_poses=200_000):
     poses = int(_logarithmic(rng, 1, most_poses))
     size = float(np.linalg.norm(np.ptp(mesh[0], axis=0)))
     motion = draw_motion(rng, poses, size)
+    # Cells larger than the whole part are refused.
+    fewest = 1.25 * (np.ptp(motion[2], axis=0).max() + size) / np.ptp(mesh[0], axis=0).max()
     options = {
-        "resolution": int(_logarithmic(rng, 24, 160)),
+        "resolution": max(int(_logarithmic(rng, 24, 160)), math.ceil(fewest)),
         "interpolation": str(rng.choice(["linear", "linear", "none", "screw"])),
     }
     name = f"{seed}: {len(mesh[1])} triangles, {poses} poses, {options}"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "path/path_json.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace swept {
@@ -14,7 +15,8 @@ void addAnswer(Json& json, const PathReport& report) {
     json["keys"] = report.path.poses.size();
     json["length"] = report.length;
     json["turn_degrees"] = report.turn * 180 / std::numbers::pi;
-    json["clearance"] = report.clearance;
+    // Where nothing is in the way, no distance is.
+    if (std::isfinite(report.clearance)) json["clearance"] = report.clearance;
     json["contacts"] = report.contacts;
     json["path"] = Json::array();
     for (const Pose& pose : report.path.poses) json["path"].push_back(poseJson(pose));

@@ -52,10 +52,13 @@ SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
 }
 
 double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
-  const bool thins = sampling.crossings > kMotionItems * kMinThinRecords &&
-                     placementsOfItem(input(whole_.motion)) >= kMinThinPlacements;
-  const double kept =
-      thins ? 2 * threads * kMinThinRecords + kMotionItems * surface : sampling.crossings;
+  const SamplerInput whole = input(whole_.motion);
+  // A union of many placements has thousands of items, and none may have enough to be thinned.
+  const double items = static_cast<double>(workItems(whole).size());
+  const bool thins =
+      sampling.crossings > items * kMinThinRecords && placementsOfItem(whole) >= kMinThinPlacements;
+  const double thinned = 2 * threads * kMinThinRecords + items * surface;
+  const double kept = thins ? std::min(thinned, sampling.crossings) : sampling.crossings;
   const double map = inside_ ? static_cast<double>(inside_->bytes()) : 0;
   return std::max(static_cast<double>(insideCrossings_) * kSortedBytes,
                   kept * kSortedBytes + sampling.elements * kElementBytes + map);

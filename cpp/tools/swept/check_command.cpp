@@ -127,11 +127,8 @@ int runCheck(const CheckJob& job) {
     run.threads = static_cast<int>(common.threads);
     try {
       checkAccess({{"", path}}, {});
-      if (isStream(path)) {
-        checkOne(path, job, run, found);
-      } else {
-        runWatched(run, common.quiet, [&] { checkOne(path, job, run, found); });
-      }
+      keepStreams({{"", path}});
+      runWatched(run, common.quiet, [&] { checkOne(path, job, run, found); });
     } catch (const Error& error) {
       takeError(found.report, error.status(), error.code(), error.what());
     }

@@ -6,7 +6,6 @@
 #include <locale>
 #include <map>
 #include <memory>
-#include <optional>
 #include <sstream>
 
 #include "commands.h"
@@ -73,8 +72,8 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
       "Exit status 0 if all meet their rules, 3 if one is below required, in contact or "
       "in clash.\n\nExamples:\n"
       "  swept clearance gripper.stl housing.step bracket.stl --motion path.csv --required 2\n"
-      "  swept clearance gripper.stl housing.step --motion path.csv --required 2 "
-      "--rule 'bolt*=contact' --rule cover=5\n"
+      "  swept clearance gripper.stl bolt_1.stl bolt_2.stl cover.step --motion path.csv "
+      "--required 2 --rule 'bolt*=contact' --rule cover=5\n"
       "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet\n"
       "  swept clearance gripper.stl housing.step --motion path.csv --page report.html");
 }
@@ -180,11 +179,12 @@ std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vecto
   return makePage(job.page, frame, toJson(report), std::move(inputs), std::move(parts), run);
 }
 
-/// Body and motion are left to the page, if one is asked for, which is put into `page`.
-ClearanceReport compute(const ClearanceJob& job, Body& body, Trajectory& motion, std::string& page,
-                        RunContext& run) {
+/// The page, if one is asked for, is put into `page`.
+ClearanceReport compute(const ClearanceJob& job, std::string& page, RunContext& run) {
   const PageFrame frame = beginPage(job.page);
   std::vector<PageInput> inputs = pageInputs(job);
+  Body body = readGenerator(job, run);
+  Trajectory motion = readMotion(job);
   std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
   ClearanceOptions options = job.options;
   options.bodyChordError += body.chordError;
@@ -210,28 +210,19 @@ int runClearance(const ClearanceJob& job) {
                                        {"--report", common.report},
                                        {"--offer-rules", job.offerPath},
                                        {"--page", job.page.path}};
-  std::optional<Body> body;
-  std::optional<Trajectory> motion;
   std::string page;
   const auto report = runReported<ClearanceReport>(
-      common, inputs, outputs,
-      [&](RunContext& run) {
-        if (!body) body = readGenerator(job, run);
-        if (!motion) motion = readMotion(job);
-        return compute(job, *body, *motion, page, run);
-      },
-      [&](RunContext& run) {
-        if (isStream(job.generatorPath)) body = readGenerator(job, run);
-        if (isStream(job.motionPath)) motion = readMotion(job);
+      common, inputs, outputs, [&](RunContext& run) { return compute(job, page, run); },
+      [&](const ClearanceReport& found) {
+        if (!job.offerPath.empty()) writeText(offeredRules(found), job.offerPath);
+        if (!job.csvPath.empty()) writeCsv(found, job.csvPath);
+        if (!job.page.path.empty()) writeText(page, job.page.path);
       });
   if (report.status != Status::Ok) return exitStatus(report.status);
   if (!job.offerPath.empty()) {
-    writeText(offeredRules(report), job.offerPath);
     printFindings(report.warnings, common.quiet);
     return kExitOk;
   }
-  if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
-  if (!job.page.path.empty()) writeText(page, job.page.path);
   const bool isTaken = common.report == "-" || job.csvPath == "-" || job.page.path == "-";
   if (!common.quiet && !isTaken) printTable(report);
   return finishReported(report, common,

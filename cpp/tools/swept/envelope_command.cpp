@@ -148,8 +148,7 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
 
 void checkFormat(const EnvelopeJob& job) {
   const std::string suffix = suffixOfOutput(job);
-  const bool mesh =
-      suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off" || suffix == "3mf";
+  const bool mesh = isMeshSuffix(suffix);
   if (!mesh && !isSolidSuffix(suffix)) {
     throw Error(Status::ExportFailed, "BadFormat",
                 "'" + job.outputPath + "': unknown format '" + suffix +
@@ -202,19 +201,10 @@ void printSummary(const Report& report, const std::string& path) {
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
 }
 
-// The inputs of a run, read before it where they can be read only once.
-struct Inputs {
-  std::optional<Body> body;
-  std::optional<Trajectory> motion;
-};
-
-void readInputs(const EnvelopeJob& job, bool streamsOnly, RunContext& run, Inputs& inputs) {
+Body readGenerator(const EnvelopeJob& job, RunContext& run) {
   BodyFileOptions files{job.generatorUnit, job.generatorTolerance, {}, job.options.resolution};
   if (job.options.cellSize > 0) files.cellSize = job.options.cellSize;
-  if (!inputs.body && (!streamsOnly || isStream(job.generatorPath)))
-    inputs.body = readInputBody(job.generatorPath, job.generatorFormat, files, run);
-  if (!inputs.motion && (!streamsOnly || isStream(job.motionPath)))
-    inputs.motion = readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
+  return readInputBody(job.generatorPath, job.generatorFormat, files, run);
 }
 
 // STL keeps single precision: the report is of the mesh in the file.
@@ -234,17 +224,19 @@ void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, R
            "; write PLY, OBJ, OFF or 3MF, or move part and motion closer to the origin"});
 }
 
-SolidResult runJob(const EnvelopeJob& job, RunContext& run, Inputs& inputs, Report& report) {
+SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  readInputs(job, false, run, inputs);
+  const Body body = readGenerator(job, run);
+  const Trajectory motion =
+      readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
   const double reading = since(start);
-  Result result = compute(inputs.body->mesh, *inputs.motion, job.options, run);
+  Result result = compute(body.mesh, motion, job.options, run);
   report = std::move(result.report);
-  const std::vector<Finding>& found = inputs.body->findings;
+  const std::vector<Finding>& found = body.findings;
   report.warnings.insert(report.warnings.begin(), found.begin(), found.end());
   addStage(report, "read", reading);
   if (report.status == Status::Ok) reportAsWritten(result.mesh, suffixOfOutput(job), report, run);
@@ -271,12 +263,9 @@ int runEnvelope(const EnvelopeJob& job) {
   run.memoryLimitBytes = static_cast<std::uint64_t>(job.memoryLimitMegabytes) << 20;
   try {
     checkFormat(job);
-    Inputs inputs;
-    readInputs(job, true, run, inputs);
-    runWatched(run, common.quiet, [&] {
-      checkAccess(files, output);
-      solid = runJob(job, run, inputs, report);
-    });
+    checkAccess(files, output);
+    keepStreams(files);
+    runWatched(run, common.quiet, [&] { solid = runJob(job, run, report); });
   } catch (const Error& error) {
     takeError(report, error.status(), error.code(), error.what());
   } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <system_error>
 
 #include "swept/io.h"
@@ -30,6 +31,9 @@ fs::path resolved(const std::string& path) {
   const fs::path real = fs::weakly_canonical(fs::absolute(name, code), code);
   return code ? name : real;
 }
+
+// Name under which standard input can be opened as a file.
+std::string inputPath(const std::string& path) { return path == "-" ? "/dev/stdin" : path; }
 
 std::string outputPath(const std::string& path) { return path == "-" ? "/dev/stdout" : path; }
 
@@ -56,6 +60,12 @@ bool areSame(const std::string& a, const std::string& b) {
 void put(const char* bytes, std::size_t count) {
   errno = 0;
   if (std::fwrite(bytes, 1, count, stdout) != count) failedOutput();
+}
+
+/// By the names that were given.
+std::map<std::string, std::shared_ptr<const RepeatableInput>>& keptStreams() {
+  static std::map<std::string, std::shared_ptr<const RepeatableInput>> kept;
+  return kept;
 }
 
 /// Makes a file in the folder of temporary files; returns its handle.
@@ -135,8 +145,6 @@ void checkAccess(const std::vector<RoledFile>& inputs, const std::vector<RoledFi
   }
 }
 
-std::string inputPath(const std::string& path) { return path == "-" ? "/dev/stdin" : path; }
-
 bool isStream(const std::string& path) {
   std::error_code code;
   const fs::file_status status = fs::status(pathFromUtf8(inputPath(path)), code);
@@ -161,6 +169,17 @@ RepeatableInput::RepeatableInput(const std::string& path) : given_(path), path_(
 
 RepeatableInput::~RepeatableInput() {
   if (handle_ >= 0) ::close(handle_);
+}
+
+void keepStreams(const std::vector<RoledFile>& inputs) {
+  for (const RoledFile& input : inputs)
+    if (!input.path.empty() && isStream(input.path))
+      keptStreams()[input.path] = std::make_shared<const RepeatableInput>(input.path);
+}
+
+std::shared_ptr<const RepeatableInput> repeatable(const std::string& path) {
+  const auto kept = keptStreams().find(path);
+  return kept != keptStreams().end() ? kept->second : std::make_shared<RepeatableInput>(path);
 }
 
 Error RepeatableInput::named(const Error& error) const {
@@ -202,13 +221,19 @@ Body readInputBody(const std::string& path, const std::string& format,
 
 Trajectory readInputMotion(const std::string& path, double unit, Interpolation interpolation,
                            const Eigen::Vector3d& pivot) {
-  Trajectory motion = readTrajectoryCsv(inputPath(path), unit, interpolation);
+  Trajectory motion = readRepeatably(
+      path, [&](const std::string& file) { return readTrajectoryCsv(file, unit, interpolation); });
   motion.pivot = pivot;
   return motion;
 }
 
 bool isSolidSuffix(const std::string& suffix) {
   return suffix == "step" || suffix == "stp" || suffix == "brep" || suffix == "brp";
+}
+
+bool isMeshSuffix(const std::string& suffix) {
+  return suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off" ||
+         suffix == "3mf";
 }
 
 Output::Output(const std::string& path, const std::string& format) : path_(path) {
@@ -239,6 +264,16 @@ void writeText(const std::string& text, const std::string& path) {
   SafeFile file(path);
   file.stream() << text;
   file.commit();
+}
+
+void writeTexts(const std::vector<std::pair<std::string, std::string>>& texts) {
+  std::vector<std::unique_ptr<SafeFile>> files;
+  for (const auto& [text, path] : texts) {
+    files.push_back(std::make_unique<SafeFile>(path));
+    files.back()->stream() << text;
+    files.back()->close();
+  }
+  for (const auto& file : files) file->commit();
 }
 
 void writeReport(const Json& report, const std::string& path) {

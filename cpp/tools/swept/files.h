@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/report_json.h"
@@ -29,11 +31,12 @@ void checkIdentity(const std::vector<RoledFile>& inputs, const std::vector<Roled
 /// starts. Throws Error(ExportFailed), Error(InvalidInput, "BadFile").
 void checkAccess(const std::vector<RoledFile>& inputs, const std::vector<RoledFile>& outputs);
 
-/// Name under which standard input can be opened as a file.
-std::string inputPath(const std::string& path);
-/// True of what can be read only once: standard input, pipes, devices. Such inputs are read before
-/// the run, where an interrupt ends the program at once.
+/// True of what can be read only once: standard input, pipes, devices.
 bool isStream(const std::string& path);
+/// Reads the inputs that can be read only once; whoever reads them afterwards gets what was kept.
+/// To be called before a run is watched: there an interrupt ends the program at once, though nobody
+/// writes into the pipe.
+void keepStreams(const std::vector<RoledFile>& inputs);
 /// An input under a name that can be read again and again: a stream is copied to a file without a
 /// name, which goes with this object.
 class RepeatableInput {
@@ -50,14 +53,16 @@ class RepeatableInput {
   std::string given_, path_;
   int handle_ = -1;
 };
+/// The one that keepStreams() has made, or a new one.
+std::shared_ptr<const RepeatableInput> repeatable(const std::string& path);
 /// read(name): with a name that can be read again and again, and errors that say the given one.
 template <class Read>
 auto readRepeatably(const std::string& path, const Read& read) {
-  const RepeatableInput input(path);
+  const std::shared_ptr<const RepeatableInput> input = repeatable(path);
   try {
-    return read(input.path());
+    return read(input->path());
   } catch (const Error& error) {
-    throw input.named(error);
+    throw input->named(error);
   }
 }
 
@@ -75,6 +80,7 @@ Trajectory readInputMotion(const std::string& path, double unit, Interpolation i
                            const Eigen::Vector3d& pivot);
 
 bool isSolidSuffix(const std::string& suffix);  ///< step, stp, brep, brp
+bool isMeshSuffix(const std::string& suffix);   ///< what meshes can be written as
 
 /// Where an output is made: its own path, or for "-" a file beside nobody's that deliver() copies
 /// to standard output.
@@ -92,6 +98,8 @@ class Output {
 
 /// To a file, or to standard output for "-". Throws Error(ExportFailed).
 void writeText(const std::string& text, const std::string& path);
+/// Texts and the names of their files: old files are replaced when all new ones are whole.
+void writeTexts(const std::vector<std::pair<std::string, std::string>>& texts);
 /// Nothing where the path is empty.
 void writeReport(const Json& report, const std::string& path);
 /// What printing left in memory reaches its reader. Throws Error(ExportFailed, "WriteFailed").

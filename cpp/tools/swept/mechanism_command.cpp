@@ -177,7 +177,7 @@ int runMechanism(const MechanismJob& job) {
   const std::vector<RoledFile> outputs{
       {"--csv", job.csvPath}, {"--report", common.report}, {"--page", job.page.path}};
   std::string page;
-  const auto report = runReported<MechanismReport>(common, inputs, outputs, [&](RunContext& run) {
+  const auto compute = [&](RunContext& run) {
     std::vector<Finding> findings;
     const PageFrame frame = beginPage(job.page);
     std::vector<PageInput> read = pageInputs(job);
@@ -188,10 +188,15 @@ int runMechanism(const MechanismJob& job) {
     if (!job.page.path.empty() && found.status == Status::Ok)
       page = pageText(job, frame, std::move(read), std::move(parts), found, run);
     return found;
-  });
+  };
+  const auto report = runReported<MechanismReport>(common, inputs, outputs, compute,
+                                                   [&](const MechanismReport& found) {
+                                                     if (!job.csvPath.empty())
+                                                       writeCsv(found, job.csvPath);
+                                                     if (!job.page.path.empty())
+                                                       writeText(page, job.page.path);
+                                                   });
   if (report.status != Status::Ok) return exitStatus(report.status);
-  if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
-  if (!job.page.path.empty()) writeText(page, job.page.path);
   const bool isTaken = common.report == "-" || job.csvPath == "-" || job.page.path == "-";
   if (!common.quiet && !isTaken) printTable(report);
   return finishReported(report, common,

@@ -59,9 +59,9 @@ void checkNeighbourOptions(const NeighbourFiles& files, const std::string& movin
 
 namespace {
 
-std::vector<NamedRule> readRules(const std::string& path) {
+std::vector<NamedRule> rulesIn(const std::string& file, const std::string& path) {
   std::vector<NamedRule> rules;
-  LineSource lines(inputPath(path));
+  LineSource lines(file);
   for (std::string line; lines.next(line);) {
     const auto first = line.find_first_not_of(" \t");
     if (first == std::string::npos || line[first] == '#') continue;
@@ -78,7 +78,9 @@ std::vector<NamedRule> readRules(const std::string& path) {
 void giveRules(const NeighbourFiles& files, std::vector<ClearanceNeighbour>& list) {
   std::vector<NamedRule> rules = files.rules;
   if (!files.rulesPath.empty())
-    for (const NamedRule& rule : readRules(files.rulesPath)) rules.push_back(rule);
+    readRepeatably(files.rulesPath, [&](const std::string& file) {
+      for (const NamedRule& rule : rulesIn(file, files.rulesPath)) rules.push_back(rule);
+    });
   std::vector<std::string> names;
   for (const ClearanceNeighbour& part : list) names.push_back(part.name);
   const std::vector<NeighbourRule> found = rulesFor(names, rules);

@@ -38,7 +38,8 @@ void addOptions(CLI::App& app, OverlapJob& job) {
             "chord error to which solids are tessellated (default 0.05)");
   addDistanceOptions(app, job.options);
   addText(app, "--shared", "FILE", job.sharedPath,
-          "write the shared volumes of all pairs as one mesh (ply, stl, obj, off)");
+          "write the shared volumes of all pairs as one mesh (ply, stl, obj, off, 3mf); - for "
+          "standard output, as ply");
   addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
@@ -98,13 +99,21 @@ TriMesh joined(const OverlapReport& report) {
   return all;
 }
 
+void checkShared(const std::string& path) {
+  if (path.empty() || path == "-" || isMeshSuffix(suffixOf(path))) return;
+  badOption("--shared '" + path + "': unknown format '" + suffixOf(path) +
+            "'; allowed: ply, stl, obj, off, 3mf");
+}
+
 void writeShared(const OverlapReport& report, const std::string& path) {
   const TriMesh all = joined(report);
   if (all.triangles.empty())
     throw Error(
         Status::ExportFailed, "NothingShared",
         "'" + path + "' is not written: no two of the parts share space (" + report.summary + ")");
-  writeMesh(all, path);
+  const Output output(path, "ply");
+  writeMesh(all, output.path());
+  output.deliver();
 }
 
 OverlapReport compute(const OverlapJob& job, RunContext& run) {
@@ -123,12 +132,14 @@ int runOverlap(const OverlapJob& job) {
   const std::vector<RoledFile> outputs{
       {"--csv", job.csvPath}, {"--report", common.report}, {"--shared", job.sharedPath}};
   const auto report = runReported<OverlapReport>(
-      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); });
+      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); },
+      [&](const OverlapReport& found) {
+        if (!job.csvPath.empty()) writeCsv(found, job.csvPath);
+        if (!job.sharedPath.empty()) writeShared(found, job.sharedPath);
+      });
   if (report.status != Status::Ok) return exitStatus(report.status);
-  if (!job.csvPath.empty()) writeCsv(report, job.csvPath);
-  const bool isTaken = common.report == "-" || job.csvPath == "-";
+  const bool isTaken = common.report == "-" || job.csvPath == "-" || job.sharedPath == "-";
   if (!common.quiet && !isTaken) printTable(report);
-  if (!job.sharedPath.empty()) writeShared(report, job.sharedPath);
   return finishReported(report, common,
                         std::all_of(report.pairs.begin(), report.pairs.end(),
                                     [](const auto& pair) { return pair.clearance.meetsRule(); }));
@@ -145,6 +156,7 @@ Run addOverlapCommand(CLI::App& program) {
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->files, "");
+    checkShared(job->sharedPath);
     return runOverlap(*job);
   };
 }

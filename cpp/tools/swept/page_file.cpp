@@ -116,7 +116,8 @@ PageFrame beginPage(const PageJob& job) {
   PageFrame frame{"", dateText()};
   if (job.templatePath.empty()) return frame;
   std::ostringstream text;
-  text << opened(inputPath(job.templatePath)).rdbuf();
+  readRepeatably(job.templatePath,
+                 [&text](const std::string& file) { text << opened(file).rdbuf(); });
   frame.layout = text.str();
   if (frame.layout.empty())
     throw Error(Status::InvalidInput, "BadTemplate", "'" + job.templatePath + "' is empty");

@@ -90,14 +90,16 @@ int runPath(const PathJob& job) {
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
   const std::vector<RoledFile> outputs{{"--output", job.output}, {"--report", common.report}};
-  const auto report = runReported<PathReport>(common, inputs, outputs,
-                                              [&](RunContext& run) { return compute(job, run); });
+  const auto isFound = [](const PathReport& r) { return r.verdict == PathVerdict::Found; };
+  const auto report = runReported<PathReport>(
+      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); },
+      [&](const PathReport& r) {
+        if (isFound(r) && !job.output.empty()) writeText(motionTable(r.path), job.output);
+      });
   if (report.status != Status::Ok) return exitStatus(report.status);
-  const bool found = report.verdict == PathVerdict::Found;
-  if (found && !job.output.empty()) writeText(motionTable(report.path), job.output);
   if (!common.quiet && common.report != "-" && job.output != "-")
     std::printf("%s; %.2f s\n", report.summary.c_str(), report.seconds.back().seconds);
-  return finishReported(report, common, found);
+  return finishReported(report, common, isFound(report));
 }
 
 }  // namespace

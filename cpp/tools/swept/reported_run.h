@@ -12,26 +12,26 @@
 
 namespace swept::cli {
 
-/// Computes a report and writes it where `common` asks for it. What is thrown meanwhile is how the
-/// run ended, and is printed. readStreams: reads standard input, before the run is watched.
+/// Computes a report, delivers what else is asked for, as a table (only where all went well), and
+/// writes the report where `common` asks for it. What is thrown meanwhile is how the run ended: the
+/// report says so, and it is printed.
 template <class AnyReport>
 AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>& inputs,
                       const std::vector<RoledFile>& outputs,
                       const std::function<AnyReport(RunContext&)>& compute,
-                      const std::function<void(RunContext&)>& readStreams = {}) {
+                      const std::function<void(const AnyReport&)>& deliver = {}) {
   checkIdentity(inputs, outputs, common.noClobber);
   checkAccess({}, outputs);
   AnyReport report;
   RunContext run;
   run.threads = static_cast<int>(common.threads);
   try {
-    if (readStreams) readStreams(run);
-    runWatched(run, common.quiet, [&] {
-      checkAccess(inputs, {});
-      report = compute(run);
-    });
+    checkAccess(inputs, {});
+    keepStreams(inputs);
+    runWatched(run, common.quiet, [&] { report = compute(run); });
+    takeStrict(report, common.strict);
+    if (deliver && report.status == Status::Ok) deliver(report);
   } catch (const Error& error) {
-    report = {};
     takeError(report, error.status(), error.code(), error.what());
   }
   if (!common.report.empty()) writeText(toJson(report), common.report);

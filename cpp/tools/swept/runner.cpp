@@ -110,12 +110,6 @@ const Finding* inaccuracyOf(const std::vector<Finding>& findings) {
   return nullptr;
 }
 
-void takeStrict(Report& report, bool strict) {
-  const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;
-  if (finding == nullptr || report.status != Status::Ok) return;
-  takeError(report, Status::InvalidInput, finding->code, "--strict: " + finding->text);
-}
-
 void printFindings(const std::vector<Finding>& findings, bool quiet) {
   for (const Finding& finding : findings) {
     if (quiet && inaccuracyOf({finding}) == nullptr) continue;

@@ -44,10 +44,15 @@ void takeError(AnyReport& report, Status status, const std::string& code, const 
   report.code = code;
   report.message = text;
 }
-/// With --strict, a finding that costs accuracy is how an otherwise good run ended.
-void takeStrict(Report& report, bool strict);
-
 /// The first finding that says the result is less accurate than asked, if any.
 const Finding* inaccuracyOf(const std::vector<Finding>& findings);
+/// With --strict, a finding that costs accuracy is how an otherwise good run ended.
+template <class AnyReport>
+void takeStrict(AnyReport& report, bool strict) {
+  const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;
+  if (finding == nullptr || report.status != Status::Ok) return;
+  const std::string code = finding->code;
+  takeError(report, Status::InvalidInput, code, "--strict: " + finding->text);
+}
 
 }  // namespace swept::cli

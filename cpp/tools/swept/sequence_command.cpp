@@ -159,11 +159,14 @@ int runSequence(const SequenceJob& job) {
       outputs.push_back({"--output", motionFile(job, i)});
   }
   const auto report = runReported<SequenceReport>(
-      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); });
+      common, inputs, outputs, [&](RunContext& run) { return compute(job, run); },
+      [&](const SequenceReport& found) {
+        std::vector<std::pair<std::string, std::string>> motions;
+        for (std::size_t i = 0; !job.folder.empty() && i < found.timeline.size(); ++i)
+          motions.emplace_back(motionTable(found.timeline[i]), motionFile(job, i));
+        writeTexts(motions);
+      });
   if (report.status != Status::Ok) return exitStatus(report.status);
-  if (!job.folder.empty())
-    for (std::size_t i = 0; i < report.timeline.size(); ++i)
-      writeText(motionTable(report.timeline[i]), motionFile(job, i));
   if (!common.quiet && common.report != "-") printSteps(report);
   return finishReported(report, common, report.verdict == SequenceVerdict::Found);
 }

@@ -23,7 +23,9 @@ struct SolidJob {
 };
 
 TriMesh meshOf(const SolidJob& job) {
-  return meshFrom(inputPath(job.meshPath), job.meshPath, job.meshFormat, job.unit);
+  return readRepeatably(job.meshPath, [&job](const std::string& file) {
+    return meshFrom(file, job.meshPath, job.meshFormat, job.unit);
+  });
 }
 
 void printEstimate(const SolidEstimate& estimate) {
@@ -47,13 +49,9 @@ Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, con
   RunContext run;
   run.threads = static_cast<int>(common.threads);
   try {
-    std::optional<TriMesh> mesh;
-    if (isStream(job.meshPath)) mesh = meshOf(job);
-    runWatched(run, common.quiet, [&] {
-      checkAccess(inputs, outputs);
-      if (!mesh) mesh = meshOf(job);
-      report.warnings = work(*mesh, run);
-    });
+    checkAccess(inputs, outputs);
+    keepStreams(inputs);
+    runWatched(run, common.quiet, [&] { report.warnings = work(meshOf(job), run); });
     takeStrict(report, common.strict);
   } catch (const Error& error) {
     takeError(report, error.status(), error.code(), error.what());

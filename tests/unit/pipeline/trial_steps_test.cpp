@@ -14,6 +14,7 @@
 #include "pipeline/plan.h"
 #include "pipeline/rough_surface.h"
 #include "pipeline/sampling_trial.h"
+#include "sampling/cpu/work_items.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/culling/kept_elements.h"
 #include "signs/signs.h"
@@ -153,6 +154,29 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
     const double ratio = whole.cost.crossings / static_cast<double>(sorted);
     EXPECT_GT(ratio, kind.whole ? 0.999 : 0.67);
     EXPECT_LT(ratio, kind.whole ? 1.001 : 1.5);
+  }
+}
+
+// What is held while a motion is sampled: an item of the run drops crossings only when it alone has
+// many, and a union of many placements has more items than a motion that is followed.
+TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
+  const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
+  Trajectory path = bow(20000, 60, 0, 0);
+  for (const Interpolation way : {Interpolation::None, Interpolation::Linear}) {
+    path.interpolation = way;
+    Planned planned(body, path, 24);
+    const SamplerInput input = planned.input();
+    const SamplingTrial trial(input, planned.run);
+    const double items = static_cast<double>(workItems(input).size());
+    const double most = items * kMinThinRecords, surface = 1e4;
+    const bool many = items > 1.2 * kMotionItems;
+    EXPECT_TRUE(many || way == Interpolation::Linear) << items;
+    const auto bytes = [&](double crossings) {
+      return trial.bytesOf({0, crossings, 0}, surface, 1);
+    };
+    EXPECT_GT(bytes(0.99 * most) / most, 15);
+    EXPECT_LT(bytes(1.01 * most) / most, 3);
+    EXPECT_GT(bytes(20 * most), items * surface);
   }
 }
 

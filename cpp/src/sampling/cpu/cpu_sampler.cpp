@@ -151,25 +151,49 @@ class UnionSampler {
   /// `posed`: for the items of one thread, which often share a placement.
   UnionSampler(const SamplerInput& input, PosedVertices& posed, RecordChunk& out,
                CrossingBudget& budget)
-      : sampler_(input, out), out_(out), budget_(budget), posed_(posed) {}
+      : input_(input), sampler_(input, out), out_(out), budget_(budget), posed_(posed) {}
 
-  void sample(const WorkItem& item, RunContext& run) {
-    std::size_t before = 0;
+  void sampleAll(const WorkItem& item, RunContext& run) {
     for (std::size_t k = item.begin; k < item.end; ++k) {
       run.checkpoint(Phase::Sampling);
       posed_.goTo(k);
       for (std::size_t f = item.faceBegin; f < item.faceEnd; ++f) sampler_.face(f, k, posed_);
-      if (item.end - item.begin >= kMinThinPlacements) sampler_.thin(k + 1 == item.end);
-      budget_.add(out_.records.size() - before);
-      before = out_.records.size();
+      count(item, k + 1 == item.end);
     }
+  }
+  /// Only the faces that can matter.
+  void sampleShown(const WorkItem& item, const FaceClusters& clusters, const PlaceGroups& groups,
+                   RunContext& run) {
+    StepBlocks blocks(input_, clusters, groups, item.begin, item.end);
+    blocks.forPlacements([&](std::size_t) { run.checkpoint(Phase::Sampling); },
+                         [&](std::size_t k, const ShownClusters& shown) {
+                           run.checkpoint(Phase::Sampling);
+                           posed_.goTo(k);
+                           for (const ShownCluster& s : shown) {
+                             const FaceCluster& cluster = clusters.clusters[s.cluster];
+                             for (std::uint32_t n = 0; n < cluster.faceCount; ++n) {
+                               if (s.shows(n))
+                                 sampler_.face(clusters.faces[cluster.firstFace + n], k, posed_);
+                             }
+                           }
+                           count(item, false);
+                         });
+    count(item, true);
   }
 
  private:
+  void count(const WorkItem& item, bool last) {
+    if (item.end - item.begin >= kMinThinPlacements) sampler_.thin(last);
+    budget_.add(out_.records.size() - before_);
+    before_ = out_.records.size();
+  }
+
+  const SamplerInput& input_;
   ItemSampler sampler_;
   const RecordChunk& out_;
   CrossingBudget& budget_;
   PosedVertices& posed_;
+  std::size_t before_ = 0;
 };
 
 /// Samples one work item of a continuous motion.
@@ -235,9 +259,8 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const std::vector<WorkItem> items = workItems(input);
   std::vector<RecordChunk> chunks(items.size());
   FaceClusters own;
-  if (input.motion.continuous && input.clusters == nullptr) {
-    own = buildClusters(input.body, input.topology);
-  }
+  const bool byClusters = input.motion.continuous || input.inside != nullptr;
+  if (byClusters && input.clusters == nullptr) own = buildClusters(input.body, input.topology);
   const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
   // Steps that the last run has sampled as well; only items of one placement are kept.
   std::vector<SampleCache::Key> keys;
@@ -263,7 +286,11 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
     if (input.motion.continuous) {
       SweepSampler(input, clusters, groups, chunks[i], budget).sample(items[i], run);
     } else {
-      UnionSampler(input, posed.local(), chunks[i], budget).sample(items[i], run);
+      UnionSampler sampler(input, posed.local(), chunks[i], budget);
+      if (byClusters)
+        sampler.sampleShown(items[i], clusters, groups, run);
+      else
+        sampler.sampleAll(items[i], run);
     }
     orderByLayer(chunks[i], input.grid, room);
   });

@@ -10,12 +10,17 @@ namespace {
 /// by all cores.
 constexpr std::size_t kFaces = 8192;
 /// About so many items of a union are enough for all cores: each has a list of the grid's layers.
-constexpr std::size_t kUnionItems = 4096;
+/// Where faces can be left out, items are longer, so that it is decided for many placements at
+/// once.
+constexpr std::size_t kUnionItems = 4096, kCulledItems = 512;
 
 }  // namespace
 
 std::size_t placementsOfItem(const SamplerInput& input) {
   const std::size_t placements = input.motion.placements.size();
+  if (!input.motion.continuous && input.inside != nullptr) {
+    return std::max<std::size_t>(1, placements / kCulledItems);
+  }
   if (!input.motion.continuous) {
     const std::size_t faces = input.body.triangles.size();
     return std::max(
@@ -32,7 +37,8 @@ std::vector<WorkItem> workItems(const SamplerInput& input) {
   const std::size_t placements = input.motion.placements.size();
   const std::size_t faces = input.body.triangles.size();
   const std::size_t group = placementsOfItem(input);
-  const bool whole = input.motion.continuous || placements >= kUnionItems;
+  const bool whole =
+      input.motion.continuous || input.inside != nullptr || placements >= kUnionItems;
   const std::size_t facesOfItem =
       whole ? faces : std::max(kFaces, faces * placements / kUnionItems);
   std::vector<WorkItem> items;
