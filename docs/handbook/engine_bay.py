@@ -1,112 +1,54 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first tutorial, carried out: parts and keys are read from the tables of tutorial.md, everything else
-is done by the commands and panels that it names. For the pictures and for the tests of the window."""
+"""The first tutorial, carried out with the files that it names, by the commands and panels that it names. For
+the pictures and for the tests of the window."""
 import os
+import shutil
+import tempfile
 
 from driver import (
     App,
+    Cancel,
     Gui,
     Ok,
     QtWidgets,
     answered,
-    choose,
     click,
     find,
-    new_document,
     no_panel,
     panel_button,
     select,
 )
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-#: Turns a cylinder's axis from z to x, as the tutorial says.
-ALONG_X = App.Rotation(App.Vector(0, 1, 0), 90)
+FILES = os.path.join(HERE, "..", "..", "resources", "tutorials")
 
 
-def tables():
-    """The tables of the tutorial: lists of rows, which are lists of words; heads are left out."""
-    found, before = [], ""
-    with open(os.path.join(HERE, "tutorial.md"), encoding="utf-8") as file:
-        for line in file:
-            if line.startswith("|"):
-                if not before.startswith("|"):
-                    found.append([])
-                found[-1].append([word.strip() for word in line.strip().strip("|").split("|")])
-            before = line
-    return [rows[2:] for rows in found]
+def opened():
+    """The document of the tutorial, opened from a copy; its parts by label."""
+    path = os.path.join(tempfile.mkdtemp(), "engine_bay.FCStd")
+    shutil.copy(os.path.join(FILES, "engine_bay.FCStd"), path)
+    doc = App.openDocument(path)
+    doc.UndoMode = 1
+    return doc, {obj.Label: obj for obj in doc.Objects if obj.Visibility}
 
 
-def numbers(text, between):
-    return [float(word) for word in text.split(between)]
+def path_from_file():
+    """A motion from the file that comes with the workbench; a generator."""
+    from sweptvolume.panels import file_panel
 
-
-def primitive(doc, form, size, place):
-    """A cylinder along x (radius x length) or a box, as Part > Create primitives makes it."""
-    sizes = numbers(size, "x")
-    if form == "cylinder":
-        obj = doc.addObject("Part::Cylinder", "Cylinder")
-        obj.Radius, obj.Height = sizes
-    else:
-        obj = doc.addObject("Part::Box", "Box")
-        obj.Length, obj.Width, obj.Height = sizes
-    turn = ALONG_X if form == "cylinder" else App.Rotation()
-    obj.Placement = App.Placement(App.Vector(*numbers(place, ",")), turn)
-    return obj
-
-
-def parts(doc):
-    """The parts of the first table, by name: unions, and cuts where a row is taken away."""
-    rows, name = {}, ""
-    for part, form, size, place in tables()[0]:
-        name = part or name
-        away = form.startswith("minus ")
-        obj = primitive(doc, form.replace("minus ", ""), size, place)
-        rows.setdefault(name, ([], []))[away].append(obj)
-    made = {}
-    for name, (kept, away) in rows.items():
-        obj = kept[0]
-        if len(kept) > 1:
-            obj = doc.addObject("Part::MultiFuse", "Union")
-            obj.Shapes, obj.Refine = kept, True
-        if away:
-            cut = doc.addObject("Part::Cut", name)
-            cut.Base, cut.Tool = obj, away[0]
-            obj.Visibility = False
-            obj = cut
-        obj.Label = name
-        for inner in kept * (len(kept) > 1) + away:
-            inner.Visibility = False
-        made[name] = obj
-    doc.recompute()
-    return made
-
-
-def design_path(starter):
-    """A new motion, its keys typed; a generator."""
-    keys = [numbers("|".join(row), "|") for row in tables()[1]]
-    select(starter)
-    Gui.runCommand("SweptVolume_NewMotion")
-    yield 0.5
-    choose("SweptVolumePivot", "Origin")  # the table of the page has the starter's placements
-    click(find(QtWidgets.QPushButton, "SweptVolumeCapture"))
-    for _ in keys[1:]:
-        click(find(QtWidgets.QPushButton, "SweptVolumeDuplicate"))
-    yield 0.3
-    table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
-    assert table.rowCount() == len(keys)
-    for row in reversed(range(len(keys))):  # from the last: times stay in order
-        for column, number in enumerate(keys[row]):
-            table.item(row, column).setText("{:g}".format(number))
-        yield
-    table.setCurrentCell(4, 1)
+    with answered(file_panel, "ask_file", lambda: os.path.join(FILES, "starter.csv")):
+        Gui.runCommand("SweptVolume_MotionFromFile")
+    yield 0.4
+    click(panel_button(Ok))
+    yield no_panel
 
 
 def work(look, folder):
     """The whole tutorial; a generator. look(name): a generator that takes a picture."""
     from sweptvolume.panels import file_dialogs, motion_panel
 
-    doc = new_document("EngineBay")
-    made = parts(doc)
+    doc, made = opened()
+    yield 0.3
     view = Gui.activeDocument().activeView()
     view.viewIsometric()
     from sweptvolume import demo, page
@@ -115,15 +57,19 @@ def work(look, folder):
     Gui.SendMsgToActiveView("ViewFit")
     yield from look("bay_parts")
     starter = made["Starter"]
-    yield from design_path(starter)
+    yield from path_from_file()
+    motion = [o for o in doc.Objects if "SourceType" in o.PropertiesList][0]
+    select(starter, motion)
+    Gui.runCommand("SweptVolume_EditMotion")
+    yield 0.5
+    find(QtWidgets.QTableWidget, "SweptVolumeKeys").setCurrentCell(4, 1)
     Gui.Selection.clearSelection()
     yield motion_panel.opened[-1].preview.settled
     Gui.SendMsgToActiveView("ViewFit")
     yield from look("bay_path")
-    click(panel_button(Ok))
+    click(panel_button(Cancel))
     yield no_panel
     Gui.SendMsgToActiveView("ViewFit")
-    motion = [o for o in doc.Objects if "SourceType" in o.PropertiesList][0]
     select(starter, motion)
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.6

@@ -43,7 +43,7 @@ def crank(picture):
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.6
     find(QtWidgets.QCheckBox, "SweptVolumeStanding").setChecked(True)
-    find(QtWidgets.QWidget, "SweptVolumeMechanismRequired").setProperty("rawValue", 6.0)
+    find(QtWidgets.QWidget, "SweptVolumeMechanismRequiredDistance").setProperty("rawValue", 6.0)
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))
     yield lambda: doc.getObject("Mechanism") is not None
     yield 0.5

@@ -4,6 +4,7 @@
     docs/handbook/make-pictures [FOLDER]
 """
 import os
+import shutil
 import sys
 import tempfile
 
@@ -229,26 +230,18 @@ def assembly():
     App.closeDocument(App.ActiveDocument.Name)
 
 
-def block(doc, name, size, place):
-    """A box that stands with its middle at its origin, moved to `place`."""
-    import Part
-
-    box = doc.addObject("Part::Feature", name)
-    box.Shape = Part.makeBox(*size, App.Vector(*(-x / 2 for x in size)))
-    box.Placement = place
-    return box
+def opened(name):
+    """A document of the tutorials, opened from a copy."""
+    path = os.path.join(tempfile.mkdtemp(), name)
+    shutil.copy(os.path.join(engine_bay.FILES, name), path)
+    return App.openDocument(path)
 
 
 def joint():
     """The second tutorial: a beam is put on two posts."""
     turn = App.Rotation(App.Vector(0, 0, 1), 90)
-    doc = new_document("Joint")
-    block(doc, "Base", (160, 20, 15), App.Placement(App.Vector(0, 0, 7.5), App.Rotation()))
-    for name, x in (("PostLeft", -50), ("PostRight", 50)):
-        block(doc, name, (15, 15, 60), App.Placement(App.Vector(x, 0, 45), App.Rotation()))
-    start = App.Placement(App.Vector(0, 90, 7.5), turn)
-    beam = block(doc, "Beam", (130, 20, 15), start)
-    doc.recompute()
+    doc = opened("beam_and_posts.FCStd")
+    beam = doc.getObject("Beam")
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     yield 0.5

@@ -12,28 +12,28 @@
    <translation>Neue Hüllen</translation>
   </message>
   <message>
-   <source>Cells along the longest side</source>
-   <translation>Zellen entlang der längsten Seite</translation>
+   <source>Resolution</source>
+   <translation>Auflösung</translation>
   </message>
   <message>
-   <source>Of a new envelope</source>
-   <translation>Für eine neue Hülle</translation>
+   <source>Cells along the longest side of the swept volume, for new envelopes</source>
+   <translation>Zellen entlang der längsten Seite des überstrichenen Volumens, für neue Hüllen</translation>
   </message>
   <message>
-   <source>Simplification</source>
-   <translation>Vereinfachung</translation>
+   <source>Tolerance</source>
+   <translation>Toleranz</translation>
   </message>
   <message>
-   <source>Largest deviation by simplification of a new envelope; 0: none</source>
-   <translation>Größte Abweichung durch Vereinfachung einer neuen Hülle; 0: keine</translation>
+   <source>How far simplification may move the surface of a new envelope; 0: no simplification</source>
+   <translation>Wie weit Vereinfachung die Oberfläche einer neuen Hülle verschieben darf; 0: keine Vereinfachung</translation>
   </message>
   <message>
    <source>Backend</source>
    <translation>Rechenwerk</translation>
   </message>
   <message>
-   <source>Where the sampling of a new envelope runs</source>
-   <translation>Wo die Abtastung einer neuen Hülle läuft</translation>
+   <source>Processor that samples new envelopes</source>
+   <translation>Prozessor, der neue Hüllen abtastet</translation>
   </message>
   <message>
    <source>Auto</source>
@@ -56,8 +56,8 @@
    <translation>Threads</translation>
   </message>
   <message>
-   <source>One core fewer than there are keeps the window quick while a large envelope runs</source>
-   <translation>Ein Kern weniger als vorhanden hält das Fenster flink, während eine große Hülle gerechnet wird</translation>
+   <source>Leave one core free to keep FreeCAD responsive while a large envelope is computed</source>
+   <translation>Ein Kern weniger als vorhanden hält FreeCAD bedienbar, während eine große Hülle berechnet wird</translation>
   </message>
   <message>
    <source>all cores</source>
@@ -68,15 +68,15 @@
    <translation>Speichergrenze</translation>
   </message>
   <message>
-   <source>A run that needs more is refused before it starts</source>
-   <translation>Ein Lauf, der mehr braucht, wird vor dem Start abgelehnt</translation>
+   <source>A computation that would need more memory is refused before it starts</source>
+   <translation>Eine Berechnung, die mehr Speicher bräuchte, wird vor dem Start abgelehnt</translation>
   </message>
   <message>
    <source> MiB</source>
    <translation> MiB</translation>
   </message>
   <message>
-   <source>three quarters of what is free</source>
+   <source>three quarters of the free memory</source>
    <translation>drei Viertel des freien Speichers</translation>
   </message>
   <message>
@@ -88,32 +88,32 @@
    <translation>Vorlage</translation>
   </message>
   <message>
-   <source>HTML with placeholders for reports and studies; empty: the workbench's own</source>
-   <translation>HTML mit Platzhaltern für Berichte und Studien; leer: die der Arbeitsumgebung</translation>
+   <source>HTML file with placeholders, for reports and studies; empty: the built-in template</source>
+   <translation>HTML-Datei mit Platzhaltern für Berichte und Studien; leer: die eingebaute Vorlage</translation>
   </message>
   <message>
-   <source>Template of PDF</source>
-   <translation>Vorlage für PDF</translation>
+   <source>PDF template</source>
+   <translation>PDF-Vorlage</translation>
   </message>
   <message>
-   <source>The same for PDF, in the simple HTML of Qt's text documents; empty: the workbench's own</source>
-   <translation>Dasselbe für PDF, im einfachen HTML der Textdokumente von Qt; leer: die der Arbeitsumgebung</translation>
+   <source>The template for PDF, in the HTML subset of Qt's rich text; empty: the built-in template</source>
+   <translation>Die Vorlage für PDF, im HTML-Umfang von Qts Rich Text; leer: die eingebaute Vorlage</translation>
   </message>
   <message>
-   <source>Path editor</source>
-   <translation>Bahneditor</translation>
+   <source>Motion editor</source>
+   <translation>Bewegungseditor</translation>
   </message>
   <message>
-   <source>Cells of the preview</source>
-   <translation>Zellen der Vorschau</translation>
+   <source>Preview resolution</source>
+   <translation>Auflösung der Vorschau</translation>
   </message>
   <message>
-   <source>Of the coarse envelope that follows the path editor</source>
-   <translation>Für die grobe Hülle, die dem Bahneditor folgt</translation>
+   <source>Cells along the longest side of the coarse envelope in the motion editor</source>
+   <translation>Zellen entlang der längsten Seite der groben Hülle im Bewegungseditor</translation>
   </message>
   <message>
-   <source>Show a coarse envelope while a path is edited</source>
-   <translation>Beim Bearbeiten einer Bahn eine grobe Hülle zeigen</translation>
+   <source>Show a coarse envelope while a motion is edited</source>
+   <translation>Beim Bearbeiten einer Bewegung eine grobe Hülle zeigen</translation>
   </message>
  </context>
  <context>
@@ -123,40 +123,40 @@
    <translation>Abstand prüfen</translation>
   </message>
   <message>
-   <source>Smallest distance of the moving parts to every neighbour over the whole motion. Select an envelope, or parts and a motion, or an earlier check</source>
-   <translation>Kleinster Abstand der bewegten Teile zu jedem Nachbarn über die ganze Bewegung. Eine Hülle, Teile und eine Bewegung oder eine frühere Prüfung auswählen</translation>
+   <source>Measures the smallest distance from the moving parts to every neighbour over the whole motion. Select an envelope, or parts and a motion, or an existing check</source>
+   <translation>Misst den kleinsten Abstand der bewegten Teile zu jedem Nachbarn über die ganze Bewegung. Eine Hülle, Teile und eine Bewegung oder eine vorhandene Prüfung auswählen</translation>
   </message>
   <message>
    <source>Check mechanism</source>
    <translation>Mechanismus prüfen</translation>
   </message>
   <message>
-   <source>Smallest distance between each two of several parts that move at the same time, over the whole motion. Select their motions, or an earlier check; else all motions that know their parts are taken</source>
-   <translation>Kleinster Abstand zwischen je zwei von mehreren Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Ihre Bewegungen oder eine frühere Prüfung auswählen; sonst werden alle Bewegungen genommen, die ihre Teile kennen</translation>
+   <source>Measures the smallest distance between parts that move at the same time, for every pair and over the whole motion. Select their motions, or an existing check; without a selection all motions that know their parts are used</source>
+   <translation>Misst den kleinsten Abstand zwischen Teilen, die sich gleichzeitig bewegen, für jedes Paar und über die ganze Bewegung. Ihre Bewegungen oder eine vorhandene Prüfung auswählen; ohne Auswahl werden alle Bewegungen verwendet, die ihre Teile kennen</translation>
   </message>
   <message>
    <source>Check reserved spaces</source>
    <translation>Reservierte Räume prüfen</translation>
   </message>
   <message>
-   <source>How near envelopes, their solids or parts are to each other as they stand, and the space that two of them share. Select two or more; of a selected shared volume: computes it again</source>
-   <translation>Wie nahe Hüllen, ihre Festkörper oder Teile einander sind, so wie sie stehen, und der Raum, den zwei von ihnen gemeinsam haben. Zwei oder mehr auswählen; ein ausgewähltes gemeinsames Volumen wird neu berechnet</translation>
+   <source>Measures distances between envelopes, their solids or parts as they stand, and the volume that two of them share. Select two or more objects, or a shared volume to recompute it</source>
+   <translation>Misst Abstände zwischen Hüllen, ihren Festkörpern oder Teilen, so wie sie stehen, und das Volumen, das zwei davon gemeinsam haben. Zwei oder mehr Objekte auswählen, oder ein gemeinsames Volumen, um es neu zu berechnen</translation>
   </message>
   <message>
    <source>Create envelope...</source>
    <translation>Hülle erzeugen …</translation>
   </message>
   <message>
-   <source>Computes the space that the selected parts need along a motion. Select solids or meshes, also inside groups and links, and a motion</source>
-   <translation>Berechnet den Raum, den die ausgewählten Teile auf einer Bewegung brauchen. Festkörper oder Netze auswählen, auch in Gruppen und Verknüpfungen, und eine Bewegung</translation>
+   <source>Computes the space that the selected parts occupy during a motion. Select solids or meshes, also inside groups and links, and a motion</source>
+   <translation>Berechnet den Raum, den die ausgewählten Teile während einer Bewegung einnehmen. Festkörper oder Netze auswählen, auch in Gruppen und Verknüpfungen, und eine Bewegung</translation>
   </message>
   <message>
    <source>Open the demo</source>
    <translation>Beispiel öffnen</translation>
   </message>
   <message>
-   <source>Opens the example: a starter motor is fitted past its neighbours</source>
-   <translation>Öffnet das Beispiel: Ein Anlasser wird an seinen Nachbarn vorbei eingebaut</translation>
+   <source>Opens an example: a starter motor is installed past its neighbours</source>
+   <translation>Öffnet ein Beispiel: Ein Anlasser wird an seinen Nachbarn vorbei eingebaut</translation>
   </message>
   <message>
    <source>Edit envelope...</source>
@@ -171,152 +171,152 @@
    <translation>Bewegung bearbeiten …</translation>
   </message>
   <message>
-   <source>Edits the keys of the selected motion in a table, plays it with a ghost of the part</source>
-   <translation>Bearbeitet die Schlüssel der ausgewählten Bewegung in einer Tabelle und spielt sie mit einem Geisterbild des Teils ab</translation>
+   <source>Edits the keys of the selected motion in a table and in the 3D view, and plays the motion</source>
+   <translation>Bearbeitet die Stützstellen der ausgewählten Bewegung in einer Tabelle und in der 3D-Ansicht und spielt die Bewegung ab</translation>
   </message>
   <message>
    <source>Settings of the source...</source>
    <translation>Einstellungen der Quelle...</translation>
   </message>
   <message>
-   <source>Changes what the source of the selected motion is asked for (accuracy, orientation, duration, range, unit) and reads it again</source>
-   <translation>Ändert, was von der Quelle der gewählten Bewegung verlangt wird (Genauigkeit, Ausrichtung, Dauer, Bereich, Einheit), und liest sie neu</translation>
+   <source>Changes how the source of the selected motion is read (accuracy, orientation, duration, start and end, unit), and reads it again</source>
+   <translation>Ändert, wie die Quelle der ausgewählten Bewegung gelesen wird (Genauigkeit, Ausrichtung, Dauer, Start und Ende, Einheit), und liest sie neu</translation>
   </message>
   <message>
    <source>Export envelope...</source>
    <translation>Hülle exportieren …</translation>
   </message>
   <message>
-   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF, checked on the way; a selected solid's tolerance and limits are taken</source>
-   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft sie dabei; Toleranz und Grenzen eines gewählten Festkörpers gelten auch hier</translation>
+   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. For a selected solid, its tolerance and limits apply</source>
+   <translation>Schreibt die ausgewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Bei einem ausgewählten Festkörper gelten dessen Toleranz und Grenzen</translation>
   </message>
   <message>
    <source>Export report...</source>
    <translation>Bericht exportieren ...</translation>
   </message>
   <message>
-   <source>Writes what the selected check or study found as one HTML file, with a 3D view of a check, or as PDF</source>
-   <translation>Schreibt, was die gewählte Prüfung oder Studie ergab, als eine HTML-Datei, mit 3D-Ansicht einer Prüfung, oder als PDF</translation>
+   <source>Writes the results of the selected check or study as one HTML file, for checks with a 3D view, or as PDF</source>
+   <translation>Schreibt die Ergebnisse der ausgewählten Prüfung oder Studie als eine HTML-Datei, bei Prüfungen mit 3D-Ansicht, oder als PDF</translation>
   </message>
   <message>
    <source>Find path...</source>
-   <translation>Weg finden...</translation>
+   <translation>Bahn finden...</translation>
   </message>
   <message>
-   <source>Finds how the selected part gets to its place between the others, clear of them all the way. More selected parts are its neighbours; a selected motion gives start and goal</source>
-   <translation>Findet, wie das gewählte Teil zwischen den anderen an seinen Platz kommt, auf dem ganzen Weg frei von ihnen. Weitere gewählte Teile sind seine Nachbarn; eine gewählte Bewegung gibt Start und Ziel</translation>
+   <source>Finds a path on which the selected part reaches its place without coming too close to its neighbours. Select the part first, then its neighbours; a selected motion gives start and goal</source>
+   <translation>Findet eine Bahn, auf der das ausgewählte Teil seinen Platz erreicht, ohne seinen Nachbarn zu nahe zu kommen. Zuerst das Teil auswählen, dann seine Nachbarn; eine ausgewählte Bewegung gibt Start und Ziel</translation>
   </message>
   <message>
    <source>Improve path...</source>
-   <translation>Weg verbessern...</translation>
+   <translation>Bahn verbessern...</translation>
   </message>
   <message>
-   <source>Leads the selected motion round what it clashes with, makes it shorter with fewer keys, or gives it more clearance. The motion stays; the better one comes beside it</source>
-   <translation>Führt die gewählte Bewegung um das herum, womit sie kollidiert, macht sie kürzer mit weniger Schlüsseln oder gibt ihr mehr Abstand. Die Bewegung bleibt; die bessere kommt daneben</translation>
+   <source>Removes clashes from the selected motion, makes it shorter with fewer keys, or increases its clearance. The result is a new motion; the selected one is kept</source>
+   <translation>Beseitigt Kollisionen der ausgewählten Bewegung, macht sie kürzer mit weniger Stützstellen oder vergrößert ihren Abstand. Das Ergebnis ist eine neue Bewegung; die ausgewählte bleibt</translation>
   </message>
   <message>
    <source>What made this?</source>
    <translation>Was hat das erzeugt?</translation>
   </message>
   <message>
-   <source>Colours the selected envelope by the faces that made it; a click on it tells which face or edge of which part passed there, and when</source>
-   <translation>Färbt die gewählte Hülle nach den Flächen, die sie erzeugt haben; ein Klick darauf sagt, welche Fläche oder Kante welches Teils dort vorbeikam, und wann</translation>
+   <source>Colours the selected envelope by the faces that made it. A click on the envelope shows which face or edge of which part passed there, and when</source>
+   <translation>Färbt die ausgewählte Hülle nach den Flächen, die sie erzeugt haben. Ein Klick auf die Hülle zeigt, welche Fläche oder Kante welches Teils dort vorbeikam, und wann</translation>
   </message>
   <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
   <message>
-   <source>Makes a solid of the selected envelope for booleans, measuring and STEP; of a selected solid: makes it again</source>
-   <translation>Erzeugt aus der ausgewählten Hülle einen Festkörper für boolesche Operationen, Messen und STEP; ein ausgewählter Festkörper wird neu erzeugt</translation>
+   <source>Converts the selected envelope to a solid for Boolean operations, measuring and STEP. A selected solid is converted again</source>
+   <translation>Wandelt die ausgewählte Hülle in einen Festkörper für boolesche Operationen, Messen und STEP um. Ein ausgewählter Festkörper wird neu erzeugt</translation>
   </message>
   <message>
    <source>Motion from driven value...</source>
    <translation>Bewegung aus gesteuertem Wert...</translation>
   </message>
   <message>
-   <source>Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch dimension, a variable of an assembly. Select the object with the value, then the part; without a part, motions of all parts that move</source>
-   <translation>Macht eine Bewegung eines Teils, während ein Wert einen Bereich durchläuft: eine Zelle einer Tabelle, ein Maß einer Skizze, eine Variable einer Baugruppe. Das Objekt mit dem Wert auswählen, dann das Teil; ohne Teil entstehen Bewegungen aller Teile, die sich bewegen</translation>
+   <source>Records the motion of a part while a value changes: a spreadsheet cell, a sketch dimension or a variable of an assembly. Select the object with the value, then the part; without a part, every part that moves gets a motion</source>
+   <translation>Zeichnet die Bewegung eines Teils auf, während sich ein Wert ändert: eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe. Das Objekt mit dem Wert auswählen, dann das Teil; ohne Teil erhält jedes bewegte Teil eine Bewegung</translation>
   </message>
   <message>
    <source>Motion from file...</source>
    <translation>Bewegung aus Datei …</translation>
   </message>
   <message>
-   <source>Reads a motion from a CSV file: time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw) or 16 matrix numbers a row</source>
-   <translation>Liest eine Bewegung aus einer CSV-Datei: Zeit, Ort und Quaternion (t,tx,ty,tz,qx,qy,qz,qw) oder 16 Matrixzahlen je Zeile</translation>
+   <source>Reads a motion from a CSV file. Each row is time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw), or the 16 numbers of a matrix</source>
+   <translation>Liest eine Bewegung aus einer CSV-Datei. Jede Zeile ist Zeit, Ort und Quaternion (t,tx,ty,tz,qx,qy,qz,qw) oder die 16 Zahlen einer Matrix</translation>
   </message>
   <message>
    <source>Motion from selected placements</source>
    <translation>Bewegung aus ausgewählten Platzierungen</translation>
   </message>
   <message>
-   <source>Makes a motion from the placements of the selected objects, in the order of selection. It stays linked: moving an object moves its pose</source>
-   <translation>Erzeugt eine Bewegung aus den Platzierungen der ausgewählten Objekte in der Reihenfolge der Auswahl. Sie bleibt verknüpft: Wird ein Objekt bewegt, bewegt sich seine Lage</translation>
+   <source>Makes a motion from the placements of the selected objects, in the order of selection. The motion stays linked: if you move an object, its pose follows</source>
+   <translation>Erzeugt eine Bewegung aus den Platzierungen der ausgewählten Objekte, in der Reihenfolge der Auswahl. Die Bewegung bleibt verknüpft: Wird ein Objekt verschoben, folgt seine Lage</translation>
   </message>
   <message>
-   <source>Motion from path object...</source>
-   <translation>Bewegung aus Bahnobjekt …</translation>
+   <source>Motion from object...</source>
+   <translation>Bewegung aus Objekt …</translation>
   </message>
   <message>
-   <source>Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM path; from a path and a second curve that orients; from an assembly simulation, of a part or of all that move. It stays linked to it</source>
-   <translation>Macht eine Bewegung aus dem gewählten Draht, der Skizze, Roboterbahn, Link- oder Draft-Anordnung oder CAM-Bahn; aus einer Bahn und einer zweiten Kurve, die ausrichtet; aus der Simulation einer Baugruppe, von einem Teil oder von allen, die sich bewegen. Sie bleibt damit verknüpft</translation>
+   <source>Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft array, CAM operation or assembly simulation. A second curve sets the orientation. The motion stays linked to its source</source>
+   <translation>Erzeugt eine Bewegung aus dem ausgewählten Linienzug, der Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung, CAM-Operation oder Baugruppen-Simulation. Eine zweite Kurve bestimmt die Ausrichtung. Die Bewegung bleibt mit ihrer Quelle verknüpft</translation>
   </message>
   <message>
    <source>New motion...</source>
    <translation>Neue Bewegung …</translation>
   </message>
   <message>
-   <source>Opens the path editor: move the selected part step by step and capture its placements</source>
-   <translation>Öffnet den Bahneditor: das ausgewählte Teil Schritt für Schritt bewegen und seine Platzierungen übernehmen</translation>
+   <source>Opens the motion editor: move the selected part step by step and capture its placements</source>
+   <translation>Öffnet den Bewegungseditor: Das ausgewählte Teil Schritt für Schritt bewegen und seine Platzierungen übernehmen</translation>
   </message>
   <message>
    <source>Recompute envelope</source>
    <translation>Hülle neu berechnen</translation>
   </message>
   <message>
-   <source>Computes the selected envelope again from its present parts and motion; without a selection the first one that is stale</source>
-   <translation>Berechnet die ausgewählte Hülle neu aus ihren jetzigen Teilen und ihrer Bewegung; ohne Auswahl die erste veraltete</translation>
+   <source>Recomputes the selected envelope from its current parts and motion; without a selection, the first stale envelope</source>
+   <translation>Berechnet die ausgewählte Hülle aus ihren jetzigen Teilen und ihrer Bewegung neu; ohne Auswahl die erste veraltete Hülle</translation>
   </message>
   <message>
    <source>Reload motion</source>
    <translation>Bewegung neu laden</translation>
   </message>
   <message>
-   <source>Reads the file or the source of the selected motion again; all motions of one driver or simulation together</source>
-   <translation>Liest die Datei oder die Quelle der gewählten Bewegung neu; alle Bewegungen eines Antriebs oder einer Simulation zusammen</translation>
+   <source>Reads the file or source of the selected motion again; motions of the same driven value or simulation are read together</source>
+   <translation>Liest die Datei oder Quelle der ausgewählten Bewegung neu; Bewegungen desselben gesteuerten Werts oder derselben Simulation werden gemeinsam gelesen</translation>
   </message>
   <message>
    <source>Sequence...</source>
    <translation>Einbaufolge...</translation>
   </message>
   <message>
-   <source>Installs the selected parts one after the other, each clear of all that is there by then: finds their ways in this order, or an order, and plays them as one. Or opens the selected sequence</source>
-   <translation>Baut die gewählten Teile nacheinander ein, jedes frei von allem, was bis dahin da ist: findet ihre Wege in dieser Reihenfolge oder eine Reihenfolge und spielt sie als ein Ganzes ab. Oder öffnet die gewählte Einbaufolge</translation>
+   <source>Finds installation paths for the selected parts, one after the other: each part keeps clear of those already in place. The order is given or found. Opens a selected sequence</source>
+   <translation>Findet Einbaubahnen für die ausgewählten Teile, eines nach dem anderen: Jedes Teil bleibt frei von denen, die schon da sind. Die Reihenfolge ist gegeben oder wird gefunden. Öffnet eine ausgewählte Einbaufolge</translation>
   </message>
   <message>
    <source>Study...</source>
    <translation>Studie...</translation>
   </message>
   <message>
-   <source>Many runs, several at once: those of a study file, or the envelopes and clearance checks of the document. Select some of them, or an earlier study</source>
-   <translation>Viele Läufe, mehrere gleichzeitig: die einer Studiendatei oder die Hüllen und Abstandsprüfungen des Dokuments. Wählen Sie einige davon oder eine frühere Studie</translation>
+   <source>Runs many computations, several at once: those of a study file, or the envelopes and clearance checks of the document. Select some of them, or an existing study</source>
+   <translation>Führt viele Berechnungen aus, mehrere gleichzeitig: die einer Studiendatei oder die Hüllen und Abstandsprüfungen des Dokuments. Einige davon auswählen oder eine vorhandene Studie</translation>
   </message>
   <message>
    <source>Keyboard to the tree or panel</source>
    <translation>Tastatur zum Baum oder Panel</translation>
   </message>
   <message>
-   <source>Puts the keyboard into the tree: arrows choose, Ctrl with arrows and Space chooses more; from the tree it goes to the open panel</source>
-   <translation>Setzt die Tastatur in den Baum: Pfeile wählen, Strg mit Pfeilen und Leertaste wählt weitere; vom Baum geht sie zum offenen Panel</translation>
+   <source>Moves the keyboard focus to the tree: arrow keys select, Ctrl with arrow keys and Space selects more. From the tree, moves it to the open panel</source>
+   <translation>Setzt den Tastaturfokus in den Baum: Pfeiltasten wählen, Strg mit Pfeiltasten und Leertaste wählt weitere. Vom Baum geht er zum offenen Panel</translation>
   </message>
   <message>
    <source>Improve path</source>
-   <translation>Weg verbessern</translation>
+   <translation>Bahn verbessern</translation>
   </message>
   <message>
    <source>Find path</source>
-   <translation>Weg finden</translation>
+   <translation>Bahn finden</translation>
   </message>
   <message>
    <source>Sequence</source>
@@ -362,224 +362,224 @@
    <translation>Das Teil hat keine Oberfläche: Wählen Sie einen Festkörper oder ein Netz mit Dreiecken.</translation>
   </message>
   <message>
-   <source>The mesh has points that are no numbers: repair or export it.</source>
-   <translation>Das Netz hat Punkte, die keine Zahlen sind: Reparieren Sie es oder exportieren Sie es neu.</translation>
+   <source>The mesh has vertices whose coordinates are not numbers: repair the mesh or export it again.</source>
+   <translation>Das Netz hat Punkte, deren Koordinaten keine Zahlen sind: Reparieren Sie das Netz, oder exportieren Sie es neu.</translation>
   </message>
   <message>
    <source>The part encloses no volume: choose a solid or a closed mesh.</source>
    <translation>Das Teil umschließt keinen Raum: Wählen Sie einen Festkörper oder ein geschlossenes Netz.</translation>
   </message>
   <message>
-   <source>The part is open, and its motion does not close it: close its holes, or check where the outside leaks in.</source>
-   <translation>Das Teil ist offen, und seine Bewegung schließt es nicht: Schließen Sie seine Löcher, oder sehen Sie nach, wo es offen ist.</translation>
+   <source>The part has holes that its motion does not close, so inside and outside cannot be told apart: close the holes.</source>
+   <translation>Das Teil hat Löcher, die seine Bewegung nicht schließt; innen und außen sind nicht zu unterscheiden: Schließen Sie die Löcher.</translation>
   </message>
   <message>
-   <source>The part is too far from the origin for its size: move it nearer.</source>
-   <translation>Das Teil liegt für seine Größe zu weit vom Ursprung: Rücken Sie es näher.</translation>
+   <source>The part is too far from the origin for its size to be computed exactly: move it closer to the origin.</source>
+   <translation>Das Teil liegt für seine Größe zu weit vom Ursprung, um genau gerechnet zu werden: Rücken Sie es näher an den Ursprung.</translation>
   </message>
   <message>
    <source>The part or the motion is too large: check the unit of length.</source>
    <translation>Das Teil oder die Bewegung ist zu groß: Prüfen Sie die Längeneinheit.</translation>
   </message>
   <message>
-   <source>The cell is too large for the part: take a smaller one.</source>
-   <translation>Die Zelle ist für das Teil zu groß: Nehmen Sie eine kleinere.</translation>
+   <source>The cell is larger than the part: choose a smaller cell or a higher resolution.</source>
+   <translation>Die Zelle ist größer als das Teil: Wählen Sie eine kleinere Zelle oder eine höhere Auflösung.</translation>
   </message>
   <message>
-   <source>A setting is outside what is allowed.</source>
-   <translation>Eine Einstellung liegt außerhalb des Erlaubten.</translation>
+   <source>A setting is outside its allowed range: the text in brackets names it and the range.</source>
+   <translation>Eine Einstellung liegt außerhalb des erlaubten Bereichs: Der Text in Klammern nennt sie und den Bereich.</translation>
   </message>
   <message>
    <source>The motion has no poses: give at least one.</source>
    <translation>Die Bewegung hat keine Lagen: Geben Sie mindestens eine an.</translation>
   </message>
   <message>
-   <source>A pose scales, shears or mirrors the part: give turns and shifts only.</source>
-   <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Erlaubt sind nur Drehungen und Verschiebungen.</translation>
+   <source>A pose scales, shears or mirrors the part: a pose may only rotate and translate.</source>
+   <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Eine Lage darf nur drehen und verschieben.</translation>
   </message>
   <message>
-   <source>A pose or its time cannot be used: times may not go back.</source>
-   <translation>Eine Lage oder ihre Zeit ist unbrauchbar: Die Zeiten dürfen nicht zurückgehen.</translation>
+   <source>A pose cannot be used: its numbers must be finite, and times must not decrease.</source>
+   <translation>Eine Lage ist nicht verwendbar: Ihre Zahlen müssen endlich sein, und Zeiten dürfen nicht abnehmen.</translation>
   </message>
   <message>
-   <source>Between two poses the part makes half a turn: put a pose between them.</source>
-   <translation>Zwischen zwei Lagen dreht sich das Teil um 180 Grad: Setzen Sie eine Lage dazwischen.</translation>
+   <source>The part turns by 180 degrees between two poses, so the direction is ambiguous: add a pose between them.</source>
+   <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad, die Richtung ist mehrdeutig: Fügen Sie eine Lage dazwischen ein.</translation>
   </message>
   <message>
-   <source>Two parts lie in each other where they belong: move one, or ignore the pair.</source>
-   <translation>Zwei Teile liegen ineinander, wo sie hingehören: verschieben Sie eines, oder lassen Sie das Paar aus.</translation>
+   <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignore.</source>
+   <translation>Zwei Teile überschneiden sich in ihrer Einbaulage: Verschieben Sie eines, oder setzen Sie die Regel des Paars auf „Übergangen“.</translation>
   </message>
   <message>
-   <source>Two parts are nearer where they belong than is asked for: ask for less, or allow contact there.</source>
-   <translation>Zwei Teile sind dort, wo sie hingehören, näher als verlangt: verlangen Sie weniger, oder erlauben Sie dort Kontakt.</translation>
+   <source>Two parts are nearer than the required distance in their installed positions: reduce the required distance, or allow contact for the pair.</source>
+   <translation>Zwei Teile sind in ihrer Einbaulage näher als der Sollabstand: Verringern Sie den Sollabstand, oder erlauben Sie dem Paar Kontakt.</translation>
   </message>
   <message>
-   <source>The file cannot be read as it stands.</source>
-   <translation>Die Datei lässt sich so nicht lesen.</translation>
+   <source>The file cannot be read: the text in brackets says where it is damaged.</source>
+   <translation>Die Datei kann nicht gelesen werden: Der Text in Klammern sagt, wo sie beschädigt ist.</translation>
   </message>
   <message>
-   <source>The ending of the file's name is not one that is known here.</source>
-   <translation>Die Endung des Dateinamens ist hier nicht bekannt.</translation>
+   <source>The file extension is not supported: use one of those in brackets.</source>
+   <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine der in Klammern genannten.</translation>
   </message>
   <message>
-   <source>The file is larger than may be read.</source>
-   <translation>Die Datei ist größer, als gelesen werden darf.</translation>
+   <source>The file is larger than the limit for reading: split it or reduce it.</source>
+   <translation>Die Datei ist größer als die Lesegrenze: Teilen oder verkleinern Sie sie.</translation>
   </message>
   <message>
-   <source>This would take more than it may: take a larger cell, or raise the memory limit.</source>
-   <translation>Das bräuchte mehr, als erlaubt ist: Nehmen Sie eine größere Zelle, oder erhöhen Sie die Speichergrenze.</translation>
+   <source>The computation needs more memory than allowed: choose a larger cell, or raise the memory limit in the preferences.</source>
+   <translation>Die Berechnung braucht mehr Speicher als erlaubt: Wählen Sie eine größere Zelle, oder erhöhen Sie die Speichergrenze in den Einstellungen.</translation>
   </message>
   <message>
-   <source>There are too many triangles: take a larger cell.</source>
-   <translation>Es sind zu viele Dreiecke: Nehmen Sie eine größere Zelle.</translation>
+   <source>The result would have too many triangles: choose a larger cell or a lower resolution.</source>
+   <translation>Das Ergebnis hätte zu viele Dreiecke: Wählen Sie eine größere Zelle oder eine geringere Auflösung.</translation>
   </message>
   <message>
-   <source>The solid would have too many faces: give a tolerance, or keep the mesh.</source>
-   <translation>Der Festkörper hätte zu viele Flächen: Geben Sie eine Toleranz an, oder bleiben Sie beim Netz.</translation>
+   <source>The solid would have too many faces: set a larger tolerance, or export a mesh file.</source>
+   <translation>Der Festkörper hätte zu viele Flächen: Geben Sie eine größere Toleranz an, oder exportieren Sie eine Netzdatei.</translation>
   </message>
   <message>
-   <source>The memory was not enough: take a larger cell.</source>
-   <translation>Der Speicher hat nicht gereicht: Nehmen Sie eine größere Zelle.</translation>
+   <source>There was not enough memory: choose a larger cell or a lower resolution.</source>
+   <translation>Der Speicher reichte nicht aus: Wählen Sie eine größere Zelle oder eine geringere Auflösung.</translation>
   </message>
   <message>
    <source>Cancelled.</source>
    <translation>Abgebrochen.</translation>
   </message>
   <message>
-   <source>There is no neighbour to be checked against.</source>
-   <translation>Es gibt kein Nachbarteil, gegen das geprüft werden könnte.</translation>
+   <source>There is no neighbour to check: choose at least one part that stands still.</source>
+   <translation>Es gibt keinen Nachbarn zu prüfen: Wählen Sie mindestens ein stillstehendes Teil.</translation>
   </message>
   <message>
-   <source>A rule for a neighbour cannot be used: correct or remove it.</source>
-   <translation>Eine Regel für ein Nachbarteil ist nicht verwendbar: berichtigen oder entfernen.</translation>
+   <source>A rule cannot be applied: correct it or remove it.</source>
+   <translation>Eine Regel ist nicht anwendbar: Berichtigen oder entfernen Sie sie.</translation>
   </message>
   <message>
-   <source>The template for reports has a placeholder that is not known: correct the template.</source>
-   <translation>Die Vorlage für Berichte enthält einen unbekannten Platzhalter: Vorlage berichtigen.</translation>
+   <source>The report template has an unknown placeholder: correct the template.</source>
+   <translation>Die Berichtsvorlage enthält einen unbekannten Platzhalter: Berichtigen Sie die Vorlage.</translation>
   </message>
   <message>
-   <source>The part does not fit where it belongs: a neighbour is in the way.</source>
-   <translation>Das Teil passt nicht an seinen Platz: ein Nachbar ist im Weg.</translation>
+   <source>A neighbour is in the way at the goal: move it, reduce the required distance, or allow contact.</source>
+   <translation>Am Ziel ist ein Nachbar im Weg: Verschieben Sie ihn, verringern Sie den Sollabstand, oder erlauben Sie Kontakt.</translation>
   </message>
   <message>
-   <source>The part does not fit where it comes from.</source>
-   <translation>Das Teil passt nicht dorthin, woher es kommt.</translation>
+   <source>A neighbour is in the way at the start: move it, reduce the required distance, or allow contact.</source>
+   <translation>Am Start ist ein Nachbar im Weg: Verschieben Sie ihn, verringern Sie den Sollabstand, oder erlauben Sie Kontakt.</translation>
   </message>
   <message>
-   <source>The part does not fit at a place that it has to pass.</source>
-   <translation>Das Teil passt nicht an eine Stelle, die es passieren muss.</translation>
+   <source>A neighbour is in the way at a locked key: move it, reduce the required distance, or unlock the key.</source>
+   <translation>An einer gesperrten Stützstelle ist ein Nachbar im Weg: Verschieben Sie ihn, verringern Sie den Sollabstand, oder entsperren Sie die Stützstelle.</translation>
   </message>
   <message>
-   <source>The part is where it belongs already.</source>
-   <translation>Das Teil ist schon an seinem Platz.</translation>
+   <source>Start and goal are the same: choose another start.</source>
+   <translation>Start und Ziel sind gleich: Wählen Sie einen anderen Start.</translation>
   </message>
   <message>
-   <source>It is not said where the part comes from.</source>
-   <translation>Es ist nicht gesagt, woher das Teil kommt.</translation>
+   <source>No start is given: give a placement, a distance or a direction.</source>
+   <translation>Kein Start ist angegeben: Geben Sie eine Platzierung, einen Abstand oder eine Richtung an.</translation>
   </message>
   <message>
-   <source>The file could not be written: check folder and free space.</source>
-   <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner und freien Platz.</translation>
+   <source>The file could not be written: check the folder, its permissions and the free disk space.</source>
+   <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner, Rechte und freien Platz.</translation>
   </message>
   <message>
-   <source>The kernel for solids failed: give a tolerance, or a mesh file.</source>
-   <translation>Der Kern für Festkörper hat versagt: Geben Sie eine Toleranz an, oder schreiben Sie eine Netzdatei.</translation>
+   <source>OpenCASCADE could not build the solid: set a tolerance, or export a mesh file.</source>
+   <translation>OpenCASCADE konnte den Festkörper nicht bauen: Geben Sie eine Toleranz an, oder exportieren Sie eine Netzdatei.</translation>
   </message>
   <message>
-   <source>There is no graphics device that can be used: choose the backend CPU.</source>
-   <translation>Es gibt keine brauchbare Grafikkarte: Wählen Sie als Rechenwerk CPU.</translation>
+   <source>No usable graphics device was found: set Backend to CPU.</source>
+   <translation>Keine brauchbare Grafikkarte gefunden: Stellen Sie das Rechenwerk auf CPU.</translation>
   </message>
   <message>
-   <source>The graphics device failed: choose the backend CPU.</source>
-   <translation>Die Grafikkarte hat versagt: Wählen Sie als Rechenwerk CPU.</translation>
+   <source>The graphics device failed during the computation: set Backend to CPU.</source>
+   <translation>Die Grafikkarte versagte während der Berechnung: Stellen Sie das Rechenwerk auf CPU.</translation>
   </message>
   <message>
-   <source>A part lies in itself: give each of its solids by itself, or join them first.</source>
-   <translation>Ein Teil liegt in sich selbst: jeden seiner Festkörper einzeln angeben oder sie vorher vereinigen.</translation>
+   <source>Solids of one part overlap: select each solid on its own, or fuse them first.</source>
+   <translation>Festkörper eines Teils überschneiden sich: Wählen Sie jeden einzeln, oder vereinigen Sie sie vorher.</translation>
   </message>
   <message>
-   <source>It cannot be told what two of the parts share.</source>
-   <translation>Was zwei der Teile gemeinsam haben, lässt sich nicht sagen.</translation>
+   <source>The volume that two parts share cannot be computed: repair the meshes, or move one part slightly.</source>
+   <translation>Das gemeinsame Volumen zweier Teile ist nicht berechenbar: Reparieren Sie die Netze, oder verschieben Sie ein Teil geringfügig.</translation>
   </message>
   <message>
-   <source>The part is open; its motion closes it.</source>
-   <translation>Das Teil ist offen; seine Bewegung schließt es.</translation>
+   <source>The part has holes, but its motion closes them; the result is valid.</source>
+   <translation>Das Teil hat Löcher, aber seine Bewegung schließt sie; das Ergebnis ist gültig.</translation>
   </message>
   <message>
-   <source>Triangles without an area were left out.</source>
-   <translation>Dreiecke ohne Fläche wurden weggelassen.</translation>
+   <source>Triangles with zero area were removed.</source>
+   <translation>Dreiecke ohne Fläche wurden entfernt.</translation>
   </message>
   <message>
-   <source>Triangles that repeat others were left out.</source>
-   <translation>Doppelte Dreiecke wurden weggelassen.</translation>
+   <source>Duplicate triangles were removed.</source>
+   <translation>Doppelte Dreiecke wurden entfernt.</translation>
   </message>
   <message>
-   <source>Triangles back to back were left out.</source>
-   <translation>Dreiecke Rücken an Rücken wurden weggelassen.</translation>
+   <source>Pairs of coincident triangles with opposite orientation were removed.</source>
+   <translation>Paare deckungsgleicher, entgegengesetzt ausgerichteter Dreiecke wurden entfernt.</translation>
   </message>
   <message>
-   <source>How deep an allowed contact goes is not proven.</source>
-   <translation>Wie tief ein erlaubter Kontakt reicht, ist nicht bewiesen.</translation>
+   <source>The depth of an allowed contact was measured, but is not proven to be the largest.</source>
+   <translation>Die Tiefe eines erlaubten Kontakts wurde gemessen, ist aber nicht als größte bewiesen.</translation>
   </message>
   <message>
-   <source>Poses have the time of the one before; their order was kept.</source>
-   <translation>Lagen haben die Zeit der vorigen; ihre Reihenfolge wurde beibehalten.</translation>
+   <source>Some poses have the same time as the pose before; their order was kept.</source>
+   <translation>Manche Lagen haben dieselbe Zeit wie die vorige; ihre Reihenfolge wurde beibehalten.</translation>
   </message>
   <message>
-   <source>The part was inside out and was turned over.</source>
-   <translation>Das Innere des Teils war außen; es wurde umgestülpt.</translation>
+   <source>The triangles of the part faced inwards; all were reversed.</source>
+   <translation>Die Dreiecke des Teils zeigten nach innen; alle wurden umgekehrt.</translation>
   </message>
   <message>
-   <source>Triangles of the part face different ways.</source>
-   <translation>Dreiecke des Teils sind verschieden ausgerichtet.</translation>
+   <source>Neighbouring triangles of the part have opposite orientations: check the mesh.</source>
+   <translation>Benachbarte Dreiecke des Teils sind entgegengesetzt ausgerichtet: Prüfen Sie das Netz.</translation>
   </message>
   <message>
-   <source>The surface of the part has one side only.</source>
-   <translation>Die Oberfläche des Teils hat nur eine Seite.</translation>
+   <source>The surface of the part cannot be oriented (as a Möbius strip): check the mesh.</source>
+   <translation>Die Oberfläche des Teils ist nicht orientierbar (wie ein Möbiusband): Prüfen Sie das Netz.</translation>
   </message>
   <message>
-   <source>More than two triangles meet at edges of the part.</source>
-   <translation>An Kanten des Teils treffen sich mehr als zwei Dreiecke.</translation>
+   <source>Some edges of the part have more than two triangles: check the mesh.</source>
+   <translation>Manche Kanten des Teils haben mehr als zwei Dreiecke: Prüfen Sie das Netz.</translation>
   </message>
   <message>
-   <source>The part crosses itself and is inside out in places.</source>
-   <translation>Das Teil durchdringt sich selbst, und stellenweise ist sein Inneres außen.</translation>
+   <source>The part intersects itself, and some of its regions face inwards: repair the mesh.</source>
+   <translation>Das Teil durchdringt sich selbst, und Bereiche zeigen nach innen: Reparieren Sie das Netz.</translation>
   </message>
   <message>
-   <source>The part has hollow spaces inside.</source>
-   <translation>Das Teil hat innen Hohlräume.</translation>
+   <source>The part has cavities; they do not change the envelope unless Keep cavities is set.</source>
+   <translation>Das Teil hat Hohlräume; sie ändern die Hülle nur, wenn „Hohlräume behalten“ gesetzt ist.</translation>
   </message>
   <message>
-   <source>The part has bodies inside others; they count as material.</source>
-   <translation>Im Teil liegen Körper in anderen; sie zählen als Material.</translation>
+   <source>Some bodies of the part lie inside others; they count as material.</source>
+   <translation>Manche Körper des Teils liegen in anderen; sie zählen als Material.</translation>
   </message>
   <message>
-   <source>Poses that repeat the one before were left out.</source>
-   <translation>Lagen, die die vorige wiederholen, wurden weggelassen.</translation>
+   <source>Poses equal to the one before were removed.</source>
+   <translation>Lagen, die der vorigen gleichen, wurden entfernt.</translation>
   </message>
   <message>
-   <source>Poses that were not quite rigid were mended.</source>
-   <translation>Nicht ganz starre Lagen wurden berichtigt.</translation>
+   <source>Poses with small rounding errors were corrected to rigid movements.</source>
+   <translation>Lagen mit kleinen Rundungsfehlern wurden zu starren Bewegungen berichtigt.</translation>
   </message>
   <message>
-   <source>Hollow spaces inside the envelope were filled.</source>
-   <translation>Hohlräume in der Hülle wurden gefüllt.</translation>
+   <source>Cavities inside the envelope were filled; set Keep cavities to keep them.</source>
+   <translation>Hohlräume in der Hülle wurden gefüllt; „Hohlräume behalten“ erhält sie.</translation>
   </message>
   <message>
-   <source>Triangles of the envelope cross each other.</source>
-   <translation>Dreiecke der Hülle durchdringen sich.</translation>
+   <source>Some triangles of the envelope intersect: change the cell size slightly if you need a solid.</source>
+   <translation>Manche Dreiecke der Hülle durchdringen sich: Ändern Sie die Zellgröße etwas, wenn Sie einen Festkörper brauchen.</translation>
   </message>
   <message>
-   <source>The envelope was not simplified.</source>
-   <translation>Die Hülle wurde nicht vereinfacht.</translation>
+   <source>The envelope was not simplified: the text in brackets says why.</source>
+   <translation>Die Hülle wurde nicht vereinfacht: Der Text in Klammern sagt, warum.</translation>
   </message>
   <message>
-   <source>The envelope was simplified less than the tolerance allows.</source>
-   <translation>Die Hülle wurde weniger vereinfacht, als die Toleranz erlaubt.</translation>
+   <source>The envelope was simplified less than the tolerance allows; it has more triangles than necessary.</source>
+   <translation>Die Hülle wurde weniger vereinfacht, als die Toleranz erlaubt; sie hat mehr Dreiecke als nötig.</translation>
   </message>
   <message>
-   <source>It was not checked whether triangles cross each other.</source>
-   <translation>Ob sich Dreiecke durchdringen, wurde nicht geprüft.</translation>
+   <source>Intersections between triangles were not checked.</source>
+   <translation>Durchdringungen zwischen Dreiecken wurden nicht geprüft.</translation>
   </message>
  </context>
  <context>
@@ -601,16 +601,16 @@
    <translation>Wählen Sie eine der {0} Prüfungen und Studien.</translation>
   </message>
   <message>
-   <source>Select the part whose way is to be found.</source>
-   <translation>Wählen Sie das Teil, dessen Weg gefunden werden soll.</translation>
+   <source>Select the part whose path is to be found.</source>
+   <translation>Wählen Sie das Teil aus, dessen Bahn gefunden werden soll.</translation>
   </message>
   <message>
    <source>Select the part that moves together with the motion.</source>
    <translation>Wählen Sie das Teil, das sich bewegt, zusammen mit der Bewegung.</translation>
   </message>
   <message>
-   <source>"{0}" has less than two keys: there is no way.</source>
-   <translation>"{0}" hat weniger als zwei Schlüssel: es gibt keinen Weg.</translation>
+   <source>"{0}" has fewer than two keys, so there is no path to improve: add a key.</source>
+   <translation>„{0}“ hat weniger als zwei Stützstellen, es gibt also keine Bahn zu verbessern: Fügen Sie eine Stützstelle hinzu.</translation>
   </message>
   <message>
    <source>Select the object with the value, and the part that it moves.</source>
@@ -622,51 +622,51 @@
   </message>
   <message>
    <source>Select at least two objects whose placements are the poses.</source>
-   <translation>Wählen Sie mindestens zwei Objekte aus, deren Platzierungen die Stellungen sind.</translation>
+   <translation>Wählen Sie mindestens zwei Objekte aus, deren Platzierungen die Lagen sind.</translation>
   </message>
   <message>
    <source>Select at least two objects whose placements are the poses, in the order of the motion: copies or links of the part, or local coordinate systems.</source>
    <translation>Mindestens zwei Objekte auswählen, deren Platzierungen die Lagen sind, in der Reihenfolge der Bewegung: Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
   </message>
   <message>
-   <source>Select a wire, sketch, array, path, trajectory, or a simulation and a part.</source>
-   <translation>Wählen Sie einen Draht, eine Skizze, eine Anordnung, einen Pfad, eine Bahn oder eine Simulation und ein Teil aus.</translation>
+   <source>Select a wire, sketch, array, CAM operation or robot trajectory, or a simulation and a part.</source>
+   <translation>Wählen Sie einen Linienzug, eine Skizze, Anordnung, CAM-Operation oder Roboterbahn aus, oder eine Simulation und ein Teil.</translation>
   </message>
   <message>
-   <source>Select one wire, sketch, robot trajectory, link or Draft array, or CAM path; or a path and a second curve; or a simulation of an assembly and the part to watch.</source>
-   <translation>Einen Linienzug, eine Skizze, eine Roboterbahn, eine Link- oder Draft-Anordnung oder einen CAM-Pfad wählen; oder einen Weg und eine zweite Kurve; oder eine Simulation einer Baugruppe und das zu verfolgende Teil.</translation>
+   <source>Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; or two curves; or an assembly simulation and the part to follow.</source>
+   <translation>Wählen Sie einen Linienzug, eine Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung oder CAM-Operation; oder zwei Kurven; oder eine Baugruppen-Simulation und das zu verfolgende Teil.</translation>
   </message>
   <message>
    <source>No envelope is stale. Select one to compute it again.</source>
    <translation>Keine Hülle ist veraltet. Eine auswählen, um sie neu zu berechnen.</translation>
   </message>
   <message>
-   <source>no moving part is given: choose a solid or a mesh that moves.</source>
-   <translation>Es ist kein bewegtes Teil angegeben: einen Festkörper oder ein Netz wählen, das sich bewegt.</translation>
+   <source>there is no moving part: select a solid or a mesh, then press Add selected.</source>
+   <translation>Es gibt kein bewegtes Teil: Wählen Sie einen Festkörper oder ein Netz und drücken Sie „Auswahl hinzufügen“.</translation>
   </message>
   <message>
-   <source>the link "{0}" shows nothing: what it linked to was deleted, or its document is not open. Open that document, or link to something else.</source>
-   <translation>Die Verknüpfung „{0}“ zeigt nichts: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder verknüpfen Sie mit etwas anderem.</translation>
+   <source>the link "{0}" is empty: its target was deleted, or the document of the target is not open. Open that document, or choose another target.</source>
+   <translation>Die Verknüpfung „{0}“ ist leer: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder wählen Sie ein anderes Ziel.</translation>
   </message>
   <message>
-   <source>"{0}" holds neither a solid nor a mesh.</source>
-   <translation>„{0}“ enthält weder Festkörper noch Netz.</translation>
+   <source>"{0}" contains neither a solid nor a mesh: choose another object.</source>
+   <translation>„{0}“ enthält weder Festkörper noch Netz: Wählen Sie ein anderes Objekt.</translation>
   </message>
   <message>
-   <source>the moving part is empty.</source>
-   <translation>Das bewegte Teil ist leer.</translation>
+   <source>the moving part is empty: choose a part with a shape or a mesh.</source>
+   <translation>Das bewegte Teil ist leer: Wählen Sie ein Teil mit einer Form oder einem Netz.</translation>
   </message>
   <message>
-   <source>the shape gave no triangles.</source>
-   <translation>Die Form ergab keine Dreiecke.</translation>
+   <source>the shape could not be meshed: check it with Part &gt; Check geometry.</source>
+   <translation>Die Form ließ sich nicht vernetzen: Prüfen Sie sie mit Part &gt; Geometrie überprüfen.</translation>
   </message>
   <message>
-   <source>the shape has no solid (faces: {0}). Sweep a solid or a closed mesh; Part &gt; Convert to solid or Part &gt; Shape builder close a shape.</source>
-   <translation>Die Form hat keinen Festkörper (Flächen: {0}). Einen Festkörper oder ein geschlossenes Netz verwenden; Part &gt; In Festkörper umwandeln oder der Formgenerator schließen eine Form.</translation>
+   <source>the shape has {0} faces but no solid: convert it with Part &gt; Convert to solid or Part &gt; Shape builder, or choose a closed mesh.</source>
+   <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Wandeln Sie sie mit Part &gt; In Festkörper umwandeln oder dem Formgenerator um, oder wählen Sie ein geschlossenes Netz.</translation>
   </message>
   <message>
-   <source>"{0}" no longer leads to an object; choose the part again.</source>
-   <translation>„{0}“ führt zu keinem Objekt mehr; das Teil neu wählen.</translation>
+   <source>"{0}" no longer leads to an object: choose the part again.</source>
+   <translation>„{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
   </message>
   <message>
    <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
@@ -749,12 +749,12 @@ Versucht:
    <translation>Frei</translation>
   </message>
   <message>
-   <source>Too near</source>
-   <translation>Zu nah</translation>
+   <source>Below required</source>
+   <translation>Unter Sollabstand</translation>
   </message>
   <message>
    <source>Contact</source>
-   <translation>Berührung</translation>
+   <translation>Kontakt</translation>
   </message>
   <message>
    <source>Clash</source>
@@ -769,20 +769,20 @@ Versucht:
    <translation>Abstand</translation>
   </message>
   <message>
-   <source>the rules ignore every neighbour: leave at least one to be checked.</source>
-   <translation>die Regeln übergehen jeden Nachbarn: lassen Sie mindestens einen prüfen.</translation>
+   <source>the rules ignore every neighbour: change at least one rule.</source>
+   <translation>Die Regeln übergehen jeden Nachbarn: Ändern Sie mindestens eine Regel.</translation>
   </message>
   <message>
-   <source>{0} moved as well when this motion was read, and stand still in this check: use Check mechanism for parts that move at the same time.</source>
-   <translation>{0} bewegten sich mit, als diese Bewegung gelesen wurde, und stehen in dieser Prüfung still: für Teile, die sich gleichzeitig bewegen, Mechanismus prüfen verwenden.</translation>
+   <source>{0} also moved when this motion was read, but stand still in this check: use Check mechanism for parts that move at the same time.</source>
+   <translation>{0} bewegten sich beim Lesen dieser Bewegung ebenfalls, stehen aber in dieser Prüfung still: Verwenden Sie „Mechanismus prüfen“ für Teile, die sich gleichzeitig bewegen.</translation>
   </message>
   <message>
-   <source>"{0}" is no envelope: choose another one.</source>
-   <translation>„{0}“ ist keine Hülle: anderes Objekt wählen.</translation>
+   <source>"{0}" is not an envelope: choose an envelope.</source>
+   <translation>„{0}“ ist keine Hülle: Wählen Sie eine Hülle.</translation>
   </message>
   <message>
-   <source>the parts of "{0}" have motions of their own: check each part with its motion.</source>
-   <translation>die Teile von „{0}“ haben eigene Bewegungen: jedes Teil mit seiner Bewegung prüfen.</translation>
+   <source>the parts of "{0}" have individual motions: use Check mechanism, or check each part with its motion.</source>
+   <translation>Die Teile von „{0}“ haben eigene Bewegungen: Verwenden Sie „Mechanismus prüfen“, oder prüfen Sie jedes Teil mit seiner Bewegung.</translation>
   </message>
   <message>
    <source>ignored</source>
@@ -806,15 +806,15 @@ Versucht:
   </message>
   <message>
    <source>{0} clash</source>
-   <translation>{0} durchdringen sich</translation>
+   <translation>{0} kollidieren</translation>
   </message>
   <message>
    <source>{0} in contact</source>
-   <translation>{0} berühren sich</translation>
+   <translation>{0} in Kontakt</translation>
   </message>
   <message>
-   <source>{0} too near</source>
-   <translation>{0} zu nah</translation>
+   <source>{0} below required</source>
+   <translation>{0} unter Sollabstand</translation>
   </message>
   <message>
    <source>{0} in allowed contact</source>
@@ -826,7 +826,7 @@ Versucht:
   </message>
   <message>
    <source>deepest {0} at t = {1} s ({2})</source>
-   <translation>tiefste Durchdringung {0} bei t = {1} s ({2})</translation>
+   <translation>tiefste Kollision {0} bei t = {1} s ({2})</translation>
   </message>
   <message>
    <source>{0} table</source>
@@ -845,20 +845,20 @@ Versucht:
    <translation>Hülle</translation>
   </message>
   <message>
-   <source>cavities cannot be kept where parts have motions of their own: make one envelope for each motion.</source>
-   <translation>Hohlräume können nicht erhalten bleiben, wenn Teile eigene Bewegungen haben: für jede Bewegung eine eigene Hülle anlegen.</translation>
+   <source>cavities cannot be kept if parts have individual motions: create one envelope for each motion.</source>
+   <translation>Hohlräume können nicht erhalten bleiben, wenn Teile eigene Bewegungen haben: Erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
   </message>
   <message>
-   <source>{0} moving parts and {1} motions of their own: give one for each part, or none.</source>
-   <translation>{0} bewegte Teile und {1} eigene Bewegungen: für jedes Teil eine angeben oder keine.</translation>
+   <source>the number of individual motions ({1}) is not that of the moving parts ({0}): give one motion for each part, or none.</source>
+   <translation>Die Anzahl der eigenen Bewegungen ({1}) ist nicht die der bewegten Teile ({0}): Geben Sie für jedes Teil eine Bewegung an oder keine.</translation>
   </message>
   <message>
-   <source>the core was built without OpenCASCADE: FreeCAD made a face of every triangle, and no surfaces were looked for</source>
-   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut: FreeCAD hat aus jedem Dreieck eine Fläche gemacht; nach gekrümmten Flächen wurde nicht gesucht</translation>
+   <source>the core was built without OpenCASCADE, so FreeCAD made one face for each triangle and recognised no surfaces</source>
+   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, daher hat FreeCAD aus jedem Dreieck eine Fläche gemacht und keine Flächen erkannt</translation>
   </message>
   <message>
-   <source>FreeCAD's own way gives no valid solid of this envelope; build the core with OpenCASCADE, or export a mesh file.</source>
-   <translation>FreeCADs eigener Weg ergibt keinen gültigen Festkörper aus dieser Hülle: den Rechenkern mit OpenCASCADE bauen oder eine Netzdatei exportieren.</translation>
+   <source>FreeCAD could not make a valid solid from this envelope: build the core with OpenCASCADE, or export a mesh file.</source>
+   <translation>FreeCAD konnte aus dieser Hülle keinen gültigen Festkörper machen: Bauen Sie den Rechenkern mit OpenCASCADE, oder exportieren Sie eine Netzdatei.</translation>
   </message>
   <message>
    <source>the core was built without OpenCASCADE, and {0} triangles would become as many faces (limit {1}): simplify the envelope, or export STL, PLY or OBJ.</source>
@@ -869,20 +869,20 @@ Versucht:
    <translation>{0}, verbessert</translation>
   </message>
   <message>
-   <source>no neighbour is given: choose parts or show some others.</source>
-   <translation>Es ist kein Nachbar angegeben: Teile wählen oder andere einblenden.</translation>
+   <source>there is no neighbour: choose parts, or make other parts visible.</source>
+   <translation>Es gibt keinen Nachbarn: Wählen Sie Teile, oder blenden Sie andere ein.</translation>
   </message>
   <message>
-   <source>"{0}" only stands at its poses: choose what it does between them first.</source>
-   <translation>"{0}" steht nur an ihren Posen: wählen Sie zuerst, was sie dazwischen tut.</translation>
+   <source>"{0}" has the interpolation None: choose another interpolation first.</source>
+   <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie zuerst eine andere Interpolation.</translation>
   </message>
   <message>
    <source>"{0}" moves no visible part: show the parts, or choose another source.</source>
    <translation>„{0}“ bewegt kein sichtbares Teil: die Teile zeigen oder eine andere Quelle wählen.</translation>
   </message>
   <message>
-   <source>"{0}" is left out: it is seen through a link, and no motion can name it. Make its parts members of the assembly.</source>
-   <translation>„{0}“ wird ausgelassen: Es ist nur durch eine Verknüpfung zu sehen, und keine Bewegung kann es benennen. Seine Teile zu Mitgliedern der Baugruppe machen.</translation>
+   <source>"{0}" is left out, because it is only visible through a link: add its parts to the assembly itself.</source>
+   <translation>„{0}“ wird ausgelassen, weil es nur durch eine Verknüpfung sichtbar ist: Fügen Sie seine Teile der Baugruppe selbst hinzu.</translation>
   </message>
   <message>
    <source>Check mechanism</source>
@@ -893,36 +893,36 @@ Versucht:
    <translation>Mechanismus</translation>
   </message>
   <message>
-   <source>{0} moving parts and {1} motions: give one motion for each part.</source>
-   <translation>{0} bewegte Teile und {1} Bewegungen: für jedes Teil eine Bewegung angeben.</translation>
+   <source>the number of motions ({1}) is not that of the moving parts ({0}): give one motion for each part.</source>
+   <translation>Die Anzahl der Bewegungen ({1}) ist nicht die der bewegten Teile ({0}): Geben Sie für jedes Teil eine Bewegung an.</translation>
   </message>
   <message>
-   <source>there is no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s.</source>
-   <translation>Es gibt keine gemeinsame Zeit: „{0}“ endet bei {1} s, und „{2}“ beginnt bei {3} s.</translation>
+   <source>the motions have no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s. Change their times so that they overlap.</source>
+   <translation>Die Bewegungen haben keine gemeinsame Zeit: „{0}“ endet bei {1} s, und „{2}“ beginnt bei {3} s. Ändern Sie ihre Zeiten so, dass sie sich überschneiden.</translation>
   </message>
   <message>
-   <source>the document was changed while its parts were read: start again.</source>
-   <translation>das Dokument wurde geändert, während seine Teile gelesen wurden: noch einmal starten.</translation>
+   <source>the document changed while its parts were read: start the run again.</source>
+   <translation>Das Dokument hat sich geändert, während seine Teile gelesen wurden: Starten Sie den Lauf noch einmal.</translation>
   </message>
   <message>
-   <source>"{0}" has no motion: choose one for it.</source>
-   <translation>„{0}“ hat keine Bewegung: eine wählen.</translation>
+   <source>"{0}" has no motion: choose one in the table.</source>
+   <translation>„{0}“ hat keine Bewegung: Wählen Sie eine in der Tabelle.</translation>
   </message>
   <message>
-   <source>"{0}" is there twice: give each part one motion.</source>
-   <translation>„{0}“ ist zweimal da: jedem Teil eine Bewegung geben.</translation>
+   <source>"{0}" is in the list twice: remove one entry.</source>
+   <translation>„{0}“ steht zweimal in der Liste: Entfernen Sie einen Eintrag.</translation>
   </message>
   <message>
-   <source>"{0}" and "{1}": one holds the other, so that it would move twice. Take one of them away.</source>
-   <translation>„{0}“ und „{1}“: Eines enthält das andere, das sich so zweimal bewegen würde. Eines von beiden wegnehmen.</translation>
+   <source>"{0}" and "{1}": one contains the other, which would move twice. Remove one of them.</source>
+   <translation>„{0}“ und „{1}“: Eines enthält das andere, das sich zweimal bewegen würde. Entfernen Sie eines davon.</translation>
   </message>
   <message>
-   <source>"{0}" only jumps from pose to pose: parts that move at the same time need a motion between them. Choose another interpolation.</source>
-   <translation>„{0}“ springt nur von Lage zu Lage: Teile, die sich gleichzeitig bewegen, brauchen eine Bewegung dazwischen. Eine andere Interpolation wählen.</translation>
+   <source>"{0}" has the interpolation None, but parts that move at the same time must move between their poses: choose another interpolation.</source>
+   <translation>„{0}“ hat die Interpolation „Keine“, aber Teile, die sich gleichzeitig bewegen, müssen sich zwischen ihren Lagen bewegen: Wählen Sie eine andere Interpolation.</translation>
   </message>
   <message>
-   <source>one part alone has no distance: add a second one that moves or stands still.</source>
-   <translation>Ein Teil allein hat keinen Abstand: ein zweites hinzufügen, das sich bewegt oder stillsteht.</translation>
+   <source>only one part is given: add a second part, moving or standing still.</source>
+   <translation>Nur ein Teil ist angegeben: Fügen Sie ein zweites hinzu, bewegt oder stillstehend.</translation>
   </message>
   <message>
    <source>{0}, none nearer than {1}</source>
@@ -933,8 +933,8 @@ Versucht:
    <translation>{0} Paare geprüft</translation>
   </message>
   <message>
-   <source>{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo the deletion.</source>
-   <translation>{0} wurde gelöscht, und {1} ist ohne das nicht vollständig: wählen Sie neu, was verwendet werden soll ({2}), oder machen Sie das Löschen rückgängig.</translation>
+   <source>{0} was deleted, and {1} needs it: choose a replacement ({2}), or undo the deletion.</source>
+   <translation>{0} wurde gelöscht, und {1} braucht es: Wählen Sie einen Ersatz ({2}), oder machen Sie das Löschen rückgängig.</translation>
   </message>
   <message>
    <source>no poses yet</source>
@@ -949,64 +949,64 @@ Versucht:
    <translation>Bewegung von {0}</translation>
   </message>
   <message>
-   <source>the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them by about {2}. Read the motion with smaller steps.</source>
-   <translation>die Bilder von "{0}" liegen weit auseinander: bei {1} s kann das Teil seinen Weg zwischen zweien um etwa {2} verlassen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
+   <source>the steps of "{0}" are large: near {1} s the part may deviate from its true motion by about {2}. Read the motion with smaller steps.</source>
+   <translation>Die Schritte von „{0}“ sind groß: Bei {1} s kann das Teil um etwa {2} von seiner wahren Bewegung abweichen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
   </message>
   <message>
-   <source>no motion is given: make one with New motion and choose it.</source>
-   <translation>Es ist keine Bewegung angegeben: mit Neue Bewegung eine erzeugen und wählen.</translation>
+   <source>there is no motion: make one with New motion, then choose it.</source>
+   <translation>Es gibt keine Bewegung: Legen Sie eine mit „Neue Bewegung“ an, und wählen Sie sie.</translation>
   </message>
   <message>
-   <source>a reference part is given, but no motion of it: choose its motion, or take the reference part away.</source>
-   <translation>ein Bezugsteil ist gegeben, aber keine Bewegung dafür: wählen Sie seine Bewegung, oder nehmen Sie das Bezugsteil heraus.</translation>
+   <source>the reference part has no motion: choose its motion, or clear the reference part.</source>
+   <translation>Das Bezugsteil hat keine Bewegung: Wählen Sie seine Bewegung, oder entfernen Sie das Bezugsteil.</translation>
   </message>
   <message>
-   <source>a motion of the reference is given, but no reference part: choose it as well.</source>
-   <translation>eine Bewegung des Bezugs ist angegeben, aber kein Bezugsteil: auch dieses wählen.</translation>
+   <source>there is a reference motion but no reference part: choose the reference part as well.</source>
+   <translation>Es gibt eine Bezugsbewegung, aber kein Bezugsteil: Wählen Sie auch das Bezugsteil.</translation>
   </message>
   <message>
-   <source>"{0}" is no motion: choose another one.</source>
-   <translation>„{0}“ ist keine Bewegung: anderes Objekt wählen.</translation>
+   <source>"{0}" is not a motion: choose a motion.</source>
+   <translation>„{0}“ ist keine Bewegung: Wählen Sie eine Bewegung.</translation>
   </message>
   <message>
-   <source>two rules contradict each other for "{0}": keep one.</source>
-   <translation>zwei Regeln für "{0}" widersprechen einander: behalten Sie eine.</translation>
+   <source>two rules for "{0}" contradict each other: remove one.</source>
+   <translation>Zwei Regeln für „{0}“ widersprechen einander: Entfernen Sie eine.</translation>
   </message>
   <message>
-   <source>"{0}": there is no rule "{1}".</source>
-   <translation>"{0}": eine Regel "{1}" gibt es nicht.</translation>
+   <source>"{0}": there is no rule "{1}"; use Required, Contact or Ignore.</source>
+   <translation>„{0}“: Es gibt keine Regel „{1}“; verwenden Sie Required, Contact oder Ignore.</translation>
   </message>
   <message>
-   <source>"{0}": a length of {1} mm is not possible in a rule.</source>
-   <translation>"{0}": eine Länge von {1} mm ist in einer Regel nicht möglich.</translation>
+   <source>"{0}": a rule cannot have a length of {1} mm; enter 0 or more.</source>
+   <translation>„{0}“: Eine Regel kann keine Länge von {1} mm haben; geben Sie 0 oder mehr ein.</translation>
   </message>
   <message>
-   <source>the rules of "{0}" do not fit its parts ({1} parts, {2} kinds, {3} lengths): give them anew.</source>
-   <translation>die Regeln von "{0}" passen nicht zu seinen Teilen ({1} Teile, {2} Arten, {3} Längen): geben Sie sie neu an.</translation>
+   <source>the rules of "{0}" are inconsistent: {1} parts, {2} kinds and {3} lengths, which must be equal in number. Enter the rules again.</source>
+   <translation>Die Regeln von „{0}“ sind widersprüchlich: {1} Teile, {2} Arten und {3} Längen, deren Anzahl gleich sein muss. Geben Sie die Regeln neu ein.</translation>
   </message>
   <message>
-   <source>choose two or more parts, envelopes or solids to compare.</source>
-   <translation>zwei oder mehr Teile, Hüllen oder Festkörper zum Vergleichen wählen.</translation>
+   <source>there is nothing to compare: choose two or more parts, envelopes or solids.</source>
+   <translation>Es gibt nichts zu vergleichen: Wählen Sie zwei oder mehr Teile, Hüllen oder Festkörper.</translation>
   </message>
   <message>
-   <source>"{0}" holds "{1}": take one of them away.</source>
-   <translation>„{0}“ enthält „{1}“: eines von beiden wegnehmen.</translation>
+   <source>"{0}" contains "{1}": remove one of them.</source>
+   <translation>„{0}“ enthält „{1}“: Entfernen Sie eines davon.</translation>
   </message>
   <message>
-   <source>the rules for "{0}" and for "{1}" contradict each other for "{2}", and none of them is the narrower one: give this pair a rule of its own.</source>
-   <translation>die Regeln für "{0}" und für "{1}" widersprechen sich für "{2}", und keine von ihnen ist die engere: Geben Sie diesem Paar eine eigene Regel.</translation>
+   <source>the rules for "{0}" and for "{1}" contradict each other for "{2}", and neither is more specific: add a rule for this pair.</source>
+   <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für „{2}“, und keine ist spezieller: Fügen Sie eine Regel für dieses Paar hinzu.</translation>
   </message>
   <message>
-   <source>the rules of "{0}" do not fit its parts ({1} parts, two for each rule, {2} kinds, {3} lengths): give them anew.</source>
-   <translation>Die Regeln von „{0}“ passen nicht zu den Teilen ({1} Teile, zwei für jede Regel, {2} Arten, {3} Längen): neu angeben.</translation>
+   <source>the rules of "{0}" are inconsistent: {1} parts (two for each rule), {2} kinds and {3} lengths. Enter the rules again.</source>
+   <translation>Die Regeln von „{0}“ sind widersprüchlich: {1} Teile (zwei je Regel), {2} Arten und {3} Längen. Geben Sie die Regeln neu ein.</translation>
   </message>
   <message>
    <source>Path of {0}</source>
-   <translation>Weg von {0}</translation>
+   <translation>Bahn von {0}</translation>
   </message>
   <message>
-   <source>give a start, or how far the part is to get out.</source>
-   <translation>geben Sie einen Start an, oder wie weit das Teil hinaus soll.</translation>
+   <source>there is no start: give a placement, a distance or a direction.</source>
+   <translation>Es gibt keinen Start: Geben Sie eine Platzierung, einen Abstand oder eine Richtung an.</translation>
   </message>
   <message>
    <source>Check sequence</source>
@@ -1014,15 +1014,15 @@ Versucht:
   </message>
   <message>
    <source>{0} of {1} parts have a path</source>
-   <translation>{0} von {1} Teilen haben einen Weg</translation>
+   <translation>{0} von {1} Teilen haben eine Bahn</translation>
   </message>
   <message>
    <source>clearance at least {0}</source>
    <translation>Abstand mindestens {0}</translation>
   </message>
   <message>
-   <source>proven: no way without turning</source>
-   <translation>bewiesen: kein Weg ohne Drehung</translation>
+   <source>proven: no path without turning</source>
+   <translation>bewiesen: keine Bahn ohne Drehung</translation>
   </message>
   <message>
    <source>Sequence</source>
@@ -1033,92 +1033,92 @@ Versucht:
    <translation>{0} Teile nacheinander: {1}</translation>
   </message>
   <message>
-   <source>no way; came {0}, in the way: {1}</source>
-   <translation>kein Weg; kam {0} weit, im Weg: {1}</translation>
+   <source>no path; blocked after {0} by {1}</source>
+   <translation>keine Bahn; nach {0} blockiert von {1}</translation>
   </message>
   <message>
-   <source>No order exists in which one part comes after the other: proven.</source>
-   <translation>Es gibt keine Reihenfolge, in der ein Teil nach dem anderen kommt: bewiesen.</translation>
+   <source>There is no order in which the parts can be installed one after the other (proven).</source>
+   <translation>Es gibt keine Reihenfolge, in der die Teile nacheinander eingebaut werden können (bewiesen).</translation>
   </message>
   <message>
    <source>{0}, clearance {1}</source>
    <translation>{0}, Abstand {1}</translation>
   </message>
   <message>
-   <source>{0}, nothing in the way</source>
-   <translation>{0}, nichts im Weg</translation>
+   <source>{0}, no obstacles</source>
+   <translation>{0}, keine Hindernisse</translation>
   </message>
   <message>
-   <source>{0} parts and {1} motions: give one motion for each part.</source>
-   <translation>{0} Teile und {1} Bewegungen: geben Sie für jedes Teil eine Bewegung an.</translation>
+   <source>the number of motions ({1}) is not that of the parts ({0}): give one motion for each part.</source>
+   <translation>Die Anzahl der Bewegungen ({1}) ist nicht die der Teile ({0}): Geben Sie für jedes Teil eine Bewegung an.</translation>
   </message>
   <message>
-   <source>no part is given: select the parts, then press Add selected.</source>
-   <translation>kein Teil ist angegeben: wählen Sie die Teile und drücken Sie Gewählte hinzufügen.</translation>
+   <source>there is no part: select the parts, then press Add selected.</source>
+   <translation>Es gibt kein Teil: Wählen Sie die Teile, und drücken Sie „Gewählte hinzufügen“.</translation>
   </message>
   <message>
-   <source>"{0}" only jumps from pose to pose: choose another interpolation, or let the way be found.</source>
-   <translation>„{0}“ springt nur von Lage zu Lage: wählen Sie eine andere Interpolation oder lassen Sie den Weg finden.</translation>
+   <source>"{0}" has the interpolation None: choose another interpolation, or let a path be found.</source>
+   <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder lassen Sie eine Bahn finden.</translation>
   </message>
   <message>
-   <source>They share no space; the smallest distance is {0}.</source>
-   <translation>Sie haben keinen Raum gemeinsam; der kleinste Abstand ist {0}.</translation>
+   <source>They share no volume; the smallest distance is {0}.</source>
+   <translation>Sie haben kein Volumen gemeinsam; der kleinste Abstand ist {0}.</translation>
   </message>
   <message>
    <source>Shared volume</source>
    <translation>Gemeinsames Volumen</translation>
   </message>
   <message>
-   <source>two sides are needed: choose two parts or envelopes.</source>
-   <translation>es braucht zwei Seiten: zwei Teile oder Hüllen wählen.</translation>
+   <source>a shared volume needs two sides: choose two parts or envelopes.</source>
+   <translation>Ein gemeinsames Volumen braucht zwei Seiten: Wählen Sie zwei Teile oder Hüllen.</translation>
   </message>
   <message>
-   <source>"{0}" is on both sides: it shares all of itself with itself.</source>
-   <translation>„{0}“ steht auf beiden Seiten: mit sich selbst hat es alles gemeinsam.</translation>
+   <source>"{0}" is on both sides: choose another object for one of them.</source>
+   <translation>„{0}“ steht auf beiden Seiten: Wählen Sie für eine davon ein anderes Objekt.</translation>
   </message>
   <message>
    <source>Make solid</source>
    <translation>Festkörper erzeugen</translation>
   </message>
   <message>
-   <source>compute the envelope first: there is no mesh to make a solid of.</source>
-   <translation>Zuerst die Hülle berechnen: Es gibt noch kein Netz für einen Festkörper.</translation>
+   <source>the envelope has no mesh yet: compute it first.</source>
+   <translation>Die Hülle hat noch kein Netz: Berechnen Sie sie zuerst.</translation>
   </message>
   <message>
-   <source>the largest tolerance of an edge is {0}, more than the {1} by which the solid leaves the mesh: its faces meet no nearer there. A smaller Tolerance gives more faces that fit better.</source>
-   <translation>die größte Toleranz einer Kante ist {0}, mehr als die {1}, um die der Festkörper das Netz verlässt: näher treffen sich seine Flächen dort nicht. Eine kleinere Toleranz gibt mehr Flächen, die besser passen.</translation>
+   <source>at one edge the faces of the solid have a gap of {0}, more than its deviation of {1} from the mesh. A smaller Tolerance gives more faces and smaller gaps.</source>
+   <translation>An einer Kante haben die Flächen des Festkörpers einen Spalt von {0}, mehr als seine Abweichung von {1} vom Netz. Eine kleinere Toleranz gibt mehr Flächen und kleinere Spalte.</translation>
   </message>
   <message>
-   <source>the envelope is conservative, and a solid with a tolerance could cut into the swept volume: set the solid's Tolerance to 0.</source>
-   <translation>die Hülle ist konservativ, und ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Tolerance des Festkörpers auf 0 setzen.</translation>
+   <source>the envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
+   <translation>Die Hülle ist konservativ, aber ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Setzen Sie die Toleranz des Festkörpers auf 0.</translation>
   </message>
   <message>
    <source>{0} solid</source>
    <translation>{0} Festkörper</translation>
   </message>
   <message>
-   <source>large parts are being read to see whether they have changed.</source>
-   <translation>große Teile werden gelesen, um zu sehen, ob sie sich geändert haben.</translation>
+   <source>Checking whether large parts have changed ...</source>
+   <translation>Große Teile werden auf Änderungen geprüft ...</translation>
   </message>
   <message>
    <source>Left out: {0}</source>
    <translation>Ausgelassen: {0}</translation>
   </message>
   <message>
-   <source>Left out: {0} (envelopes and their solids are checked where they are chosen as neighbours).</source>
-   <translation>Ausgelassen: {0} (Hüllen und ihre Volumenkörper werden geprüft, wenn sie als Nachbarn gewählt sind).</translation>
+   <source>Left out: {0}. Envelopes and their solids are only checked if you choose them as neighbours.</source>
+   <translation>Ausgelassen: {0}. Hüllen und ihre Festkörper werden nur geprüft, wenn Sie sie als Nachbarn wählen.</translation>
   </message>
   <message>
-   <source>"{0}" is chosen as a neighbour and is a moving part itself: choose another one.</source>
-   <translation>"{0}" ist als Nachbar gewählt und selbst ein bewegtes Teil: wählen Sie ein anderes.</translation>
+   <source>"{0}" is both a neighbour and a moving part: remove it from one of the lists.</source>
+   <translation>„{0}“ ist zugleich Nachbar und bewegtes Teil: Entfernen Sie es aus einer der Listen.</translation>
   </message>
   <message>
-   <source>{0} of {1} runs are left: run the study again to go on.</source>
-   <translation>{0} von {1} Läufen sind übrig: Starten Sie die Studie erneut, um fortzufahren.</translation>
+   <source>{0} of {1} runs are not done: start the study again to continue.</source>
+   <translation>{0} von {1} Läufen sind nicht fertig: Starten Sie die Studie erneut, um fortzufahren.</translation>
   </message>
   <message>
-   <source>the results of the study are not there any more: run it again.</source>
-   <translation>die Ergebnisse der Studie sind nicht mehr da: Rechnen Sie sie erneut.</translation>
+   <source>the results of the study were deleted: run the study again.</source>
+   <translation>Die Ergebnisse der Studie wurden gelöscht: Führen Sie die Studie erneut aus.</translation>
   </message>
   <message>
    <source>Run study</source>
@@ -1129,20 +1129,20 @@ Versucht:
    <translation>Studie</translation>
   </message>
   <message>
-   <source>"{0}" has no result that is up to date: run the study again first.</source>
-   <translation>„{0}“ hat kein aktuelles Ergebnis: Lassen Sie die Studie zuerst noch einmal laufen.</translation>
+   <source>the result of "{0}" is not up to date: run the study again first.</source>
+   <translation>Das Ergebnis von „{0}“ ist nicht aktuell: Führen Sie die Studie zuerst erneut aus.</translation>
   </message>
   <message>
-   <source>the parts of "{0}" have motions of their own: a run of a study has one motion.</source>
-   <translation>die Teile von "{0}" haben eigene Bewegungen: Ein Lauf einer Studie hat eine Bewegung.</translation>
+   <source>the parts of "{0}" have individual motions, but a run of a study has one motion: leave "{0}" out, or give its parts one motion.</source>
+   <translation>Die Teile von „{0}“ haben eigene Bewegungen, aber ein Lauf einer Studie hat eine Bewegung: Lassen Sie „{0}“ aus, oder geben Sie seinen Teilen eine Bewegung.</translation>
   </message>
   <message>
-   <source>"{0}": a study knows only consistent components (property Components).</source>
-   <translation>"{0}": Eine Studie kennt nur konsistente Komponenten (Eigenschaft Components).</translation>
+   <source>"{0}": studies support only the value Consistent of the property Components.</source>
+   <translation>„{0}“: Studien unterstützen nur den Wert Consistent der Eigenschaft Components.</translation>
   </message>
   <message>
-   <source>the study file has no run "{0}" any more: run the study again.</source>
-   <translation>die Studiendatei hat keinen Lauf "{0}" mehr: Rechnen Sie die Studie erneut.</translation>
+   <source>the study file no longer contains the run "{0}": run the study again.</source>
+   <translation>Die Studiendatei enthält den Lauf „{0}“ nicht mehr: Führen Sie die Studie erneut aus.</translation>
   </message>
   <message>
    <source>Run {0}</source>
@@ -1150,15 +1150,15 @@ Versucht:
   </message>
   <message>
    <source>"{0}" cannot be a run of a study: choose envelopes and clearance checks of one motion.</source>
-   <translation>"{0}" kann kein Lauf einer Studie sein: Wählen Sie Hüllen und Abstandsprüfungen mit einer Bewegung.</translation>
+   <translation>„{0}“ kann kein Lauf einer Studie sein: Wählen Sie Hüllen und Abstandsprüfungen mit einer Bewegung.</translation>
   </message>
   <message>
-   <source>no runs are given: choose a study file, or envelopes and clearance checks.</source>
-   <translation>keine Läufe angegeben: Wählen Sie eine Studiendatei oder Hüllen und Abstandsprüfungen.</translation>
+   <source>the study has no runs: choose a study file, or envelopes and clearance checks.</source>
+   <translation>Die Studie hat keine Läufe: Wählen Sie eine Studiendatei oder Hüllen und Abstandsprüfungen.</translation>
   </message>
   <message>
-   <source>save the document first, or choose a folder.</source>
-   <translation>speichern Sie zuerst das Dokument oder wählen Sie einen Ordner.</translation>
+   <source>there is no folder for the results: save the document first, or choose a folder.</source>
+   <translation>Es gibt keinen Ordner für die Ergebnisse: Speichern Sie zuerst das Dokument, oder wählen Sie einen Ordner.</translation>
   </message>
   <message>
    <source>Not clear</source>
@@ -1205,24 +1205,24 @@ Versucht:
    <translation>t = {0} s</translation>
   </message>
   <message>
-   <source>the template "{0}" of the preferences is empty.</source>
-   <translation>die Vorlage „{0}“ der Einstellungen ist leer.</translation>
+   <source>the report template "{0}" is empty: choose another one in the preferences.</source>
+   <translation>Die Berichtsvorlage „{0}“ ist leer: Wählen Sie eine andere in den Einstellungen.</translation>
   </message>
   <message>
    <source>changed since it was saved</source>
    <translation>seit dem Speichern geändert</translation>
   </message>
   <message>
-   <source>"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again first.</source>
-   <translation>„{0}“ hat kein aktuelles Ergebnis: Berechnen Sie seine Hülle neu, wenn es eine hat, und prüfen Sie erneut.</translation>
+   <source>the result of "{0}" is not up to date: recompute its envelope, if it has one, and run the check again first.</source>
+   <translation>Das Ergebnis von „{0}“ ist nicht aktuell: Berechnen Sie ihre Hülle neu, falls es eine gibt, und prüfen Sie zuerst erneut.</translation>
   </message>
   <message>
    <source>SOURCE_DATE_EPOCH is "{0}"; it must be seconds since 1970.</source>
    <translation>SOURCE_DATE_EPOCH ist „{0}“; es müssen Sekunden seit 1970 sein.</translation>
   </message>
   <message>
-   <source>the template "{0}" of the preferences cannot be read: {1}</source>
-   <translation>die Vorlage „{0}“ der Einstellungen kann nicht gelesen werden: {1}</translation>
+   <source>the report template "{0}" cannot be read ({1}): choose another one in the preferences.</source>
+   <translation>Die Berichtsvorlage „{0}“ kann nicht gelesen werden ({1}): Wählen Sie eine andere in den Einstellungen.</translation>
   </message>
   <message>
    <source>{0} triangles</source>
@@ -1233,8 +1233,8 @@ Versucht:
    <translation>{0} Lagen</translation>
   </message>
   <message>
-   <source>a PDF is written by the window alone.</source>
-   <translation>ein PDF schreibt nur das Fenster.</translation>
+   <source>PDF needs the FreeCAD window: write HTML from scripts.</source>
+   <translation>PDF braucht das FreeCAD-Fenster: Schreiben Sie aus Skripten HTML.</translation>
   </message>
   <message>
    <source>document</source>
@@ -1245,8 +1245,8 @@ Versucht:
    <translation>Abstandstabelle</translation>
   </message>
   <message>
-   <source>parts that are seen from another one have no place in the document.</source>
-   <translation>Teile, die von einem anderen aus gesehen werden, haben keinen Ort im Dokument.</translation>
+   <source>the envelope is relative to a moving part, so its clash volume has no place in the document: check without a reference part.</source>
+   <translation>Die Hülle ist relativ zu einem bewegten Teil, ihr Kollisionsvolumen hat daher keinen Ort im Dokument: Prüfen Sie ohne Bezugsteil.</translation>
   </message>
   <message>
    <source>the cell size must be above 0 mm.</source>
@@ -1261,32 +1261,32 @@ Versucht:
    <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
   </message>
   <message>
-   <source>{0}: "{1}" is not understood here; it counts as {2}.</source>
-   <translation>{0}: „{1}“ wird hier nicht verstanden; es zählt als {2}.</translation>
+   <source>{0}: "{1}" is not a valid value; {2} is used instead.</source>
+   <translation>{0}: „{1}“ ist kein gültiger Wert; stattdessen gilt {2}.</translation>
   </message>
   <message>
-   <source>what made an envelope is known of the swept volume itself: this one has an offset or is conservative.</source>
-   <translation>was eine Hülle erzeugt hat, ist nur vom überstrichenen Volumen selbst bekannt: Diese hat einen Sicherheitsabstand oder ist konservativ.</translation>
+   <source>Made by cannot be recorded for an envelope with an offset or a conservative one: set Offset to 0 and Conservative to off.</source>
+   <translation>„Erzeugt von“ kann bei einer Hülle mit Versatz oder einer konservativen Hülle nicht aufgezeichnet werden: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
   </message>
   <message>
-   <source>Transform is locked while the path editor is open: drag the chosen key, or type numbers.</source>
-   <translation>Transformieren ist gesperrt, solange der Pfad-Editor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
+   <source>Transform is locked while the motion editor is open: drag the chosen key, or enter numbers.</source>
+   <translation>Transformieren ist gesperrt, solange der Bewegungseditor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
   </message>
   <message>
    <source>there is no change of the keys to undo or redo.</source>
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
   </message>
   <message>
-   <source>no part: close the panel, select the moving part and open it again.</source>
-   <translation>Kein Teil: das Fenster schließen, das bewegte Teil auswählen und neu öffnen.</translation>
+   <source>there is no moving part: close the panel, select the part and open the panel again.</source>
+   <translation>Es gibt kein bewegtes Teil: Schließen Sie das Panel, wählen Sie das Teil, und öffnen Sie das Panel neu.</translation>
   </message>
   <message>
-   <source>only Absolute poses can be captured.</source>
-   <translation>Nur absolute Lagen können übernommen werden.</translation>
+   <source>only absolute poses can be captured: set Pose type to Absolute.</source>
+   <translation>Nur absolute Lagen können übernommen werden: Stellen Sie die Art der Lage auf „Absolut“.</translation>
   </message>
   <message>
    <source>choose a key in the table first.</source>
-   <translation>Zuerst einen Schlüssel in der Tabelle wählen.</translation>
+   <translation>Wählen Sie zuerst eine Stützstelle in der Tabelle.</translation>
   </message>
   <message>
    <source>Edit motion</source>
@@ -1297,8 +1297,8 @@ Versucht:
    <translation>Bewegungen aller Teile</translation>
   </message>
   <message>
-   <source>"{0}" does not know its part: add the part, then choose it.</source>
-   <translation>„{0}“ kennt sein Teil nicht: das Teil hinzufügen und dann die Bewegung wählen.</translation>
+   <source>the motion "{0}" has no part: add the part to the list, then choose the motion for it.</source>
+   <translation>Die Bewegung „{0}“ hat kein Teil: Fügen Sie das Teil der Liste hinzu, und wählen Sie dann die Bewegung dafür.</translation>
   </message>
   <message>
    <source>Export report</source>
@@ -1311,56 +1311,56 @@ Versucht:
 </translation>
   </message>
   <message>
-   <source>The part came {0} away from where it belongs; it is shown there.</source>
-   <translation>Das Teil kam {0} von seinem Platz weg; dort wird es gezeigt.</translation>
+   <source>The part moved {0} from its goal before it was blocked; it is shown there.</source>
+   <translation>Das Teil bewegte sich {0} von seinem Ziel weg, bevor es blockiert war; dort wird es gezeigt.</translation>
   </message>
   <message>
-   <source>Most often in the way: {0}.</source>
-   <translation>Am häufigsten im Weg: {0}.</translation>
+   <source>Most frequent obstacle: {0}.</source>
+   <translation>Häufigstes Hindernis: {0}.</translation>
   </message>
   <message>
-   <source>A path was found with a clearance of {0}: ask for less.</source>
-   <translation>Mit einem Abstand von {0} wurde ein Weg gefunden: verlangen Sie weniger.</translation>
+   <source>A path exists with a clearance of {0}: reduce the required distance to find it.</source>
+   <translation>Mit einem Abstand von {0} gibt es eine Bahn: Verringern Sie den Sollabstand, um sie zu finden.</translation>
   </message>
   <message>
    <source>{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}.</source>
-   <translation>{0} Schlüssel statt {1}, {2} statt {3}, Abstand {4} statt {5}.</translation>
+   <translation>{0} Stützstellen statt {1}, {2} statt {3}, Abstand {4} statt {5}.</translation>
   </message>
   <message>
-   <source>There is no path on which the part never turns: proven.</source>
-   <translation>Es gibt keinen Weg, auf dem sich das Teil nie dreht: bewiesen.</translation>
+   <source>There is no path without turning the part (proven).</source>
+   <translation>Es gibt keine Bahn ohne Drehung des Teils (bewiesen).</translation>
   </message>
   <message>
-   <source>Nothing of the motion keeps the clearance: ask for less, or find a path.</source>
-   <translation>Nichts von der Bewegung hält den Abstand: verlangen Sie weniger, oder suchen Sie einen Weg.</translation>
+   <source>No move of the motion keeps the required distance: reduce the required distance, or use Find path.</source>
+   <translation>Kein Abschnitt der Bewegung hält den Sollabstand ein: Verringern Sie den Sollabstand, oder verwenden Sie „Bahn finden“.</translation>
   </message>
   <message>
-   <source>Moves that stay nearer than asked for, as no other way was found there: {0}.</source>
-   <translation>Züge, die näher bleiben als verlangt, da dort kein anderer Weg gefunden wurde: {0}.</translation>
+   <source>Moves that stay below the required distance, because no other path was found: {0}.</source>
+   <translation>Abschnitte, die unter dem Sollabstand bleiben, weil keine andere Bahn gefunden wurde: {0}.</translation>
   </message>
   <message>
-   <source>Moves at the ends that are nearer, as allowed, and stay as they were: {0}.</source>
-   <translation>Züge an den Enden, die näher sind, wie erlaubt, und bleiben, wie sie waren: {0}.</translation>
+   <source>Moves within the release distance of start and goal, which are left unchanged: {0}.</source>
+   <translation>Abschnitte innerhalb des Freigabeabstands von Start und Ziel, die unverändert bleiben: {0}.</translation>
   </message>
   <message>
    <source>Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}.</source>
-   <translation>Gefunden: {0} Schlüssel, {1}, Drehungen von {2} Grad, Abstand mindestens {3}.</translation>
+   <translation>Gefunden: {0} Stützstellen, {1}, Drehungen von {2} Grad, Abstand mindestens {3}.</translation>
   </message>
   <message>
-   <source>Nearer than that, as allowed, within {0} of the ends: {1}.</source>
-   <translation>Näher als das, wie erlaubt, bis {0} von den Enden: {1}.</translation>
+   <source>Nearer than that within the release distance of {0}, as allowed: {1}.</source>
+   <translation>Näher als das innerhalb des Freigabeabstands von {0}, wie erlaubt: {1}.</translation>
   </message>
   <message>
-   <source>No path was found in this time.</source>
-   <translation>In dieser Zeit wurde kein Weg gefunden.</translation>
+   <source>No path was found within the time limit.</source>
+   <translation>Innerhalb der Zeitgrenze wurde keine Bahn gefunden.</translation>
   </message>
   <message>
    <source>No path was found.</source>
-   <translation>Es wurde kein Weg gefunden.</translation>
+   <translation>Es wurde keine Bahn gefunden.</translation>
   </message>
   <message>
-   <source>A path was found without any clearance: ask for less.</source>
-   <translation>Ganz ohne Abstand wurde ein Weg gefunden: verlangen Sie weniger.</translation>
+   <source>A path exists only with a clearance near 0: reduce the required distance to find it.</source>
+   <translation>Nur mit einem Abstand nahe 0 gibt es eine Bahn: Verringern Sie den Sollabstand, um sie zu finden.</translation>
   </message>
   <message>
    <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
@@ -1371,16 +1371,16 @@ Versucht:
    <translation>wählen Sie zuerst eine Fläche oder Kante in der 3D-Ansicht: sie gibt die Richtung.</translation>
   </message>
   <message>
-   <source>"{0}": {1} numbers are needed here, with blanks between.</source>
-   <translation>"{0}": hier braucht es {1} Zahlen mit Leerzeichen dazwischen.</translation>
+   <source>"{0}": enter {1} numbers, separated by spaces.</source>
+   <translation>„{0}“: Geben Sie {1} Zahlen ein, durch Leerzeichen getrennt.</translation>
   </message>
   <message>
-   <source>a part of this row is there no more: check again.</source>
-   <translation>ein Teil dieser Zeile ist nicht mehr da: neu prüfen.</translation>
+   <source>a part of this row was deleted: run the check again.</source>
+   <translation>Ein Teil dieser Zeile wurde gelöscht: Prüfen Sie erneut.</translation>
   </message>
   <message>
-   <source>"{0}": a clearance of {1} is not possible.</source>
-   <translation>"{0}": ein Abstand von {1} ist nicht möglich.</translation>
+   <source>"{0}": the distance cannot be {1}; enter 0 or more.</source>
+   <translation>„{0}“: Der Abstand kann nicht {1} sein; geben Sie 0 oder mehr ein.</translation>
   </message>
   <message>
    <source>There is no envelope in the document: make one with Create envelope.</source>
@@ -1407,8 +1407,8 @@ Versucht:
    <translation>Zuerst eine Bewegung auswählen.</translation>
   </message>
   <message>
-   <source>no program was found that shows {0}.</source>
-   <translation>kein Programm gefunden, das {0} zeigt.</translation>
+   <source>no program is installed that opens {0}.</source>
+   <translation>Es ist kein Programm installiert, das {0} öffnet.</translation>
   </message>
   <message>
    <source>Open run</source>
@@ -1439,24 +1439,24 @@ Versucht:
    <translation>Abgebrochen. Nichts wurde geändert.</translation>
   </message>
   <message>
-   <source>Cancelled: the document or an object is gone.</source>
-   <translation>Abgebrochen: Das Dokument oder ein Objekt ist weg.</translation>
+   <source>Cancelled: the document was closed, or an object was deleted.</source>
+   <translation>Abgebrochen: Das Dokument wurde geschlossen oder ein Objekt gelöscht.</translation>
   </message>
   <message>
-   <source>there is no room in the temporary folder {0}: make room there, or set the environment variable TMPDIR to another folder.</source>
-   <translation>im Ordner {0} für vorübergehende Dateien ist kein Platz mehr: dort Platz schaffen oder mit der Umgebungsvariablen TMPDIR einen anderen Ordner angeben.</translation>
+   <source>the temporary folder {0} is full: free some space, or set the environment variable TMPDIR to another folder.</source>
+   <translation>Der temporäre Ordner {0} ist voll: Schaffen Sie dort Platz, oder setzen Sie die Umgebungsvariable TMPDIR auf einen anderen Ordner.</translation>
   </message>
   <message>
-   <source>studies need the Python package swept_volume beside the compiled core, and the folder {0} has none: install the workbench again, or build it with cmake --build build.</source>
-   <translation>Studien brauchen das Python-Paket swept_volume neben dem übersetzten Kern, und im Ordner {0} ist keines: installieren Sie die Arbeitsumgebung neu oder bauen Sie sie mit cmake --build build.</translation>
+   <source>studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with cmake --build build.</source>
+   <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder bauen Sie sie mit cmake --build build.</translation>
   </message>
   <message>
-   <source>the study ended with status {0} and no result.</source>
-   <translation>die Studie endete mit Status {0} und ohne Ergebnis.</translation>
+   <source>the study ended with status {0} and without a result: run it again, or run it with swept study to see its output.</source>
+   <translation>Die Studie endete mit Status {0} und ohne Ergebnis: Führen Sie sie erneut aus, oder mit swept study, um ihre Ausgabe zu sehen.</translation>
   </message>
   <message>
-   <source>studies need the program {0}, and it was not found: install it.</source>
-   <translation>Studien brauchen das Programm {0}, und es wurde nicht gefunden: installieren Sie es.</translation>
+   <source>studies need the program {0}, which was not found: install it.</source>
+   <translation>Studien brauchen das Programm {0}, das nicht gefunden wurde: Installieren Sie es.</translation>
   </message>
   <message>
    <source>study files cannot be read: {0}</source>
@@ -1464,23 +1464,23 @@ Versucht:
   </message>
   <message>
    <source>the study file "{0}" cannot be read: {1}</source>
-   <translation>die Studiendatei "{0}" kann nicht gelesen werden: {1}</translation>
+   <translation>die Studiendatei „{0}“ kann nicht gelesen werden: {1}</translation>
   </message>
   <message>
-   <source>the file type "{0}" is unknown; use one of {1}.</source>
-   <translation>Der Dateityp „{0}“ ist unbekannt; möglich sind {1}.</translation>
+   <source>the file type "{0}" is not supported: use one of {1}.</source>
+   <translation>Der Dateityp „{0}“ wird nicht unterstützt: Verwenden Sie einen von {1}.</translation>
   </message>
   <message>
-   <source>the folder "{0}" does not exist.</source>
-   <translation>Der Ordner „{0}“ existiert nicht.</translation>
+   <source>the folder "{0}" does not exist: create it, or choose another one.</source>
+   <translation>Der Ordner „{0}“ existiert nicht: Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
   </message>
   <message>
-   <source>"{0}" is a folder.</source>
-   <translation>„{0}“ ist ein Ordner.</translation>
+   <source>"{0}" is a folder: enter the name of a file.</source>
+   <translation>„{0}“ ist ein Ordner: Geben Sie den Namen einer Datei an.</translation>
   </message>
   <message>
-   <source>"{0}" is write-protected.</source>
-   <translation>„{0}“ ist schreibgeschützt.</translation>
+   <source>"{0}" is write-protected: choose another name, or change its permissions.</source>
+   <translation>„{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
   </message>
   <message>
    <source>en</source>
@@ -1491,152 +1491,152 @@ Versucht:
    <translation>Eine Verknüpfungs- oder Draft-Anordnung wählen.</translation>
   </message>
   <message>
-   <source>choose a simulation of an assembly, then the part to watch.</source>
-   <translation>eine Simulation einer Baugruppe wählen, dann das zu verfolgende Teil.</translation>
+   <source>choose an assembly simulation, then the part to follow.</source>
+   <translation>Wählen Sie eine Baugruppen-Simulation, dann das zu verfolgende Teil.</translation>
   </message>
   <message>
-   <source>the simulation "{0}" stopped early: {1} of {2} frames, the last at {3} s of {4} s. Its solver found no position there: look at its joints and formulas, or let it end sooner.</source>
-   <translation>die Simulation "{0}" endete vorzeitig: {1} von {2} Bildern, das letzte bei {3} s von {4} s. Ihr Löser fand dort keine Lage: sehen Sie nach ihren Gelenken und Formeln, oder lassen Sie sie früher enden.</translation>
+   <source>the simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames), because its solver found no valid position: check the joints and formulas, or set an earlier end time.</source>
+   <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern), weil ihr Löser keine gültige Lage fand: Prüfen Sie Gelenke und Formeln, oder setzen Sie ein früheres Ende.</translation>
   </message>
   <message>
-   <source>"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.</source>
-   <translation>„{0}“ gehört zu keiner Baugruppe, die dieses FreeCAD bewegen kann: Simulationen brauchen FreeCAD 1.1.</translation>
+   <source>"{0}" cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.</source>
+   <translation>„{0}“ kann von dieser FreeCAD-Version nicht simuliert werden: Simulationen brauchen FreeCAD 1.1.</translation>
   </message>
   <message>
-   <source>choose one CAM (Path) object.</source>
-   <translation>Ein CAM-Objekt (Path) wählen.</translation>
+   <source>choose one CAM (Path) operation.</source>
+   <translation>Wählen Sie eine CAM-Operation (Path).</translation>
   </message>
   <message>
-   <source>"{0}" has no moves (G0 to G3).</source>
-   <translation>„{0}“ hat keine Bewegungen (G0 bis G3).</translation>
+   <source>"{0}" has no moves (G0 to G3): choose another operation.</source>
+   <translation>„{0}“ hat keine Fahrbewegungen (G0 bis G3): Wählen Sie eine andere Operation.</translation>
   </message>
   <message>
-   <source>the motion file "{0}" does not exist; choose another.</source>
-   <translation>Die Bewegungsdatei „{0}“ existiert nicht; eine andere wählen.</translation>
+   <source>the motion file "{0}" does not exist: choose another file.</source>
+   <translation>Die Bewegungsdatei „{0}“ existiert nicht: Wählen Sie eine andere.</translation>
   </message>
   <message>
-   <source>a path needs at least two poses.</source>
-   <translation>Eine Bahn braucht mindestens zwei Lagen.</translation>
+   <source>a curve needs at least two poses: set Count to 0, or to 2 or more.</source>
+   <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie die Anzahl auf 0 oder auf mindestens 2.</translation>
   </message>
   <message>
-   <source>choose two wires: the path, then the curve that orients.</source>
-   <translation>zwei Linienzüge wählen: den Weg, dann die Kurve, die ausrichtet.</translation>
+   <source>choose two wires: the curve to follow, then the curve that sets the orientation.</source>
+   <translation>Wählen Sie zwei Linienzüge: die Leitkurve, dann die Kurve für die Ausrichtung.</translation>
   </message>
   <message>
-   <source>choose one wire, edge or sketch as the path.</source>
-   <translation>Einen Linienzug, eine Kante oder Skizze als Bahn wählen.</translation>
+   <source>choose one wire, edge or sketch to follow.</source>
+   <translation>Wählen Sie einen Linienzug, eine Kante oder eine Skizze als Leitkurve.</translation>
   </message>
   <message>
-   <source>an accuracy of {0}: it must be greater than 0.</source>
-   <translation>eine Genauigkeit von {0}: sie muss größer als 0 sein.</translation>
+   <source>the accuracy is {0}, but must be greater than 0.</source>
+   <translation>Die Genauigkeit ist {0}, muss aber größer als 0 sein.</translation>
   </message>
   <message>
-   <source>"{0}" has {1} separate pieces; a path must be one.</source>
-   <translation>„{0}“ hat {1} getrennte Stücke; eine Bahn muss eines sein.</translation>
+   <source>"{0}" has {1} separate pieces: join them to one curve, or select one piece.</source>
+   <translation>„{0}“ hat {1} getrennte Stücke: Verbinden Sie sie zu einer Kurve, oder wählen Sie ein Stück.</translation>
   </message>
   <message>
-   <source>an accuracy of {0} takes more than {1} poses along this path: allow more.</source>
-   <translation>eine Genauigkeit von {0} braucht auf diesem Weg mehr als {1} Posen: lassen Sie mehr zu.</translation>
+   <source>an accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy value.</source>
+   <translation>Eine Genauigkeit von {0} braucht auf dieser Kurve mehr als {1} Lagen: Wählen Sie einen größeren Wert.</translation>
   </message>
   <message>
-   <source>"{0}" begins in the direction of the path "{1}": it does not say where up is. Move it sideways.</source>
-   <translation>„{0}“ beginnt in Richtung des Weges „{1}“: sie sagt nicht, wo oben ist. Sie seitlich versetzen.</translation>
+   <source>"{0}" starts in the direction of the curve "{1}", so it does not define the z axis: move it sideways.</source>
+   <translation>„{0}“ beginnt in Richtung der Kurve „{1}“ und legt so die z-Achse nicht fest: Versetzen Sie sie seitlich.</translation>
   </message>
   <message>
-   <source>"{0}" = {1:g}: the document does not recompute.</source>
-   <translation>„{0}“ = {1:g}: Das Dokument lässt sich nicht neu berechnen.</translation>
+   <source>the document cannot be recomputed with "{0}" = {1:g}: choose another start or end.</source>
+   <translation>Das Dokument lässt sich mit „{0}“ = {1:g} nicht neu berechnen: Wählen Sie einen anderen Start oder ein anderes Ende.</translation>
   </message>
   <message>
-   <source>choose the object whose value is driven, then the part to watch.</source>
-   <translation>das Objekt wählen, dessen Wert gesteuert wird, dann das zu verfolgende Teil.</translation>
+   <source>choose the object whose value is driven, then the part to follow.</source>
+   <translation>Wählen Sie das Objekt, dessen Wert gesteuert wird, dann das zu verfolgende Teil.</translation>
   </message>
   <message>
-   <source>"{0}" has no value "{1}" that can be driven; it has: {2}</source>
-   <translation>„{0}“ hat keinen steuerbaren Wert „{1}“; vorhanden: {2}</translation>
+   <source>"{0}" has no value "{1}" that can be driven: choose one of {2}</source>
+   <translation>„{0}“ hat keinen steuerbaren Wert „{1}“: Wählen Sie einen von {2}</translation>
   </message>
   <message>
-   <source>"{0}" of "{1}" follows the expression {2}: drive what it reads.</source>
-   <translation>„{0}“ von „{1}“ folgt dem Ausdruck {2}: steuern, was dieser liest.</translation>
+   <source>"{0}" of "{1}" is set by the expression {2}: drive a value in that expression instead.</source>
+   <translation>„{0}“ von „{1}“ wird durch den Ausdruck {2} gesetzt: Steuern Sie stattdessen einen Wert in diesem Ausdruck.</translation>
   </message>
   <message>
-   <source>the clipboard holds no rows of numbers.</source>
-   <translation>Die Zwischenablage enthält keine Zeilen mit Zahlen.</translation>
+   <source>the clipboard has no rows of numbers: copy cells from a spreadsheet first.</source>
+   <translation>Die Zwischenablage enthält keine Zeilen mit Zahlen: Kopieren Sie zuerst Zellen aus einer Tabelle.</translation>
   </message>
   <message>
-   <source>there is a key at this time already.</source>
-   <translation>zu dieser Zeit gibt es schon eine Stützstelle.</translation>
+   <source>there is already a key at this time: choose another time.</source>
+   <translation>Zu dieser Zeit gibt es schon eine Stützstelle: Wählen Sie eine andere Zeit.</translation>
   </message>
   <message>
-   <source>"{0}" is not a number or quantity in {1}.</source>
-   <translation>„{0}“ ist keine Zahl oder Größe in {1}.</translation>
+   <source>"{0}" is not a number or quantity in {1}: correct the entry.</source>
+   <translation>„{0}“ ist keine Zahl oder Größe in {1}: Berichtigen Sie die Eingabe.</translation>
   </message>
   <message>
-   <source>the time of key {0} must lie between those of its neighbours.</source>
-   <translation>Die Zeit von Schlüssel {0} muss zwischen denen seiner Nachbarn liegen.</translation>
+   <source>the time of key {0} must lie between the times of the keys before and after it.</source>
+   <translation>Die Zeit der Stützstelle {0} muss zwischen den Zeiten der vorigen und der nächsten liegen.</translation>
   </message>
   <message>
-   <source>row {0} of what is pasted has {1} columns: give t, x, y, z, or these and yaw, pitch, roll.</source>
-   <translation>Zeile {0} des Eingefügten hat {1} Spalten: Geben Sie t, x, y, z oder diese und Gieren, Nicken, Rollen an.</translation>
+   <source>row {0} of the pasted text has {1} columns: use t, x, y, z, or t, x, y, z, yaw, pitch, roll.</source>
+   <translation>Zeile {0} des eingefügten Texts hat {1} Spalten: Verwenden Sie t, x, y, z oder t, x, y, z, Gier, Nick, Roll.</translation>
   </message>
   <message>
-   <source>"{0}" gave no frames: does it run in its own panel?</source>
-   <translation>„{0}“ ergab keine Bilder: läuft sie in ihrem eigenen Aufgabenbereich?</translation>
+   <source>"{0}" gave no frames: check that it runs in its own panel.</source>
+   <translation>„{0}“ ergab keine Bilder: Prüfen Sie, ob sie in ihrem eigenen Panel läuft.</translation>
   </message>
   <message>
    <source>choose at least one object with a placement.</source>
    <translation>Mindestens ein Objekt mit einer Platzierung wählen.</translation>
   </message>
   <message>
-   <source>"{0}" has no placement and cannot be a pose.</source>
-   <translation>„{0}“ hat keine Platzierung und kann keine Lage sein.</translation>
+   <source>"{0}" has no placement, so it cannot be a pose: choose another object.</source>
+   <translation>„{0}“ hat keine Platzierung und kann daher keine Lage sein: Wählen Sie ein anderes Objekt.</translation>
   </message>
   <message>
-   <source>pose {0}: its time ({1:g}) is no moment.</source>
-   <translation>Lage {0}: ihre Zeit ({1:g}) ist kein Zeitpunkt.</translation>
+   <source>pose {0}: the time is {1:g}, but must be a finite number.</source>
+   <translation>Lage {0}: Die Zeit ist {1:g}, muss aber eine endliche Zahl sein.</translation>
   </message>
   <message>
-   <source>pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may not go back.</source>
-   <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor den {2:g} s der Lage davor; Zeiten dürfen nicht zurückgehen.</translation>
+   <source>pose {0}: the time {1:g} s is earlier than the {2:g} s of the pose before; times must not decrease.</source>
+   <translation>Lage {0}: Die Zeit {1:g} s liegt vor den {2:g} s der vorigen Lage; Zeiten dürfen nicht abnehmen.</translation>
   </message>
   <message>
    <source>the motion has no poses: add at least one.</source>
    <translation>Die Bewegung hat keine Lagen: mindestens eine hinzufügen.</translation>
   </message>
   <message>
-   <source>the frame "{0}" is unknown; allowed: {1}.</source>
-   <translation>Der Bezug „{0}“ ist unbekannt; möglich sind {1}.</translation>
+   <source>the pose type "{0}" is unknown: use one of {1}.</source>
+   <translation>Die Art der Lage „{0}“ ist unbekannt: Verwenden Sie eine von {1}.</translation>
   </message>
   <message>
-   <source>the motion has {0} times and {1} placements.</source>
-   <translation>Die Bewegung hat {0} Zeiten und {1} Platzierungen.</translation>
+   <source>the motion has {0} times but {1} placements: their numbers must be equal.</source>
+   <translation>Die Bewegung hat {0} Zeiten, aber {1} Platzierungen: Ihre Anzahl muss gleich sein.</translation>
   </message>
   <message>
-   <source>poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from a moving reference, need different ones.</source>
-   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Eine glatte Bewegung, und eine von einem bewegten Bezugsteil aus gesehene, brauchen verschiedene.</translation>
+   <source>poses {0} and {1} have the same time ({2:g} s): a spline, or a motion with a reference part, needs different times.</source>
+   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Ein Spline oder eine Bewegung mit Bezugsteil braucht verschiedene Zeiten.</translation>
   </message>
   <message>
    <source>choose one Robot trajectory.</source>
    <translation>Eine Roboterbahn wählen.</translation>
   </message>
   <message>
-   <source>"{0}" has {1} waypoints; a motion needs at least two.</source>
-   <translation>„{0}“ hat {1} Wegpunkte; eine Bewegung braucht mindestens zwei.</translation>
+   <source>"{0}" has {1} waypoints, but a motion needs at least two: add waypoints.</source>
+   <translation>„{0}“ hat {1} Wegpunkte, aber eine Bewegung braucht mindestens zwei: Fügen Sie Wegpunkte hinzu.</translation>
   </message>
   <message>
-   <source>the settings of the motion's source are damaged: choose the source again, or keep the poses as they are.</source>
-   <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: die Quelle neu wählen oder die Lagen behalten, wie sie sind.</translation>
+   <source>the settings of the motion's source are damaged: create the motion again, or use its poses as they are.</source>
+   <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: Legen Sie die Bewegung neu an, oder verwenden Sie ihre Lagen, wie sie sind.</translation>
   </message>
   <message>
-   <source>this motion keeps its own poses and has no source to read again.</source>
-   <translation>Diese Bewegung hat eigene Lagen und keine Quelle, die neu gelesen werden könnte.</translation>
+   <source>this motion has no source to read again: its poses are stored in the document.</source>
+   <translation>Diese Bewegung hat keine Quelle, die neu gelesen werden könnte: Ihre Lagen sind im Dokument gespeichert.</translation>
   </message>
   <message>
-   <source>{0} poses: allowed are {1} to {2}.</source>
-   <translation>{0} Lagen: erlaubt sind {1} bis {2}.</translation>
+   <source>the number of poses is {0}, but must be {1} to {2}.</source>
+   <translation>Die Anzahl der Lagen ist {0}, muss aber {1} bis {2} sein.</translation>
   </message>
   <message>
-   <source>no smooth way leads from pose {0} to pose {1}: their times, placements or given velocities are beyond all measure.</source>
-   <translation>Von Lage {0} zu Lage {1} führt kein glatter Weg: Zeiten, Platzierungen oder gegebene Geschwindigkeiten sind jenseits allen Maßes.</translation>
+   <source>the spline from pose {0} to pose {1} is too extreme: check their times, placements and given velocities.</source>
+   <translation>Der Spline von Lage {0} zu Lage {1} ist zu extrem: Prüfen Sie Zeiten, Platzierungen und gegebene Geschwindigkeiten.</translation>
   </message>
   <message>
    <source>"{0}" has no 3D view: open one in the menu Window.</source>
@@ -1650,15 +1650,15 @@ Versucht:
    <translation>{0} tief</translation>
   </message>
   <message>
-   <source>the face itself, at a key</source>
-   <translation>die Fläche selbst, an einer Stützstelle</translation>
+   <source>the face itself, at a pose</source>
+   <translation>die Fläche selbst, in einer Lage</translation>
   </message>
   <message>
    <source>swept by an edge</source>
    <translation>von einer Kante überstrichen</translation>
   </message>
   <message>
-   <source>swept by a face in passing</source>
+   <source>swept by a face that passed</source>
    <translation>von einer Fläche im Vorbeigehen überstrichen</translation>
   </message>
   <message>
@@ -1686,12 +1686,8 @@ Versucht:
    <translation>Urteil</translation>
   </message>
   <message>
-   <source>at s</source>
-   <translation>bei s</translation>
-  </message>
-  <message>
-   <source>Between the meshes; the line above has taken off how far these may leave the parts</source>
-   <translation>Zwischen den Netzen; in der Zeile darüber ist abgezogen, wie weit diese von den Teilen abweichen können</translation>
+   <source>Measured between the meshes. The line above subtracts how far the meshes may deviate from the parts</source>
+   <translation>Zwischen den Netzen gemessen. Die Zeile darüber zieht ab, wie weit die Netze von den Teilen abweichen dürfen</translation>
   </message>
   <message>
    <source>Colour the &amp;parts by their verdicts</source>
@@ -1710,48 +1706,52 @@ Versucht:
    <translation>Bericht ...</translation>
   </message>
   <message>
-   <source>depth</source>
+   <source>Time</source>
+   <translation>Zeit</translation>
+  </message>
+  <message>
+   <source>Depth</source>
    <translation>Tiefe</translation>
   </message>
   <message>
-   <source>{0} (stale: check again)</source>
-   <translation>{0} (veraltet: neu prüfen)</translation>
+   <source>{0} (stale: run the check again)</source>
+   <translation>{0} (veraltet: erneut prüfen)</translation>
   </message>
   <message>
-   <source>Place &amp;before</source>
-   <translation>Stelle &amp;davor</translation>
+   <source>Pre&amp;vious place</source>
+   <translation>Vori&amp;ge Stelle</translation>
   </message>
   <message>
-   <source>Back to the place that is worse than this one</source>
-   <translation>Zurück zur Stelle, die schlimmer ist als diese</translation>
+   <source>Goes back to the place that is worse than this one</source>
+   <translation>Geht zurück zur Stelle, die schlimmer ist als diese</translation>
   </message>
   <message>
    <source>&amp;Next worst place</source>
    <translation>&amp;Nächstschlimmste Stelle</translation>
   </message>
   <message>
-   <source>Goes through the places from the worst on: clashes, the deepest first, then what is nearest</source>
-   <translation>Geht die Stellen von der schlimmsten an durch: Kollisionen, die tiefste zuerst, dann was am nächsten ist</translation>
+   <source>Goes through the places, the worst first: clashes by depth, then the others by distance</source>
+   <translation>Geht die Stellen durch, die schlimmste zuerst: Kollisionen nach Tiefe, dann die anderen nach Abstand</translation>
   </message>
   <message>
    <source>Rule: {0}</source>
    <translation>Regel: {0}</translation>
   </message>
   <message>
-   <source>Nothing touches at the first pose.</source>
-   <translation>In der ersten Lage berührt sich nichts.</translation>
+   <source>No parts are in contact at the first pose.</source>
+   <translation>In der ersten Lage sind keine Teile in Kontakt.</translation>
   </message>
   <message>
-   <source>Contact allowed, where it is meant: {0}</source>
-   <translation>Kontakt erlaubt, sofern er so gemeint ist: {0}</translation>
+   <source>Contact is now allowed for these; check that it is intended: {0}</source>
+   <translation>Kontakt ist nun erlaubt; prüfen Sie, ob er gewollt ist: {0}</translation>
   </message>
   <message>
    <source>{0}: {1} {2} at {3} s</source>
    <translation>{0}: {1} {2} bei {3} s</translation>
   </message>
   <message>
-   <source>No curve yet: check first.</source>
-   <translation>Noch keine Kurve: zuerst prüfen.</translation>
+   <source>No graph yet: run the check first.</source>
+   <translation>Noch kein Diagramm: Prüfen Sie zuerst.</translation>
   </message>
   <message>
    <source>distance ({0}) over time (s)</source>
@@ -1786,8 +1786,12 @@ Versucht:
    <translation>Bewegung</translation>
   </message>
   <message>
-   <source>All other visible parts</source>
-   <translation>Alle anderen sichtbaren Teile</translation>
+   <source>All visible</source>
+   <translation>Alle sichtbaren</translation>
+  </message>
+  <message>
+   <source>All other visible parts are neighbours</source>
+   <translation>Alle anderen sichtbaren Teile sind Nachbarn</translation>
   </message>
   <message>
    <source>Ta&amp;ke selected as neighbours</source>
@@ -1795,35 +1799,35 @@ Versucht:
   </message>
   <message>
    <source>Required distance</source>
-   <translation>Geforderter Abstand</translation>
+   <translation>Sollabstand</translation>
   </message>
   <message>
-   <source>Tolerance</source>
-   <translation>Toleranz</translation>
+   <source>Accuracy</source>
+   <translation>Genauigkeit</translation>
   </message>
   <message>
    <source>Mesh deflection</source>
    <translation>Netzabweichung</translation>
   </message>
   <message>
-   <source>length</source>
-   <translation>Länge</translation>
+   <source>Distance</source>
+   <translation>Abstand</translation>
   </message>
   <message>
-   <source>What the moving parts touch at the first pose of the motion may be touched at any time</source>
-   <translation>Was die bewegten Teile in der ersten Lage der Bewegung berühren, darf jederzeit berührt werden</translation>
+   <source>Allows contact with the neighbours that the moving parts touch at the first pose</source>
+   <translation>Erlaubt Kontakt mit den Nachbarn, die die bewegten Teile in der ersten Lage berühren</translation>
   </message>
   <message>
-   <source>Allow what &amp;touches at first</source>
-   <translation>&amp;Berührung am Anfang erlauben</translation>
+   <source>Allow initial con&amp;tacts</source>
+   <translation>Anfangs&amp;kontakte erlauben</translation>
   </message>
   <message>
    <source>Neighbour</source>
    <translation>Nachbar</translation>
   </message>
   <message>
-   <source>Makes a body of what the envelope shares with the part of the row</source>
-   <translation>Macht einen Körper aus dem, was die Hülle mit dem Teil der Zeile gemeinsam hat</translation>
+   <source>Makes a shared volume of the envelope and the part of the chosen row</source>
+   <translation>Erzeugt ein gemeinsames Volumen aus der Hülle und dem Teil der gewählten Zeile</translation>
   </message>
   <message>
    <source>Colour the envelope by distance</source>
@@ -1835,31 +1839,31 @@ Versucht:
   </message>
   <message>
    <source>contact: up to</source>
-   <translation>Berührung: bis</translation>
+   <translation>Kontakt: bis</translation>
   </message>
   <message>
-   <source>too near: up to</source>
-   <translation>zu nah: bis</translation>
+   <source>below required: up to</source>
+   <translation>unter Sollabstand: bis</translation>
   </message>
   <message>
    <source>clear: beyond</source>
    <translation>frei: darüber</translation>
   </message>
   <message>
-   <source>The envelope has changed since the check: check again.</source>
-   <translation>Die Hülle hat sich seit der Prüfung geändert: neu prüfen.</translation>
+   <source>The envelope has changed since the check: run the check again.</source>
+   <translation>Die Hülle hat sich seit der Prüfung geändert: Prüfen Sie erneut.</translation>
   </message>
   <message>
-   <source>Keep volume to be cut awa&amp;y</source>
-   <translation>Wegzuschneidendes Volumen behal&amp;ten</translation>
+   <source>Keep volume to cut awa&amp;y</source>
+   <translation>Abzutragendes Volumen behal&amp;ten</translation>
   </message>
   <message>
    <source>Swept envelope</source>
    <translation>Bewegungshülle</translation>
   </message>
   <message>
-   <source>Cells along the longest side of the sweep</source>
-   <translation>Zellen entlang der längsten Seite des überstrichenen Raums</translation>
+   <source>Cells along the longest side of the swept volume</source>
+   <translation>Zellen entlang der längsten Seite des überstrichenen Volumens</translation>
   </message>
   <message>
    <source>; about {0}, {1}</source>
@@ -1870,28 +1874,24 @@ Versucht:
    <translation>{0} x {1} x {2} Zellen zu {3}</translation>
   </message>
   <message>
-   <source>Accuracy</source>
-   <translation>Genauigkeit</translation>
-  </message>
-  <message>
-   <source>Left coarse and quick, right fine and slow</source>
+   <source>Coarse and fast on the left, fine and slow on the right</source>
    <translation>Links grob und schnell, rechts fein und langsam</translation>
   </message>
   <message>
-   <source>Largest deviation by simplification; 0: none</source>
-   <translation>Größte Abweichung durch Vereinfachung; 0: keine</translation>
+   <source>How far simplification may move the surface; 0: no simplification</source>
+   <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
   </message>
   <message>
-   <source>Safety distance around the swept volume</source>
-   <translation>Sicherheitsabstand um den überstrichenen Raum</translation>
+   <source>Grows the envelope by this distance on all sides</source>
+   <translation>Vergrößert die Hülle auf allen Seiten um diesen Abstand</translation>
   </message>
   <message>
-   <source>Given by</source>
-   <translation>Vorgabe</translation>
+   <source>Set cell size by</source>
+   <translation>Zellgröße vorgeben durch</translation>
   </message>
   <message>
-   <source>Cells</source>
-   <translation>Zellen</translation>
+   <source>Resolution</source>
+   <translation>Auflösung</translation>
   </message>
   <message>
    <source>Quality</source>
@@ -1902,20 +1902,28 @@ Versucht:
    <translation>Zellgröße</translation>
   </message>
   <message>
-   <source>Simplification</source>
-   <translation>Vereinfachung</translation>
+   <source>Tolerance</source>
+   <translation>Toleranz</translation>
   </message>
   <message>
    <source>Offset</source>
-   <translation>Zugabe</translation>
+   <translation>Versatz</translation>
   </message>
   <message>
-   <source>Contain the sweep provably</source>
-   <translation>Überstrichenen Raum nachweislich enthalten</translation>
+   <source>Conservative</source>
+   <translation>Konservativ</translation>
   </message>
   <message>
-   <source>Keep enclosed cavities</source>
-   <translation>Eingeschlossene Hohlräume behalten</translation>
+   <source>Grows the envelope until it provably contains the swept volume</source>
+   <translation>Vergrößert die Hülle, bis sie das überstrichene Volumen nachweislich enthält</translation>
+  </message>
+  <message>
+   <source>Keep cavities</source>
+   <translation>Hohlräume behalten</translation>
+  </message>
+  <message>
+   <source>Keeps enclosed cavities as inner shells</source>
+   <translation>Erhält eingeschlossene Hohlräume als innere Schalen</translation>
   </message>
   <message>
    <source>Show a coarse envelope</source>
@@ -1926,8 +1934,8 @@ Versucht:
    <translation>Verfahren</translation>
   </message>
   <message>
-   <source>For recordings of very many poses: leaves out those that move no point farther than this from the last one kept; 0: uses all</source>
-   <translation>Für Aufzeichnungen mit sehr vielen Lagen: lässt solche aus, die keinen Punkt weiter als dies von der letzten behaltenen bewegen; 0: verwendet alle</translation>
+   <source>For recordings of very many poses: skips a pose if no point of the part has moved farther than this since the last pose used; 0: uses all</source>
+   <translation>Für Aufzeichnungen mit sehr vielen Lagen: überspringt eine Lage, wenn sich seit der letzten verwendeten kein Punkt des Teils weiter als dies bewegt hat; 0: verwendet alle</translation>
   </message>
   <message>
    <source>Components</source>
@@ -1942,28 +1950,24 @@ Versucht:
    <translation>Lagenfilter</translation>
   </message>
   <message>
-   <source>Remembers which face or edge of which part made each place, and when, for "What made this?"; in the document it takes room</source>
-   <translation>Merkt sich, welche Fläche oder Kante welches Teils jede Stelle erzeugt hat und wann, für „Was hat das erzeugt?“; im Dokument braucht das Platz</translation>
+   <source>Records which face or edge of which part made each triangle, and when, for "What made this?". Stored in the document, it makes the file larger</source>
+   <translation>Merkt sich für „Was hat das erzeugt?“, welche Fläche oder Kante welches Teils jedes Dreieck erzeugt hat und wann. Im Dokument gespeichert, vergrößert es die Datei</translation>
   </message>
   <message>
-   <source>What made it</source>
-   <translation>Was sie erzeugt hat</translation>
+   <source>Made by</source>
+   <translation>Erzeugt von</translation>
   </message>
   <message>
-   <source>The parts are being read ...</source>
+   <source>Reading the parts ...</source>
    <translation>Die Teile werden gelesen ...</translation>
   </message>
   <message>
-   <source>A position filter of {0} would leave out most poses and be much quicker.</source>
-   <translation>Ein Positionsfilter von {0} würde die meisten Posen weglassen und wäre viel schneller.</translation>
+   <source>Most poses are nearly equal: a position filter of {0} skips them and is much faster.</source>
+   <translation>Die meisten Lagen sind fast gleich: Ein Lagenfilter von {0} überspringt sie und ist viel schneller.</translation>
   </message>
   <message>
-   <source>The motion has one key: the parts do not move. Add another.</source>
-   <translation>Die Bewegung hat nur eine Stützstelle: Die Teile bewegen sich nicht. Fügen Sie eine weitere hinzu.</translation>
-  </message>
-  <message>
-   <source>Number of cells</source>
-   <translation>Zellenzahl</translation>
+   <source>The motion has only one key, so the parts do not move: add another key.</source>
+   <translation>Die Bewegung hat nur eine Stützstelle, die Teile bewegen sich also nicht: Fügen Sie eine weitere hinzu.</translation>
   </message>
   <message>
    <source>Export envelope</source>
@@ -1986,8 +1990,8 @@ Versucht:
    <translation>Ordner für Ergebnisse</translation>
   </message>
   <message>
-   <source>{0} poses, {1} to {2} s, moving {3} x {4} x {5}</source>
-   <translation>{0} Stellungen, {1} bis {2} s, Weg {3} x {4} x {5}</translation>
+   <source>{0} poses, {1} to {2} s, travel {3} x {4} x {5}</source>
+   <translation>{0} Lagen, {1} bis {2} s, Verfahrweg {3} x {4} x {5}</translation>
   </message>
   <message>
    <source>Motions</source>
@@ -2006,28 +2010,28 @@ Versucht:
    <translation>Datei</translation>
   </message>
   <message>
-   <source>Unit of length</source>
-   <translation>Längeneinheit</translation>
+   <source>Unit</source>
+   <translation>Einheit</translation>
   </message>
   <message>
-   <source>Between poses</source>
-   <translation>Zwischen Lagen</translation>
+   <source>Interpolation</source>
+   <translation>Interpolation</translation>
   </message>
   <message>
-   <source>A pose is</source>
-   <translation>Eine Lage ist</translation>
+   <source>Pose type</source>
+   <translation>Art der Lage</translation>
   </message>
   <message>
    <source>&amp;Find path</source>
-   <translation>Weg &amp;finden</translation>
+   <translation>Bahn &amp;finden</translation>
   </message>
   <message>
    <source>Find path</source>
-   <translation>Weg finden</translation>
+   <translation>Bahn finden</translation>
   </message>
   <message>
-   <source>Way of the part</source>
-   <translation>Weg des Teils</translation>
+   <source>Start and goal</source>
+   <translation>Start und Ziel</translation>
   </message>
   <message>
    <source>&amp;Pick</source>
@@ -2042,20 +2046,20 @@ Versucht:
    <translation>Teil</translation>
   </message>
   <message>
-   <source>It belongs</source>
-   <translation>Es gehört</translation>
+   <source>Goal</source>
+   <translation>Ziel</translation>
   </message>
   <message>
-   <source>It comes from</source>
-   <translation>Es kommt</translation>
+   <source>Start</source>
+   <translation>Start</translation>
   </message>
   <message>
    <source>The part never turns</source>
    <translation>Das Teil dreht sich nie</translation>
   </message>
   <message>
-   <source>From how the part stands where it belongs; 180: as it likes</source>
-   <translation>Gegenüber seiner Stellung an seinem Platz; 180: beliebig</translation>
+   <source>Largest rotation away from the orientation at the goal; 180: no limit</source>
+   <translation>Größte Drehung gegenüber der Ausrichtung am Ziel; 180: keine Grenze</translation>
   </message>
   <message>
    <source>Largest turn</source>
@@ -2067,35 +2071,35 @@ Versucht:
   </message>
   <message>
    <source>&amp;Improve path</source>
-   <translation>Weg ver&amp;bessern</translation>
+   <translation>Bahn ver&amp;bessern</translation>
   </message>
   <message>
    <source>Improve path</source>
-   <translation>Weg verbessern</translation>
+   <translation>Bahn verbessern</translation>
   </message>
   <message>
    <source>Key {0}, {1} s</source>
-   <translation>Schlüssel {0}, {1} s</translation>
+   <translation>Stützstelle {0}, {1} s</translation>
   </message>
   <message>
-   <source>Ticked keys stay where and when they are</source>
-   <translation>Angehakte Schlüssel bleiben, wo und wann sie sind</translation>
+   <source>Ticked keys keep their placement and time</source>
+   <translation>Angehakte Stützstellen behalten Platzierung und Zeit</translation>
   </message>
   <message>
    <source>Locked</source>
    <translation>Gesperrt</translation>
   </message>
   <message>
-   <source>The path may be longer then; without this it is as short as the clearance lets it</source>
-   <translation>Der Weg kann dann länger sein; sonst ist er so kurz, wie der Abstand es zulässt</translation>
+   <source>Increases the clearance, even if the path gets longer; otherwise the path is as short as the required distance allows</source>
+   <translation>Vergrößert den Abstand, auch wenn die Bahn länger wird; sonst ist die Bahn so kurz, wie der Sollabstand erlaubt</translation>
   </message>
   <message>
-   <source>As much clearance as can be had</source>
-   <translation>So viel Abstand wie möglich</translation>
+   <source>Maximise clearance</source>
+   <translation>Abstand maximieren</translation>
   </message>
   <message>
    <source>The last change of the keys</source>
-   <translation>Die letzte Änderung der Schlüssel</translation>
+   <translation>Die letzte Änderung der Stützstellen</translation>
   </message>
   <message>
    <source>yaw</source>
@@ -2118,32 +2122,32 @@ Versucht:
    <translation>Aufn&amp;ehmen</translation>
   </message>
   <message>
-   <source>Adds the placement that the part has now (Ctrl+Return)</source>
-   <translation>Fügt die jetzige Lage des Teils an (Strg+Eingabe)</translation>
+   <source>Adds the current placement of the part as a key (Ctrl+Return)</source>
+   <translation>Fügt die jetzige Platzierung des Teils als Stützstelle an (Strg+Eingabe)</translation>
   </message>
   <message>
    <source>&amp;Update</source>
    <translation>Über&amp;nehmen</translation>
   </message>
   <message>
-   <source>Takes the part's placement of now for this key</source>
-   <translation>Nimmt für diesen Schlüssel die jetzige Platzierung des Teils</translation>
+   <source>Replaces the placement of this key by the current placement of the part</source>
+   <translation>Ersetzt die Platzierung dieser Stützstelle durch die jetzige des Teils</translation>
   </message>
   <message>
    <source>&amp;Insert</source>
    <translation>E&amp;infügen</translation>
   </message>
   <message>
-   <source>A new key half-way to the next one (Insert)</source>
-   <translation>Neue Stützstelle auf halbem Weg zur nächsten (Einfg)</translation>
+   <source>Adds a key halfway to the next one (Insert)</source>
+   <translation>Fügt eine Stützstelle auf halbem Weg zur nächsten ein (Einfg)</translation>
   </message>
   <message>
    <source>&amp;Duplicate</source>
    <translation>&amp;Verdoppeln</translation>
   </message>
   <message>
-   <source>The same placement again (Ctrl+D)</source>
-   <translation>Dieselbe Lage noch einmal (Strg+D)</translation>
+   <source>Adds the same placement again (Ctrl+D)</source>
+   <translation>Fügt dieselbe Platzierung noch einmal an (Strg+D)</translation>
   </message>
   <message>
    <source>De&amp;lete</source>
@@ -2158,32 +2162,32 @@ Versucht:
    <translation>&amp;Umkehren</translation>
   </message>
   <message>
-   <source>The way back</source>
-   <translation>Der Rückweg</translation>
+   <source>Reverses the order of the keys</source>
+   <translation>Kehrt die Reihenfolge der Stützstellen um</translation>
   </message>
   <message>
    <source>Up</source>
    <translation>Nach oben</translation>
   </message>
   <message>
-   <source>Earlier (Ctrl+Up)</source>
-   <translation>Früher (Strg+Auf)</translation>
+   <source>Moves the key one place earlier (Ctrl+Up)</source>
+   <translation>Rückt die Stützstelle um einen Platz nach vorn (Strg+Auf)</translation>
   </message>
   <message>
    <source>Down</source>
    <translation>Nach unten</translation>
   </message>
   <message>
-   <source>Later (Ctrl+Down)</source>
-   <translation>Später (Strg+Ab)</translation>
+   <source>Moves the key one place later (Ctrl+Down)</source>
+   <translation>Rückt die Stützstelle um einen Platz nach hinten (Strg+Ab)</translation>
   </message>
   <message>
    <source>Eve&amp;n times</source>
    <translation>&amp;Gleiche Zeiten</translation>
   </message>
   <message>
-   <source>One second from key to key</source>
-   <translation>Eine Sekunde von Schlüssel zu Schlüssel</translation>
+   <source>Sets the times one second apart</source>
+   <translation>Setzt die Zeiten im Abstand von einer Sekunde</translation>
   </message>
   <message>
    <source>Source</source>
@@ -2198,8 +2202,8 @@ Versucht:
    <translation>Abstand beim Ziehen zeigen</translation>
   </message>
   <message>
-   <source>The key goes no farther than the part comes without touching a neighbour; neighbours are all visible parts</source>
-   <translation>Der Schlüssel geht nur so weit, wie das Teil kommt, ohne einen Nachbarn zu berühren; Nachbarn sind alle sichtbaren Teile</translation>
+   <source>Stops the dragged key where the part would touch a neighbour; all visible parts are neighbours</source>
+   <translation>Hält die gezogene Stützstelle an, wo das Teil einen Nachbarn berühren würde; alle sichtbaren Teile sind Nachbarn</translation>
   </message>
   <message>
    <source>Clash with {1}</source>
@@ -2214,24 +2218,24 @@ Versucht:
    <translation>Kontakt mit {1} ({0})</translation>
   </message>
   <message>
-   <source>The envelope is not up to date: this tells of the parts and the motion that it was computed from. Recompute it to see them move.</source>
-   <translation>Die Hülle ist nicht aktuell: Dies gilt für die Teile und die Bewegung, aus denen sie berechnet wurde. Berechnen Sie sie neu, um die Bewegung zu sehen.</translation>
+   <source>The envelope is stale: this information is about the parts and the motion from which it was computed. Recompute it to see them move.</source>
+   <translation>Die Hülle ist veraltet: Diese Angaben gelten für die Teile und die Bewegung, aus denen sie berechnet wurde. Berechnen Sie sie neu, um die Bewegung zu sehen.</translation>
   </message>
   <message>
    <source>What made this?</source>
    <translation>Was hat das erzeugt?</translation>
   </message>
   <message>
-   <source>Compute and remember</source>
-   <translation>Berechnen und merken</translation>
+   <source>Compute and record</source>
+   <translation>Berechnen und aufzeichnen</translation>
   </message>
   <message>
    <source>Colour by</source>
    <translation>Färben nach</translation>
   </message>
   <message>
-   <source>The place that was clicked</source>
-   <translation>Die angeklickte Stelle</translation>
+   <source>Clicked place</source>
+   <translation>Angeklickte Stelle</translation>
   </message>
   <message>
    <source>Select on the part</source>
@@ -2242,56 +2246,52 @@ Versucht:
    <translation>Klicken Sie in der 3D-Ansicht auf eine Stelle der Hülle.</translation>
   </message>
   <message>
-   <source>It is not remembered what made this envelope: it was computed without, or the document was closed since.</source>
-   <translation>Was diese Hülle erzeugt hat, ist nicht gemerkt: Sie wurde ohne das berechnet, oder das Dokument war seither geschlossen.</translation>
+   <source>What made this envelope was not recorded, or the record was lost when the document was closed: press Compute and record.</source>
+   <translation>Was diese Hülle erzeugt hat, wurde nicht aufgezeichnet oder ging beim Schließen des Dokuments verloren: Drücken Sie „Berechnen und aufzeichnen“.</translation>
   </message>
   <message>
-   <source>It is not known what made this place.</source>
-   <translation>Was diese Stelle erzeugt hat, ist nicht bekannt.</translation>
+   <source>For this place it is not known what made it: click beside it.</source>
+   <translation>Für diese Stelle ist nicht bekannt, was sie erzeugt hat: Klicken Sie daneben.</translation>
   </message>
   <message>
    <source>Mechanism</source>
    <translation>Mechanismus</translation>
   </message>
   <message>
-   <source>0: a tenth of the size of the parts, and at least what the rules need</source>
-   <translation>0: ein Zehntel der Größe der Teile, mindestens aber, was die Regeln brauchen</translation>
+   <source>Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the parts, or more if a rule needs it</source>
+   <translation>Paare von Teilen, die sich näher kommen, werden aufgeführt; 0: ein Zehntel der Größe der Teile, oder mehr, wenn eine Regel es braucht</translation>
   </message>
   <message>
-   <source>{0} parts that stand: {1}</source>
-   <translation>{0} stehende Teile: {1}</translation>
+   <source>{0} parts that stand still: {1}</source>
+   <translation>{0} stillstehende Teile: {1}</translation>
   </message>
   <message>
-   <source>Other visible parts, which stand still</source>
-   <translation>Andere sichtbare Teile, die stillstehen</translation>
+   <source>All other visible parts are neighbours that stand still</source>
+   <translation>Alle anderen sichtbaren Teile sind stillstehende Nachbarn</translation>
   </message>
   <message>
-   <source>Parts that touch when the common time begins, as at their joints, may touch at any time</source>
-   <translation>Teile, die sich zu Beginn der gemeinsamen Zeit berühren, etwa an ihren Gelenken, dürfen sich jederzeit berühren</translation>
+   <source>Allows contact between parts that touch at the start, for example at their joints</source>
+   <translation>Erlaubt Kontakt zwischen Teilen, die sich am Anfang berühren, etwa an ihren Gelenken</translation>
   </message>
   <message>
    <source>Pair</source>
    <translation>Paar</translation>
   </message>
   <message>
-   <source>List pairs nearer than</source>
-   <translation>Paare auflisten näher als</translation>
+   <source>Range</source>
+   <translation>Bereich</translation>
   </message>
   <message>
-   <source>none: select it, then press Pick</source>
-   <translation>keines: Wählen Sie es aus, dann „Wählen“</translation>
+   <source>none: select the part, then press Pick</source>
+   <translation>keines: Wählen Sie das Teil, und drücken Sie „Wählen“</translation>
   </message>
   <message>
-   <source>Steps in which the arrows and arcs move; 0: freely</source>
-   <translation>Schritte, in denen sich Pfeile und Bögen bewegen; 0: frei</translation>
+   <source>Step size of the arrows and arcs; 0: no steps</source>
+   <translation>Schrittweite der Pfeile und Bögen; 0: keine Schritte</translation>
   </message>
   <message>
-   <source>Path</source>
-   <translation>Bahn</translation>
-  </message>
-  <message>
-   <source>A motion has at least two keys: move the part, then Capture.</source>
-   <translation>Eine Bewegung hat mindestens zwei Stützstellen: Bewegen Sie das Teil, dann Aufnehmen.</translation>
+   <source>A motion needs at least two keys: move the part, then press Capture.</source>
+   <translation>Eine Bewegung braucht mindestens zwei Stützstellen: Bewegen Sie das Teil, und drücken Sie „Aufnehmen“.</translation>
   </message>
   <message>
    <source>Pivot</source>
@@ -2310,8 +2310,8 @@ Versucht:
    <translation>&amp;Runden</translation>
   </message>
   <message>
-   <source>Rounds the chosen key to these steps</source>
-   <translation>Rundet die gewählte Stützstelle auf diese Schritte</translation>
+   <source>Rounds the placement of the chosen key to these steps</source>
+   <translation>Rundet die Platzierung der gewählten Stützstelle auf diese Schritte</translation>
   </message>
   <message>
    <source>Snap</source>
@@ -2330,16 +2330,16 @@ Versucht:
    <translation>En&amp;tfernen</translation>
   </message>
   <message>
-   <source>Takes the marked parts out of the list</source>
-   <translation>Nimmt die markierten Teile aus der Liste</translation>
+   <source>Removes the marked parts from the list</source>
+   <translation>Entfernt die markierten Teile aus der Liste</translation>
   </message>
   <message>
-   <source>Take a&amp;ll its parts</source>
-   <translation>A&amp;lle seine Teile nehmen</translation>
+   <source>Add a&amp;ll its parts</source>
+   <translation>A&amp;lle ihre Teile hinzufügen</translation>
   </message>
   <message>
-   <source>Runs it once and takes every part that moves: motions that the document has of it are read again, others are made</source>
-   <translation>Lässt es einmal laufen und nimmt jedes Teil, das sich bewegt: Bewegungen davon, die es im Dokument schon gibt, werden neu gelesen, andere gemacht</translation>
+   <source>Runs the source once and adds every part that moves. Existing motions of these parts are read again, others are created</source>
+   <translation>Lässt die Quelle einmal laufen und fügt jedes Teil hinzu, das sich bewegt. Vorhandene Bewegungen dieser Teile werden neu gelesen, andere angelegt</translation>
   </message>
   <message>
    <source>(choose)</source>
@@ -2370,20 +2370,20 @@ Versucht:
    <translation>{0} gewählt: {1}</translation>
   </message>
   <message>
-   <source>Pairs checked: {0}, no space is shared, smallest distance: {1}</source>
-   <translation>Geprüfte Paare: {0}, kein gemeinsamer Raum, kleinster Abstand: {1}</translation>
+   <source>Pairs checked: {0}, none shares volume, smallest distance: {1}</source>
+   <translation>Geprüfte Paare: {0}, keines mit gemeinsamem Volumen, kleinster Abstand: {1}</translation>
   </message>
   <message>
    <source>Ta&amp;ke selected</source>
    <translation>Ausge&amp;wählte nehmen</translation>
   </message>
   <message>
-   <source>Makes an object of what the two share, which tells when they change</source>
-   <translation>Macht ein Objekt aus dem, was beide gemeinsam haben; es meldet, wenn sie sich ändern</translation>
+   <source>Adds the volume that both share as an object, which shows when it is out of date</source>
+   <translation>Fügt das gemeinsame Volumen als Objekt hinzu, das zeigt, wenn es veraltet ist</translation>
   </message>
   <message>
-   <source>Pairs checked: {0}, shared: {1}</source>
-   <translation>Geprüfte Paare: {0}, gemeinsam: {1}</translation>
+   <source>Pairs checked: {0}, shared volume: {1}</source>
+   <translation>Geprüfte Paare: {0}, gemeinsames Volumen: {1}</translation>
   </message>
   <message>
    <source>not known</source>
@@ -2402,12 +2402,12 @@ Versucht:
    <translation>Auswahl nehmen</translation>
   </message>
   <message>
-   <source>Seen from a moving part</source>
-   <translation>Von einem bewegten Teil aus gesehen</translation>
+   <source>Relative to a moving part</source>
+   <translation>Relativ zu einem bewegten Teil</translation>
   </message>
   <message>
-   <source>The envelope is what the moving parts take up for this part</source>
-   <translation>Die Hülle ist der Raum, den die bewegten Teile für dieses Teil einnehmen</translation>
+   <source>Computes the space that the moving parts occupy as seen from this part</source>
+   <translation>Berechnet den Raum, den die bewegten Teile von diesem Teil aus gesehen einnehmen</translation>
   </message>
   <message>
    <source>Takes the part that is selected in the tree</source>
@@ -2422,28 +2422,28 @@ Versucht:
    <translation>Eigene Bewegung</translation>
   </message>
   <message>
-   <source>Its motion</source>
-   <translation>Seine Bewegung</translation>
+   <source>Reference</source>
+   <translation>Bezugsteil</translation>
+  </message>
+  <message>
+   <source>Reference motion</source>
+   <translation>Bezugsbewegung</translation>
   </message>
   <message>
    <source>Paths</source>
-   <translation>Wege</translation>
+   <translation>Bahnen</translation>
   </message>
   <message>
    <source>Keys</source>
-   <translation>Schlüssel</translation>
+   <translation>Stützstellen</translation>
   </message>
   <message>
-   <source>turns</source>
+   <source>Turns</source>
    <translation>Drehung</translation>
   </message>
   <message>
-   <source>clearance</source>
-   <translation>Abstand</translation>
-  </message>
-  <message>
-   <source>The point that goes straight between two keys, and about which a key is turned; x, y, z of the keys are its own.</source>
-   <translation>Der Punkt, der zwischen zwei Schlüsseln geradeaus geht und um den ein Schlüssel gedreht wird; x, y, z der Schlüssel sind die seinen.</translation>
+   <source>The point that moves straight between two keys and about which the part turns. The x, y, z of a key are the coordinates of this point.</source>
+   <translation>Der Punkt, der sich zwischen zwei Stützstellen gerade bewegt und um den sich das Teil dreht. x, y, z einer Stützstelle sind die Koordinaten dieses Punkts.</translation>
   </message>
   <message>
    <source>Middle of the part</source>
@@ -2470,40 +2470,40 @@ Versucht:
    <translation>In den Koordinaten des Teils: {0}, {1}, {2}</translation>
   </message>
   <message>
-   <source>Where it stands now</source>
-   <translation>Dorthin, wo es jetzt steht</translation>
+   <source>Current placement</source>
+   <translation>Jetzige Platzierung</translation>
   </message>
   <message>
-   <source>A placement</source>
-   <translation>Eine Platzierung</translation>
+   <source>Given placement</source>
+   <translation>Gegebene Platzierung</translation>
   </message>
   <message>
-   <source>Just out: by a distance</source>
-   <translation>Nur hinaus: um eine Strecke</translation>
+   <source>Out by a distance</source>
+   <translation>Um einen Abstand hinaus</translation>
   </message>
   <message>
-   <source>Just out: in a direction</source>
-   <translation>Nur hinaus: in eine Richtung</translation>
+   <source>Out in a direction</source>
+   <translation>In einer Richtung hinaus</translation>
   </message>
   <message>
    <source>Take</source>
    <translation>Nehmen</translation>
   </message>
   <message>
-   <source>x, y, z of the direction in which the part leaves. Take: normal of the selected face, or direction of the selected edge</source>
-   <translation>x, y, z der Richtung, in der das Teil hinausgeht. Nehmen: Normale der gewählten Fläche oder Richtung der gewählten Kante</translation>
+   <source>Direction x, y, z in which the part leaves. Take uses the normal of the selected face, or the direction of the selected edge</source>
+   <translation>Richtung x, y, z, in der das Teil hinausgeht. „Nehmen“ verwendet die Normale der gewählten Fläche oder die Richtung der gewählten Kante</translation>
   </message>
   <message>
-   <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the selected object stands, or else the part itself</source>
-   <translation>x, y, z ({0}), Gier-, Nick-, Rollwinkel (Grad) des Teils im Dokument. Nehmen: wo das gewählte Objekt steht, sonst das Teil selbst</translation>
+   <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take uses the placement of the selected object, or of the part if nothing is selected</source>
+   <translation>x, y, z ({0}), Gier, Nick, Roll (Grad) des Teils im Dokument. „Nehmen“ verwendet die Platzierung des gewählten Objekts, ohne Auswahl die des Teils</translation>
   </message>
   <message>
-   <source>Hides what lies before the place; it follows rows and the player</source>
-   <translation>Blendet aus, was vor der Stelle liegt; folgt den Zeilen und dem Abspielen</translation>
+   <source>Hides everything in front of the closest place; follows the chosen row and the player</source>
+   <translation>Blendet alles vor der nächsten Stelle aus; folgt der gewählten Zeile und dem Abspielen</translation>
   </message>
   <message>
-   <source>Makes a body of what the two parts of the row share at its time</source>
-   <translation>Macht einen Körper aus dem, was beide Teile der Zeile zu deren Zeit gemeinsam haben</translation>
+   <source>Makes a shared volume of the two parts of the chosen row, at its time</source>
+   <translation>Erzeugt ein gemeinsames Volumen aus den zwei Teilen der gewählten Zeile zu deren Zeit</translation>
   </message>
   <message>
    <source>clash</source>
@@ -2526,7 +2526,7 @@ Versucht:
    <translation>Zeit: der grüne Schatten zeigt dort das Teil</translation>
   </message>
   <message>
-   <source>To the key before</source>
+   <source>To the previous key</source>
    <translation>Zur vorigen Stützstelle</translation>
   </message>
   <message>
@@ -2542,15 +2542,15 @@ Versucht:
    <translation>Zur nächsten Stützstelle</translation>
   </message>
   <message>
-   <source>Seconds of the motion in one second</source>
-   <translation>Sekunden der Bewegung in einer Sekunde</translation>
+   <source>Speed: seconds of the motion per second</source>
+   <translation>Tempo: Sekunden der Bewegung je Sekunde</translation>
   </message>
   <message>
    <source>Loop</source>
    <translation>Schleife</translation>
   </message>
   <message>
-   <source>Begins again at the end</source>
+   <source>Starts again at the end</source>
    <translation>Beginnt am Ende von vorn</translation>
   </message>
   <message>
@@ -2586,10 +2586,6 @@ Versucht:
    <translation>Warnungen: {0}</translation>
   </message>
   <message>
-   <source>Distance</source>
-   <translation>Abstand</translation>
-  </message>
-  <message>
    <source>Contact allowed</source>
    <translation>Kontakt erlaubt</translation>
   </message>
@@ -2606,32 +2602,32 @@ Versucht:
    <translation>Regel</translation>
   </message>
   <message>
-   <source>The distance that this one asks for; empty: the common one below. Where contact is allowed: how deep the parts may overlap; empty: not measurably</source>
-   <translation>Der Abstand, den dieser verlangt; leer: der gemeinsame unten. Wo Kontakt erlaubt ist: wie tief die Teile einander durchdringen dürfen; leer: nicht messbar</translation>
+   <source>The required distance for this row; empty: the common required distance below. If contact is allowed: how deep the parts may overlap; empty: no measurable overlap</source>
+   <translation>Der Sollabstand für diese Zeile; leer: der gemeinsame Sollabstand unten. Wenn Kontakt erlaubt ist: wie tief sich die Teile durchdringen dürfen; leer: nicht messbar</translation>
   </message>
   <message>
-   <source>What this one asks for; empty: the common clearance below</source>
-   <translation>Was dieser verlangt; leer: der gemeinsame Abstand unten</translation>
+   <source>The required distance for this row; empty: the common required distance below</source>
+   <translation>Der Sollabstand für diese Zeile; leer: der gemeinsame Sollabstand unten</translation>
   </message>
   <message>
    <source>Rules</source>
    <translation>Regeln</translation>
   </message>
   <message>
-   <source>Parts that touch, or are nearer than the clearance, where the way begins or ends may do so until no point of the part is farther than this from there</source>
-   <translation>Teile, die sich am Anfang oder Ende des Wegs berühren oder näher sind als der Abstand, dürfen das, bis ein Punkt des Teils weiter als dies von dort weg ist</translation>
+   <source>A neighbour that is nearer than the required distance at the start or the end may stay so until a point of the part has moved this far from there</source>
+   <translation>Ein Nachbar, der am Start oder am Ziel näher ist als der Sollabstand, darf es bleiben, bis sich ein Punkt des Teils so weit von dort entfernt hat</translation>
   </message>
   <message>
-   <source>Contact allowed for</source>
-   <translation>Kontakt erlaubt bis</translation>
+   <source>Release distance</source>
+   <translation>Freigabeabstand</translation>
   </message>
   <message>
-   <source>Another number may find another path</source>
-   <translation>Eine andere Zahl findet vielleicht einen anderen Weg</translation>
+   <source>The search uses random numbers; another seed may find another path</source>
+   <translation>Die Suche verwendet Zufallszahlen; eine andere Startzahl findet vielleicht eine andere Bahn</translation>
   </message>
   <message>
-   <source>Time at most</source>
-   <translation>Höchstens</translation>
+   <source>Time limit</source>
+   <translation>Zeitgrenze</translation>
   </message>
   <message>
    <source>Seed</source>
@@ -2639,14 +2635,14 @@ Versucht:
   </message>
   <message>
    <source>&amp;Find paths in this order</source>
-   <translation>Wege in dieser Reihenfolge &amp;finden</translation>
+   <translation>Bahnen in dieser Reihenfolge &amp;finden</translation>
   </message>
   <message>
    <source>Sequence</source>
    <translation>Einbaufolge</translation>
   </message>
   <message>
-   <source>is searched for ({0} of {1} found)</source>
+   <source>searching ({0} of {1} found)</source>
    <translation>wird gesucht ({0} von {1} gefunden)</translation>
   </message>
   <message>
@@ -2654,24 +2650,24 @@ Versucht:
    <translation>&amp;Reihenfolge finden</translation>
   </message>
   <message>
-   <source>By taking apart: what can be taken out goes, and the order is turned</source>
-   <translation>Durch Zerlegen: was herausgenommen werden kann, geht, und die Reihenfolge wird umgekehrt</translation>
+   <source>Finds an order of disassembly and reverses it</source>
+   <translation>Findet eine Reihenfolge der Demontage und kehrt sie um</translation>
   </message>
   <message>
-   <source>A part is out when it is so far from where it belongs</source>
-   <translation>Ein Teil ist draußen, wenn es so weit von seinem Platz entfernt ist</translation>
+   <source>Distance from its goal at which a part counts as removed</source>
+   <translation>Abstand vom Ziel, bei dem ein Teil als ausgebaut gilt</translation>
   </message>
   <message>
    <source>The parts never turn</source>
    <translation>Die Teile drehen sich nie</translation>
   </message>
   <message>
-   <source>Parts come from</source>
-   <translation>Teile kommen von</translation>
+   <source>Removal distance</source>
+   <translation>Ausbauabstand</translation>
   </message>
   <message>
-   <source>Parts, the first one comes first</source>
-   <translation>Teile, das erste kommt zuerst</translation>
+   <source>Moving parts, in order of installation</source>
+   <translation>Bewegte Teile, in der Reihenfolge des Einbaus</translation>
   </message>
   <message>
    <source>State</source>
@@ -2690,64 +2686,68 @@ Versucht:
    <translation>&amp;Entfernen</translation>
   </message>
   <message>
-   <source>Takes the marked part out of the sequence</source>
-   <translation>Nimmt das markierte Teil aus der Einbaufolge</translation>
+   <source>Removes the marked part from the sequence</source>
+   <translation>Entfernt das markierte Teil aus der Einbaufolge</translation>
   </message>
   <message>
    <source>&amp;Up</source>
    <translation>&amp;Auf</translation>
   </message>
   <message>
-   <source>The marked part comes one step earlier</source>
-   <translation>Das markierte Teil kommt einen Schritt früher</translation>
+   <source>Moves the marked part one step earlier</source>
+   <translation>Rückt das markierte Teil um einen Schritt nach vorn</translation>
   </message>
   <message>
    <source>D&amp;own</source>
    <translation>A&amp;b</translation>
   </message>
   <message>
-   <source>The marked part comes one step later</source>
-   <translation>Das markierte Teil kommt einen Schritt später</translation>
+   <source>Moves the marked part one step later</source>
+   <translation>Rückt das markierte Teil um einen Schritt nach hinten</translation>
   </message>
   <message>
-   <source>find</source>
-   <translation>finden</translation>
+   <source>find a path</source>
+   <translation>Bahn finden</translation>
   </message>
   <message>
    <source>Solid</source>
    <translation>Festkörper</translation>
   </message>
   <message>
-   <source>Flat regions become single faces</source>
-   <translation>Ebene Bereiche werden einzelne Flächen</translation>
+   <source>Merge coplanar</source>
+   <translation>Koplanare vereinigen</translation>
   </message>
   <message>
-   <source>How far the solid may leave the mesh; 0: exact, if the budget allows</source>
-   <translation>Wie weit der Festkörper vom Netz abweichen darf; 0: genau, wenn die Grenzen es erlauben</translation>
+   <source>Merges coplanar triangles into single flat faces</source>
+   <translation>Vereinigt koplanare Dreiecke zu einzelnen ebenen Flächen</translation>
   </message>
   <message>
-   <source>Without a tolerance the smallest one is taken that does</source>
-   <translation>Ohne Toleranz wird die kleinste genommen, die das erreicht</translation>
+   <source>How far the solid may deviate from the mesh; 0: exact, unless Max faces forces a tolerance</source>
+   <translation>Wie weit der Festkörper vom Netz abweichen darf; 0: genau, sofern „Max. Flächen“ keine Toleranz erzwingt</translation>
+  </message>
+  <message>
+   <source>If the tolerance is 0, the smallest tolerance that stays within this limit is chosen</source>
+   <translation>Ist die Toleranz 0, wird die kleinste gewählt, die diese Grenze einhält</translation>
   </message>
   <message>
    <source>no limit</source>
-   <translation>beliebig</translation>
+   <translation>keine Grenze</translation>
   </message>
   <message>
-   <source>Triangles as they are (AP242)</source>
-   <translation>Dreiecke, wie sie sind (AP242)</translation>
+   <source>Tessellated (AP242)</source>
+   <translation>Tesselliert (AP242)</translation>
   </message>
   <message>
-   <source>A tessellated solid instead of faces: exact, quick, of any size, for programs that read tessellated STEP; FreeCAD 0.20 reads nothing from it</source>
-   <translation>Ein tessellierter Körper statt Flächen: genau, schnell, beliebig groß, für Programme, die tessellierte STEP-Dateien lesen; FreeCAD 0.20 liest nichts daraus</translation>
+   <source>Writes the triangles themselves instead of faces: exact, fast and of any size. Only programs that read tessellated STEP can open it; FreeCAD 0.20 cannot</source>
+   <translation>Schreibt die Dreiecke selbst statt Flächen: genau, schnell und beliebig groß. Nur Programme, die tesselliertes STEP lesen, können die Datei öffnen; FreeCAD 0.20 nicht</translation>
   </message>
   <message>
-   <source>Faces at most</source>
-   <translation>Flächen höchstens</translation>
+   <source>Max faces</source>
+   <translation>Max. Flächen</translation>
   </message>
   <message>
-   <source>The solid is being tried out ...</source>
-   <translation>Der Körper wird zur Probe gebaut ...</translation>
+   <source>Estimating the solid ...</source>
+   <translation>Der Festkörper wird abgeschätzt ...</translation>
   </message>
   <message>
    <source>{0} triangles: {1} faces,
@@ -2766,44 +2766,44 @@ bis etwa {2}, {3}</translation>
    <translation>Festkörper erzeugen</translation>
   </message>
   <message>
-   <source>File at most</source>
-   <translation>Datei höchstens</translation>
+   <source>Max file size</source>
+   <translation>Max. Dateigröße</translation>
   </message>
   <message>
-   <source>The limits ask for a tolerance of {0}</source>
-   <translation>Die Grenzen verlangen eine Toleranz von {0}</translation>
+   <source>The limits need a tolerance of {0}</source>
+   <translation>Die Grenzen erfordern eine Toleranz von {0}</translation>
   </message>
   <message>
-   <source>Motion from path object</source>
-   <translation>Bewegung aus Bahnobjekt</translation>
+   <source>Motion from object</source>
+   <translation>Bewegung aus Objekt</translation>
   </message>
   <message>
    <source>Motion from driven value</source>
    <translation>Bewegung aus gesteuertem Wert</translation>
   </message>
   <message>
-   <source>Every part that moves gets a motion: no part is chosen.</source>
-   <translation>Jedes Teil, das sich bewegt, erhält eine Bewegung: Es ist kein Teil gewählt.</translation>
+   <source>No part is selected: every part that moves gets a motion.</source>
+   <translation>Kein Teil ist ausgewählt: Jedes Teil, das sich bewegt, erhält eine Bewegung.</translation>
   </message>
   <message>
-   <source>How far the straight way between two poses may leave the path; corners are always poses</source>
-   <translation>Wie weit der gerade Weg zwischen zwei Posen die Bahn verlassen darf; Ecken sind immer Posen</translation>
+   <source>How far the straight line between two poses may deviate from the curve; corners always get a pose</source>
+   <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf; Ecken erhalten immer eine Lage</translation>
   </message>
   <message>
    <source>Fixed</source>
    <translation>Fest</translation>
   </message>
   <message>
-   <source>Along the path</source>
-   <translation>Entlang des Weges</translation>
+   <source>Tangent</source>
+   <translation>Tangente</translation>
   </message>
   <message>
-   <source>Towards the second curve</source>
-   <translation>Zur zweiten Kurve hin</translation>
+   <source>Second curve</source>
+   <translation>Zweite Kurve</translation>
   </message>
   <message>
-   <source>Fixed: the part never turns. Along the path: x of the part stays on the tangent, with the least turn. Towards the second curve: z points to it; select both curves, the path first</source>
-   <translation>Fest: das Teil dreht sich nie. Entlang des Weges: x des Teils bleibt auf der Tangente, mit der kleinsten Drehung. Zur zweiten Kurve hin: z zeigt zu ihr; beide Kurven wählen, den Weg zuerst</translation>
+   <source>Fixed: the part never turns. Tangent: the x axis of the part follows the tangent. Second curve: the z axis points to the second curve; select both curves, the one to follow first</source>
+   <translation>Fest: Das Teil dreht sich nie. Tangente: Die x-Achse des Teils folgt der Tangente. Zweite Kurve: Die z-Achse zeigt zur zweiten Kurve; beide Kurven auswählen, die Leitkurve zuerst</translation>
   </message>
   <message>
    <source>Orientation</source>
@@ -2814,52 +2814,48 @@ bis etwa {2}, {3}</translation>
    <translation>Dauer</translation>
   </message>
   <message>
-   <source>Time a pose</source>
-   <translation>Zeit je Lage</translation>
+   <source>Step</source>
+   <translation>Schritt</translation>
   </message>
   <message>
-   <source>the tool head</source>
-   <translation>den Werkzeugkopf</translation>
+   <source>Tool head</source>
+   <translation>Werkzeugkopf</translation>
   </message>
   <message>
-   <source>the table</source>
-   <translation>den Tisch</translation>
+   <source>Table</source>
+   <translation>Tisch</translation>
   </message>
   <message>
-   <source>Degrees about the fixed axes x, then y, then z. The tool head: X Y Z are in the workpiece. The table: it turns the workpiece with its coordinates, X Y Z are in the machine</source>
-   <translation>Grad um die festen Achsen x, dann y, dann z. Den Werkzeugkopf: X Y Z gelten im Werkstück. Den Tisch: er dreht das Werkstück samt seinen Koordinaten, X Y Z gelten in der Maschine</translation>
+   <source>What A, B and C rotate, in degrees about the fixed axes x, then y, then z. Tool head: X Y Z are coordinates of the workpiece. Table: X Y Z are coordinates of the machine, and the table turns the workpiece</source>
+   <translation>Was A, B und C drehen, in Grad um die festen Achsen x, dann y, dann z. Werkzeugkopf: X Y Z sind Koordinaten des Werkstücks. Tisch: X Y Z sind Koordinaten der Maschine, und der Tisch dreht das Werkstück</translation>
   </message>
   <message>
-   <source>A B C turn</source>
-   <translation>A B C drehen</translation>
+   <source>Rotary axes</source>
+   <translation>Drehachsen</translation>
   </message>
   <message>
-   <source>Speed of G0</source>
-   <translation>Tempo von G0</translation>
+   <source>Rapid</source>
+   <translation>Eilgang</translation>
   </message>
   <message>
    <source>Value</source>
    <translation>Wert</translation>
   </message>
   <message>
-   <source>Poses</source>
-   <translation>Lagen</translation>
+   <source>Count</source>
+   <translation>Anzahl</translation>
   </message>
   <message>
-   <source>OK once more takes the motion as it is.</source>
-   <translation>Noch einmal OK nimmt die Bewegung, wie sie ist.</translation>
+   <source>Press OK again to use the motion as it is.</source>
+   <translation>Noch einmal OK übernimmt die Bewegung, wie sie ist.</translation>
   </message>
   <message>
-   <source>From</source>
-   <translation>Von</translation>
+   <source>End</source>
+   <translation>Ende</translation>
   </message>
   <message>
-   <source>To</source>
-   <translation>Bis</translation>
-  </message>
-  <message>
-   <source>The poses of "{0}" come from {1} and follow it. To change a key, the link has to be cut: the motion then keeps the poses as they are. Cut it?</source>
-   <translation>Die Lagen von „{0}“ kommen von {1} und folgen ihm. Um einen Schlüssel zu ändern, muss die Verknüpfung getrennt werden: Die Bewegung behält dann die Lagen, wie sie sind. Trennen?</translation>
+   <source>The poses of "{0}" are linked to {1}. To edit a key, the link must be removed; the motion then keeps its current poses. Remove the link?</source>
+   <translation>Die Lagen von „{0}“ sind mit {1} verknüpft. Um eine Stützstelle zu bearbeiten, muss die Verknüpfung entfernt werden; die Bewegung behält dann ihre jetzigen Lagen. Verknüpfung entfernen?</translation>
   </message>
   <message>
    <source>Study</source>
@@ -2886,11 +2882,11 @@ bis etwa {2}, {3}</translation>
    <translation>Läufe gleichzeitig</translation>
   </message>
   <message>
-   <source>The page of all runs, in the web browser</source>
-   <translation>Die Seite aller Läufe, im Webbrowser</translation>
+   <source>Opens the page of all runs in the web browser</source>
+   <translation>Öffnet die Seite aller Läufe im Webbrowser</translation>
   </message>
   <message>
-   <source>Go on</source>
+   <source>Continue</source>
    <translation>Fortfahren</translation>
   </message>
   <message>
@@ -2946,8 +2942,8 @@ bis etwa {2}, {3}</translation>
    <translation>Gegebene Geschwindigkeit</translation>
   </message>
   <message>
-   <source>Automatic: from the neighbouring keys. Stop: the part rests for a moment. Corner: straight on both sides. Given: as typed below</source>
-   <translation>Selbsttätig: aus den Nachbarn. Halt: das Teil ruht einen Augenblick. Ecke: beiderseits gerade. Gegeben: wie unten eingetippt</translation>
+   <source>Automatic: from the neighbouring keys. Stop: the part comes to rest. Corner: straight on both sides. Given velocity: as entered below</source>
+   <translation>Selbsttätig: aus den benachbarten Stützstellen. Anhalten: Das Teil kommt zur Ruhe. Ecke: beiderseits gerade. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
   </message>
   <message>
    <source>Velocity along {0} (mm/s)</source>
@@ -3089,56 +3085,52 @@ bis etwa {2}, {3}</translation>
    <source>Kind</source>
    <translation>Art</translation>
   </message>
-  <message>
-   <source>Time</source>
-   <translation>Zeit</translation>
-  </message>
  </context>
  <context>
   <name>SweptVolume_Properties</name>
   <message>
-   <source>Envelope whose parts and motion are checked, and which is coloured</source>
-   <translation>Hülle, deren Teile und Bewegung geprüft werden und die eingefärbt wird</translation>
+   <source>Envelope whose parts and motion are checked; it is coloured by distance</source>
+   <translation>Hülle, deren Teile und Bewegung geprüft werden; sie wird nach Abstand eingefärbt</translation>
   </message>
   <message>
-   <source>Parts that move together, where no envelope is given</source>
+   <source>Parts that move together, if no envelope is given</source>
    <translation>Gemeinsam bewegte Teile, wenn keine Hülle angegeben ist</translation>
   </message>
   <message>
-   <source>Motion, where no envelope is given</source>
-   <translation>Bewegung, wenn keine Hülle angegeben ist</translation>
+   <source>Motion of the parts, if no envelope is given</source>
+   <translation>Bewegung der Teile, wenn keine Hülle angegeben ist</translation>
   </message>
   <message>
-   <source>Parts that stand still, seen through groups and links</source>
-   <translation>Stillstehende Teile, durch Gruppen und Verknüpfungen gesehen</translation>
+   <source>Parts that stand still; groups and links stand for what they contain</source>
+   <translation>Stillstehende Teile; Gruppen und Verknüpfungen stehen für ihren Inhalt</translation>
   </message>
   <message>
-   <source>Check all other visible parts instead of Neighbours</source>
-   <translation>Statt der Nachbarn alle anderen sichtbaren Teile prüfen</translation>
+   <source>All other visible parts are neighbours, instead of Neighbours</source>
+   <translation>Alle anderen sichtbaren Teile sind Nachbarn, statt Neighbours</translation>
   </message>
   <message>
-   <source>Distance asked for</source>
-   <translation>Geforderter Abstand</translation>
+   <source>Distance from the neighbours that the motion must keep</source>
+   <translation>Abstand von den Nachbarn, den die Bewegung einhalten muss</translation>
   </message>
   <message>
-   <source>How far the smallest distance may be off between two poses</source>
-   <translation>Wie weit der kleinste Abstand zwischen zwei Lagen abweichen darf</translation>
+   <source>Largest error of the smallest distance</source>
+   <translation>Größter Fehler des kleinsten Abstands</translation>
   </message>
   <message>
-   <source>Chord error to which solids are meshed; it is subtracted from the distances</source>
-   <translation>Sehnenfehler, mit dem Festkörper vernetzt werden; er wird von den Abständen abgezogen</translation>
+   <source>How far the triangles of solids may deviate from them; it is subtracted from guaranteed distances</source>
+   <translation>Wie weit die Dreiecke von Festkörpern von ihnen abweichen dürfen; es wird vom gesicherten Abstand abgezogen</translation>
   </message>
   <message>
    <source>Neighbours, or groups of them, that have a rule of their own</source>
    <translation>Nachbarn, oder Gruppen von ihnen, mit eigener Regel</translation>
   </message>
   <message>
-   <source>The rule of each of RuleParts: Required (a distance of its own), Contact (may be touched at any time), Ignore</source>
-   <translation>Die Regel von jedem der RuleParts: Required (ein eigener Abstand), Contact (darf jederzeit berührt werden), Ignore (übergehen)</translation>
+   <source>The rule of each of RuleParts: Required (its own required distance), Contact (contact is allowed), Ignore (not checked)</source>
+   <translation>Die Regel von jedem der RuleParts: Required (eigener Sollabstand), Contact (Kontakt erlaubt), Ignore (nicht geprüft)</translation>
   </message>
   <message>
-   <source>mm for each of RuleParts: the distance that it asks for, or how deep a contact may be</source>
-   <translation>mm für jeden der RuleParts: der Abstand, den er verlangt, oder wie tief ein Kontakt sein darf</translation>
+   <source>For each of RuleParts, in mm: its required distance, or how deep the parts may overlap in allowed contact</source>
+   <translation>Für jedes der RuleParts, in mm: sein Sollabstand, oder wie tief sich die Teile bei erlaubtem Kontakt durchdringen dürfen</translation>
   </message>
   <message>
    <source>State of the result</source>
@@ -3157,8 +3149,8 @@ bis etwa {2}, {3}</translation>
    <translation>Geprüfte Nachbarn</translation>
   </message>
   <message>
-   <source>Worst verdict against the rules: clear, below, contact or clash</source>
-   <translation>Schlechtestes Urteil gegen die Regeln: clear, below, contact oder clash</translation>
+   <source>Worst verdict of all rows: clear, below (below required), contact or clash</source>
+   <translation>Schlechtestes Urteil aller Zeilen: clear (frei), below (unter Sollabstand), contact (Kontakt) oder clash (Kollision)</translation>
   </message>
   <message>
    <source>Smallest distance</source>
@@ -3177,16 +3169,16 @@ bis etwa {2}, {3}</translation>
    <translation>Eingaben des gespeicherten Ergebnisses</translation>
   </message>
   <message>
-   <source>Inputs of the last run that gave nothing</source>
-   <translation>Eingaben des letzten Laufs ohne Ergebnis</translation>
+   <source>Inputs of the last run that failed</source>
+   <translation>Eingaben des letzten fehlgeschlagenen Laufs</translation>
   </message>
   <message>
    <source>Inputs that were deleted (JSON)</source>
    <translation>Eingaben, die gelöscht wurden (JSON)</translation>
   </message>
   <message>
-   <source>What AllVisible looks at, so that a change of it is noticed</source>
-   <translation>Was AllVisible betrachtet, damit eine Änderung daran bemerkt wird</translation>
+   <source>Parts that AllVisible found, to notice when they change</source>
+   <translation>Teile, die AllVisible fand, um ihre Änderung zu bemerken</translation>
   </message>
   <message>
    <source>What made each triangle (packed)</source>
@@ -3197,44 +3189,44 @@ bis etwa {2}, {3}</translation>
    <translation>Wohin das Ergebnis im Dokument gelegt wurde</translation>
   </message>
   <message>
-   <source>Solids and meshes that move together, seen through groups and links</source>
-   <translation>Gemeinsam bewegte Festkörper und Netze, durch Gruppen und Verknüpfungen gesehen</translation>
+   <source>Solids and meshes that move together; groups and links stand for what they contain</source>
+   <translation>Gemeinsam bewegte Festkörper und Netze; Gruppen und Verknüpfungen stehen für ihren Inhalt</translation>
   </message>
   <message>
    <source>Motion of the parts</source>
    <translation>Bewegung der Teile</translation>
   </message>
   <message>
-   <source>One motion for each of Generators, where they move by themselves; empty: all by Motion</source>
-   <translation>Je eine Bewegung für Generators, wenn sie sich einzeln bewegen; leer: alle nach Motion</translation>
+   <source>One motion for each of MovingParts, if they move independently; empty: all follow Motion</source>
+   <translation>Je eine Bewegung für MovingParts, wenn sie sich unabhängig bewegen; leer: alle folgen Motion</translation>
   </message>
   <message>
-   <source>Part that moves itself; the envelope is what it sees</source>
-   <translation>Teil, das sich selbst bewegt; die Hülle ist, was es sieht</translation>
+   <source>Moving part relative to which the envelope is computed</source>
+   <translation>Bewegtes Teil, relativ zu dem die Hülle berechnet wird</translation>
   </message>
   <message>
    <source>Motion of the reference part</source>
    <translation>Bewegung des Bezugsteils</translation>
   </message>
   <message>
-   <source>Cells along the longest side of the sweep; used while CellSize is 0</source>
-   <translation>Zellen entlang der längsten Seite; gilt, solange CellSize 0 ist</translation>
+   <source>Cells along the longest side of the swept volume; used while CellSize is 0</source>
+   <translation>Zellen entlang der längsten Seite des überstrichenen Volumens; gilt, solange CellSize 0 ist</translation>
   </message>
   <message>
-   <source>Edge of a cell of the sampling grid; 0: from Resolution</source>
-   <translation>Kante einer Zelle des Abtastgitters; 0: aus Resolution</translation>
+   <source>Edge length of a cell of the sampling grid; 0: derived from Resolution</source>
+   <translation>Kantenlänge einer Zelle des Abtastgitters; 0: aus Resolution</translation>
   </message>
   <message>
-   <source>How far the triangles of a solid may leave it, in cells</source>
+   <source>How far the triangles of a solid may deviate from it, in cells</source>
    <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen, in Zellen</translation>
   </message>
   <message>
-   <source>Simplification: largest deviation allowed; 0: none</source>
-   <translation>Vereinfachung: größte erlaubte Abweichung; 0: keine</translation>
+   <source>How far simplification may move the surface; 0: no simplification</source>
+   <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
   </message>
   <message>
-   <source>Safety distance by which the envelope is grown</source>
-   <translation>Sicherheitsabstand, um den die Hülle wächst</translation>
+   <source>Distance by which the envelope is grown on all sides</source>
+   <translation>Abstand, um den die Hülle auf allen Seiten wächst</translation>
   </message>
   <message>
    <source>The envelope provably contains the swept volume</source>
@@ -3245,20 +3237,20 @@ bis etwa {2}, {3}</translation>
    <translation>Abgeschlossene Hohlräume als innere Schalen behalten</translation>
   </message>
   <message>
-   <source>Poses are left out while no point of the part has moved farther than this from the last one kept; 0: none</source>
-   <translation>Lagen werden ausgelassen, solange sich kein Punkt des Teils weiter als dies von der letzten behaltenen entfernt hat; 0: keine</translation>
+   <source>A pose is skipped if no point of the part has moved farther than this since the last pose used; 0: none is skipped</source>
+   <translation>Eine Lage wird übersprungen, wenn sich seit der letzten verwendeten kein Punkt des Teils weiter als dies bewegt hat; 0: keine</translation>
   </message>
   <message>
-   <source>How surface pieces inside one cell are told apart</source>
-   <translation>Wie Flächenstücke in einer Zelle unterschieden werden</translation>
+   <source>How pieces of surface inside one cell are separated</source>
+   <translation>Wie Flächenstücke in einer Zelle getrennt werden</translation>
   </message>
   <message>
-   <source>Where the sampling runs</source>
-   <translation>Wo die Abtastung läuft</translation>
+   <source>Processor that samples the envelope</source>
+   <translation>Prozessor, der die Hülle abtastet</translation>
   </message>
   <message>
-   <source>Whether it is remembered which face or edge made each triangle: Off; Session: until the document is closed; Document: stored with it, which makes it larger</source>
-   <translation>Ob gemerkt wird, welche Fläche oder Kante jedes Dreieck erzeugt hat: Off: nein; Session: bis das Dokument geschlossen wird; Document: darin gespeichert, wodurch es größer wird</translation>
+   <source>Whether to record which face or edge made each triangle. Off: no. Session: until the document is closed. Document: stored in the document, which makes the file larger</source>
+   <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: nein. Session: bis das Dokument geschlossen wird. Document: im Dokument gespeichert, was die Datei vergrößert</translation>
   </message>
   <message>
    <source>Why the last run failed; warnings</source>
@@ -3293,64 +3285,64 @@ bis etwa {2}, {3}</translation>
    <translation>Dauer des Laufs (s)</translation>
   </message>
   <message>
-   <source>Parts that move, each with the motion of the same number</source>
-   <translation>Teile, die sich bewegen, jedes mit der Bewegung derselben Nummer</translation>
+   <source>Parts that move, in the order of Motions</source>
+   <translation>Bewegte Teile, in der Reihenfolge von Motions</translation>
   </message>
   <message>
-   <source>The motion of each of the moving parts, over common time</source>
-   <translation>Die Bewegung jedes der bewegten Teile, über gemeinsame Zeit</translation>
+   <source>One motion for each of MovingParts, on a common time axis</source>
+   <translation>Je eine Bewegung für MovingParts, auf gemeinsamer Zeitachse</translation>
   </message>
   <message>
-   <source>Check the other visible parts as well, which stand still, instead of Neighbours</source>
-   <translation>Auch die anderen sichtbaren Teile prüfen, die stillstehen, statt Neighbours</translation>
+   <source>All other visible parts are neighbours that stand still, instead of Neighbours</source>
+   <translation>Alle anderen sichtbaren Teile sind stillstehende Nachbarn, statt Neighbours</translation>
   </message>
   <message>
-   <source>Pairs that come nearer than this are listed; 0: a tenth of the size of the parts</source>
-   <translation>Paare, die sich näher kommen, werden aufgelistet; 0: ein Zehntel der Größe der Teile</translation>
+   <source>Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the parts</source>
+   <translation>Paare von Teilen, die sich näher kommen, werden aufgeführt; 0: ein Zehntel der Größe der Teile</translation>
   </message>
   <message>
    <source>Pairs of parts, or of groups, that have a rule of their own: first, second, first ...</source>
    <translation>Paare von Teilen oder Gruppen mit eigener Regel: erstes, zweites, erstes ...</translation>
   </message>
   <message>
-   <source>mm for each pair of RuleParts: the distance that it asks for, or how deep a contact may be</source>
-   <translation>mm für jedes Paar von RuleParts: der verlangte Abstand, oder wie tief eine Berührung sein darf</translation>
+   <source>For each pair of RuleParts, in mm: its required distance, or how deep the parts may overlap in allowed contact</source>
+   <translation>Für jedes Paar von RuleParts, in mm: sein Sollabstand, oder wie tief sich die Teile bei erlaubtem Kontakt durchdringen dürfen</translation>
   </message>
   <message>
-   <source>Pairs of parts that were checked, far ones as well</source>
-   <translation>Geprüfte Paare von Teilen, auch weit entfernte</translation>
+   <source>Number of pairs checked, including those beyond Range</source>
+   <translation>Anzahl der geprüften Paare, auch jener außerhalb von Range</translation>
   </message>
   <message>
-   <source>Time of each pose (s), growing</source>
-   <translation>Zeit jeder Lage (s), wachsend</translation>
+   <source>Time of each pose (s), in ascending order</source>
+   <translation>Zeit jeder Lage (s), aufsteigend</translation>
   </message>
   <message>
    <source>Pose of the moving part at each time</source>
    <translation>Lage des bewegten Teils zu jeder Zeit</translation>
   </message>
   <message>
-   <source>What the part does between two poses. Linear: straight line and even turn. Screw: one screw movement. Spline: smooth through all poses. None: it only stands at them</source>
-   <translation>Was das Teil zwischen zwei Posen tut. Linear: gerade Linie und gleichmäßige Drehung. Screw: eine Schraubbewegung. Spline: glatt durch alle Posen. None: es steht nur an ihnen</translation>
+   <source>How the part moves between two poses. Linear: straight line at a constant rate of turn. Screw: one screw movement. Spline: smooth curve through all poses. None: the part only appears at the poses</source>
+   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: gerade Linie mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: glatte Kurve durch alle Lagen. None: das Teil erscheint nur in den Lagen</translation>
   </message>
   <message>
-   <source>Point that goes straight (Linear) or along the spline between two poses, in the coordinates that a pose places: of the part where Frame is Absolute</source>
-   <translation>Punkt, der zwischen zwei Lagen geradeaus geht (Linear) oder auf dem Spline, in den Koordinaten, die eine Lage setzt: denen des Teils, wenn Frame Absolute ist</translation>
+   <source>Point of the part that moves along the straight line (Linear) or the curve (Spline) between two poses. In coordinates of the part if PoseType is Absolute, else of the document</source>
+   <translation>Punkt des Teils, der zwischen zwei Lagen der Geraden (Linear) oder der Kurve (Spline) folgt. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
   </message>
   <message>
-   <source>Parts that this motion moves; the path editor shows the first of them</source>
-   <translation>Teile, die diese Bewegung bewegt; der Bahneditor zeigt das erste</translation>
+   <source>Parts that this motion moves; the motion editor shows the first one</source>
+   <translation>Teile, die diese Bewegung bewegt; der Bewegungseditor zeigt das erste</translation>
   </message>
   <message>
-   <source>What else the source of this motion moved when it was read</source>
-   <translation>Was die Quelle dieser Bewegung beim Lesen sonst noch bewegte</translation>
+   <source>Other parts that the source moved when this motion was read</source>
+   <translation>Andere Teile, die die Quelle beim Lesen dieser Bewegung bewegte</translation>
   </message>
   <message>
-   <source>Spline: what happens at each pose: Auto, Stop, Corner or Given (then by Velocities); missing ones are Auto</source>
-   <translation>Spline: was an jeder Pose geschieht: Auto, Stop, Corner oder Given (dann nach Velocities); fehlende sind Auto</translation>
+   <source>Spline: the tangent at each pose. Auto: from the neighbouring poses. Stop, Corner, or Given: from Velocities. Missing entries are Auto</source>
+   <translation>Spline: die Tangente an jeder Lage. Auto: aus den benachbarten Lagen. Stop, Corner, oder Given: aus Velocities. Fehlende Einträge sind Auto</translation>
   </message>
   <message>
-   <source>Spline: velocity at each pose with the tangent Given (mm/s)</source>
-   <translation>Spline: Geschwindigkeit an jeder Pose mit der Tangente Given (mm/s)</translation>
+   <source>Spline: velocity at each pose whose tangent is Given (mm/s)</source>
+   <translation>Spline: Geschwindigkeit an jeder Lage, deren Tangente Given ist (mm/s)</translation>
   </message>
   <message>
    <source>Where the poses come from</source>
@@ -3381,24 +3373,24 @@ bis etwa {2}, {3}</translation>
    <translation>Letzte minus erste Zeit (s)</translation>
   </message>
   <message>
-   <source>Whether the motion can be used</source>
-   <translation>Ob die Bewegung brauchbar ist</translation>
+   <source>Empty if the motion can be used, else what is wrong</source>
+   <translation>Leer, wenn die Bewegung verwendbar ist, sonst was nicht stimmt</translation>
   </message>
   <message>
-   <source>What is to be known of the poses as they were read</source>
-   <translation>Was über die gelesenen Lagen zu wissen ist</translation>
+   <source>Remarks about the poses as they were read</source>
+   <translation>Hinweise zu den gelesenen Lagen</translation>
   </message>
   <message>
    <source>State of the source when it was read</source>
    <translation>Zustand der Quelle, als sie gelesen wurde</translation>
   </message>
   <message>
-   <source>Number of poses; along a path 0: as many as SourceAccuracy asks for</source>
-   <translation>Zahl der Lagen; entlang eines Pfads 0: so viele, wie SourceAccuracy verlangt</translation>
+   <source>Number of poses; for a curve 0: as many as SourceAccuracy needs</source>
+   <translation>Anzahl der Lagen; bei einer Kurve 0: so viele, wie SourceAccuracy erfordert</translation>
   </message>
   <message>
-   <source>How far the straight way between two poses may leave the path</source>
-   <translation>Wie weit der gerade Weg zwischen zwei Lagen den Pfad verlassen darf</translation>
+   <source>How far the straight line between two poses may deviate from the curve</source>
+   <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf</translation>
   </message>
   <message>
    <source>Fixed: the part never turns. Tangent: x of the part stays on the tangent. SecondCurve: z points to the second curve</source>
@@ -3413,11 +3405,11 @@ bis etwa {2}, {3}</translation>
    <translation>Zeit von einer Lage zur nächsten (s)</translation>
   </message>
   <message>
-   <source>Speed of G0</source>
-   <translation>Geschwindigkeit von G0</translation>
+   <source>Rapid</source>
+   <translation>Eilgang</translation>
   </message>
   <message>
-   <source>What the words A, B and C turn: the tool head, or the table</source>
+   <source>What the words A, B and C rotate: the tool head or the table</source>
    <translation>Was die Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
   </message>
   <message>
@@ -3433,92 +3425,92 @@ bis etwa {2}, {3}</translation>
    <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
   </message>
   <message>
-   <source>Parts in the order in which they are installed</source>
-   <translation>Teile in der Reihenfolge, in der sie eingebaut werden</translation>
+   <source>Parts, in the order in which they are installed</source>
+   <translation>Teile, in der Reihenfolge ihres Einbaus</translation>
   </message>
   <message>
-   <source>The motion of each of the parts, which ends where the part belongs</source>
-   <translation>Die Bewegung jedes Teils, die dort endet, wohin das Teil gehört</translation>
+   <source>One motion for each part, which ends at its installed position</source>
+   <translation>Je Teil eine Bewegung, die in seiner Einbaulage endet</translation>
   </message>
   <message>
-   <source>Clearance from all that is there when a part comes</source>
-   <translation>Abstand zu allem, was da ist, wenn ein Teil kommt</translation>
+   <source>Distance that each part must keep from everything already in place</source>
+   <translation>Abstand, den jedes Teil von allem einhalten muss, was schon da ist</translation>
   </message>
   <message>
-   <source>So far from its ends a part may touch what it touches there</source>
-   <translation>So weit von seinen Enden darf ein Teil berühren, was es dort berührt</translation>
+   <source>Within this distance of its start and end, a part may touch what it touches there</source>
+   <translation>Bis zu diesem Abstand von Start und Ziel darf ein Teil berühren, was es dort berührt</translation>
   </message>
   <message>
    <source>Parts that have a path</source>
-   <translation>Teile, die einen Weg haben</translation>
+   <translation>Teile, die eine Bahn haben</translation>
   </message>
   <message>
-   <source>Parts, envelopes or other reserved spaces: the one side</source>
-   <translation>Teile, Hüllen oder andere reservierte Räume: die eine Seite</translation>
+   <source>First side: parts, envelopes or other reserved spaces</source>
+   <translation>Erste Seite: Teile, Hüllen oder andere reservierte Räume</translation>
   </message>
   <message>
-   <source>Parts, envelopes or other reserved spaces: the other side</source>
-   <translation>Teile, Hüllen oder andere reservierte Räume: die andere Seite</translation>
+   <source>Second side: parts, envelopes or other reserved spaces</source>
+   <translation>Zweite Seite: Teile, Hüllen oder andere reservierte Räume</translation>
   </message>
   <message>
-   <source>Motion that puts the one side where it is at Time; none: it stands</source>
-   <translation>Bewegung, die die eine Seite dorthin bringt, wo sie zur Zeit Time ist; keine: sie steht</translation>
+   <source>Motion that moves the first side; none: it stands still</source>
+   <translation>Bewegung der ersten Seite; keine: sie steht still</translation>
   </message>
   <message>
-   <source>Motion that puts the other side where it is at Time; none: it stands</source>
-   <translation>Bewegung, die die andere Seite dorthin bringt, wo sie zur Zeit Time ist; keine: sie steht</translation>
+   <source>Motion that moves the second side; none: it stands still</source>
+   <translation>Bewegung der zweiten Seite; keine: sie steht still</translation>
   </message>
   <message>
-   <source>Time of the motions (s)</source>
-   <translation>Zeit der Bewegungen (s)</translation>
+   <source>Time at which both sides are compared (s)</source>
+   <translation>Zeit, zu der beide Seiten verglichen werden (s)</translation>
   </message>
   <message>
-   <source>How far the triangles of solids may leave them</source>
-   <translation>Wie weit die Dreiecke von Festkörpern von diesen abweichen dürfen</translation>
+   <source>How far the triangles of solids may deviate from them</source>
+   <translation>Wie weit die Dreiecke von Festkörpern von ihnen abweichen dürfen</translation>
   </message>
   <message>
    <source>Whether the result is current</source>
    <translation>Ob das Ergebnis aktuell ist</translation>
   </message>
   <message>
-   <source>What is to be said of the result</source>
-   <translation>Was zum Ergebnis zu sagen ist</translation>
+   <source>Remarks about the result</source>
+   <translation>Hinweise zum Ergebnis</translation>
   </message>
   <message>
    <source>Volume that both share</source>
    <translation>Volumen, das beide gemeinsam haben</translation>
   </message>
   <message>
-   <source>Smallest distance where they share nothing</source>
-   <translation>Kleinster Abstand, wo sie nichts gemeinsam haben</translation>
+   <source>Smallest distance, if they share no volume</source>
+   <translation>Kleinster Abstand, wenn sie kein Volumen gemeinsam haben</translation>
   </message>
   <message>
-   <source>How deep a point of one lies inside the other</source>
-   <translation>Wie tief ein Punkt des einen im anderen liegt</translation>
+   <source>How deep one side penetrates the other</source>
+   <translation>Wie tief eine Seite in die andere eindringt</translation>
   </message>
   <message>
-   <source>Envelope (or any closed mesh) of which this is the solid</source>
-   <translation>Hülle (oder ein geschlossenes Netz), deren Festkörper dies ist</translation>
+   <source>Envelope or other closed mesh that is converted to a solid</source>
+   <translation>Hülle oder anderes geschlossenes Netz, das in einen Festkörper umgewandelt wird</translation>
   </message>
   <message>
-   <source>Flat regions become single faces</source>
-   <translation>Ebene Bereiche werden einzelne Flächen</translation>
+   <source>Merge coplanar</source>
+   <translation>Koplanare vereinigen</translation>
   </message>
   <message>
-   <source>At most this many faces; without a Tolerance it is chosen so</source>
-   <translation>Höchstens so viele Flächen; ohne Tolerance wird sie danach gewählt</translation>
+   <source>Largest number of faces; if Tolerance is 0, the smallest tolerance that stays within it is chosen</source>
+   <translation>Größte Anzahl der Flächen; ist Tolerance 0, wird die kleinste Toleranz gewählt, die sie einhält</translation>
   </message>
   <message>
-   <source>The solid may leave the mesh by this: cylinders, spheres and the like are found, the rest is simplified. 0: exact, unless MaxFaces asks for more</source>
-   <translation>So weit darf der Festkörper vom Netz abweichen: Zylinder, Kugeln und dergleichen werden erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces nicht mehr verlangt</translation>
+   <source>How far the solid may deviate from the mesh. Within it, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces needs a tolerance</source>
+   <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb davon werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
   </message>
   <message>
    <source>Largest distance of the mesh from the solid, as measured</source>
    <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
   </message>
   <message>
-   <source>Largest tolerance of an edge of the solid: its faces meet within it</source>
-   <translation>Größte Toleranz einer Kante des Festkörpers: so genau treffen sich seine Flächen</translation>
+   <source>Largest gap between two faces that share an edge</source>
+   <translation>Größter Spalt zwischen zwei Flächen mit gemeinsamer Kante</translation>
   </message>
   <message>
    <source>Why the last run failed</source>
@@ -3533,8 +3525,8 @@ bis etwa {2}, {3}</translation>
    <translation>Volumen des Festkörpers</translation>
   </message>
   <message>
-   <source>Study file (TOML) with the runs, where they are not those of Sources</source>
-   <translation>Studiendatei (TOML) mit den Läufen, wo es nicht die von Sources sind</translation>
+   <source>Study file (TOML) that lists the runs; empty: the runs are those of Sources</source>
+   <translation>Studiendatei (TOML) mit den Läufen; leer: die Läufe sind die von Sources</translation>
   </message>
   <message>
    <source>Envelopes and clearance checks of the document: one run for each</source>
@@ -3573,20 +3565,20 @@ Relativ zur ersten: wie Relativ, gemessen von der ersten Lage: Die Bewegung begi
 Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon. Eine Bewegung in einer Gruppe gilt in deren Koordinaten und bewegt sich mit ihr.</translation>
   </message>
   <message>
-   <source>About so many triangles are drawn of a heavy mesh; 0: all</source>
-   <translation>So viele Dreiecke etwa werden von einem schweren Netz gezeichnet; 0: alle</translation>
+   <source>Number of triangles to which a large mesh is reduced on screen; 0: all are drawn</source>
+   <translation>Anzahl der Dreiecke, auf die ein großes Netz am Bildschirm reduziert wird; 0: alle werden gezeichnet</translation>
   </message>
   <message>
-   <source>What the colours tell, where it is remembered what made it</source>
-   <translation>Was die Farben sagen, wo gemerkt ist, was sie erzeugt hat</translation>
+   <source>What the colours show, if Made by was recorded</source>
+   <translation>Was die Farben zeigen, wenn „Erzeugt von“ aufgezeichnet wurde</translation>
   </message>
   <message>
    <source>Length of the axes drawn at each pose (mm); 0: automatic</source>
    <translation>Länge der Achsen an jeder Lage (mm); 0: automatisch</translation>
   </message>
   <message>
-   <source>Width of the path line (pixels)</source>
-   <translation>Breite der Bahnlinie (Pixel)</translation>
+   <source>Width of the line of the motion (pixels)</source>
+   <translation>Breite der Linie der Bewegung (Pixel)</translation>
   </message>
  </context>
  <context>

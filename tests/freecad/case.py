@@ -78,7 +78,7 @@ class Case(unittest.TestCase):
         group, box = self.doc.addObject("App::Part", "G"), self.box()
         group.addObject(box)
         path = self.line()
-        path.Frame = "Relative"
+        path.PoseType = "Relative"
         obj = self.envelope([box], path)
         envelope.compute(obj)
         return group, obj

@@ -19,7 +19,7 @@ class Neighbours(Case):
 
     def made(self, **settings):
         obj = clearance.make_clearance(
-            self.doc, Generators=[(self.part, "")], Motion=self.path, **settings
+            self.doc, MovingParts=[(self.part, "")], Motion=self.path, **settings
         )
         self.doc.recompute()
         return obj

@@ -33,7 +33,11 @@ class Slide(Case):
 
     def check(self, required=5.0, label="Check"):
         obj = clearance.make_clearance(
-            self.doc, label, Generators=[(self.part, "")], Motion=self.path, Required=required
+            self.doc,
+            label,
+            MovingParts=[(self.part, "")],
+            Motion=self.path,
+            RequiredDistance=required,
         )
         neighbour_rules.write(obj, {(self.table, ""): Rule(CONTACT)})
         return obj
@@ -55,7 +59,7 @@ class Scene(Case):
         envelope.compute(self.swept)
         self.body = solid.make_solid(self.doc, self.swept)
         self.check = clearance.make_clearance(
-            self.doc, Generators=[(self.part, "")], Motion=self.path
+            self.doc, MovingParts=[(self.part, "")], Motion=self.path
         )
         self.doc.recompute()
         if core.has_solids():

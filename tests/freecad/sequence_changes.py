@@ -9,17 +9,17 @@ CHANGES, change = changes()
 
 @change
 def more_clearance(doc):
-    doc.Sequence.Required = 0.7
+    doc.Sequence.RequiredDistance = 0.7
 
 
 @change
 def as_much_clearance_as_there_is(doc):
-    doc.Sequence.Required = 0.89
+    doc.Sequence.RequiredDistance = 0.89
 
 
 @change
 def another_order(doc):
-    doc.Sequence.Generators = [(doc.Upper, ""), (doc.Lower, "")]
+    doc.Sequence.MovingParts = [(doc.Upper, ""), (doc.Lower, "")]
     doc.Sequence.Motions = list(reversed(doc.Sequence.Motions))
 
 
@@ -92,7 +92,7 @@ def a_part_stands_elsewhere(doc):
 
 @change
 def a_part_is_a_link(doc):
-    doc.Sequence.Generators = [(doc.Lower, ""), (doc.Link, "")]
+    doc.Sequence.MovingParts = [(doc.Lower, ""), (doc.Link, "")]
 
 
 @change
@@ -130,12 +130,12 @@ def all_are_in_a_group_that_turns(doc):
 
 @change
 def a_part_is_there_twice(doc):
-    doc.Sequence.Generators = [(doc.Lower, ""), (doc.Lower, "")]
+    doc.Sequence.MovingParts = [(doc.Lower, ""), (doc.Lower, "")]
 
 
 @change
 def no_part(doc):
-    doc.Sequence.Generators, doc.Sequence.Motions = [], []
+    doc.Sequence.MovingParts, doc.Sequence.Motions = [], []
 
 
 @change
@@ -145,7 +145,7 @@ def a_part_is_hidden(doc):
 
 @change
 def one_part_less(doc):
-    doc.Sequence.Generators = [(doc.Lower, "")]
+    doc.Sequence.MovingParts = [(doc.Lower, "")]
     doc.Sequence.Motions = doc.Sequence.Motions[:1]
 
 
@@ -175,7 +175,7 @@ def a_motion_turns_about_another_point(doc):
 
 @change
 def a_motion_counts_from_the_part(doc):
-    doc.Sequence.Motions[1].Frame = "Relative"
+    doc.Sequence.Motions[1].PoseType = "Relative"
 
 
 @change
@@ -256,22 +256,22 @@ def no_wall(doc):
 
 @change
 def touching_at_the_end_is_allowed(doc):
-    doc.Sequence.Release = 5
+    doc.Sequence.ReleaseDistance = 5
 
 
 @change
 def looked_at_more_closely(doc):
-    doc.Sequence.Tolerance = 0.005
+    doc.Sequence.Accuracy = 0.005
 
 
 @change
 def coarser_parts(doc):
-    doc.Sequence.Deflection = 0.1
+    doc.Sequence.MeshDeflection = 0.1
 
 
 @change
 def clearance_by_an_expression(doc):
-    doc.Sequence.setExpression("Required", "Values.gap")
+    doc.Sequence.setExpression("RequiredDistance", "Values.gap")
 
 
 @change

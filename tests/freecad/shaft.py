@@ -3,7 +3,7 @@
 from case import V
 from sweptvolume.features.sequence_plan import Plan
 
-VALUES = {"Required": 0.4, "Release": 0.0, "Tolerance": 0.01, "Deflection": 0.05}
+VALUES = {"RequiredDistance": 0.4, "ReleaseDistance": 0.0, "Accuracy": 0.01, "MeshDeflection": 0.05}
 
 
 def solid(doc, name, sizes, at):

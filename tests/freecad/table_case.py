@@ -69,13 +69,13 @@ class Table(Case):
         """What a result shows people, in numbers; None where a run is refused."""
         if kind_of(obj) == clearance.Clearance.KIND:
             rows = clearance.report_of(obj)["neighbours"]
-            return [obj.Required.Value] + sorted(
+            return [obj.RequiredDistance.Value] + sorted(
                 (round(row["distance"], 5), row["time_seconds"]) for row in rows
             )
         if kind_of(obj) == mechanism.Mechanism.KIND:
             pairs = mechanism.report_of(obj)["pairs"]
             found = [(p["first"], p["second"], p["required"], p["clearance"]) for p in pairs]
-            return [obj.Required.Value, obj.Checked] + sorted(
+            return [obj.RequiredDistance.Value, obj.Checked] + sorted(
                 (*names, round(row["distance"], 5), row["verdict"]) for *names, row in found
             )
         if kind_of(obj) == sequence.Sequence.KIND:
@@ -83,7 +83,12 @@ class Table(Case):
             rows = [
                 (s["part"], s["verdict"], s.get("begin"), s.get("end")) for s in report["steps"]
             ]
-            return [obj.Required.Value, report["verdict"], round(obj.Smallest.Value, 5), rows]
+            return [
+                obj.RequiredDistance.Value,
+                report["verdict"],
+                round(obj.Smallest.Value, 5),
+                rows,
+            ]
         if kind_of(obj) == study.Study.KIND:
             keys = ("run", "state", "neighbour", "verdict", "distance", "time_seconds", "volume")
             return [[row.get(key) for key in keys] for row in study.report_of(obj)["runs"]]

@@ -85,7 +85,7 @@ class Simulated(Case):
         post.Placement = shift(10, 50, 0)  # the arm's far corner passes it
         obj = mechanism.make_mechanism(
             self.doc,
-            Generators=[(self.arm, "")],
+            MovingParts=[(self.arm, "")],
             Motions=found,
             Neighbours=[(post, ""), (self.doc.getObject("Base"), "")],
             Range=100,

@@ -26,7 +26,7 @@ class BadBodies(BadCase):
         part = self.net(vertices, np.vstack([triangles, [[0, 8, 1]]]))
         self.accepted(part, self.line(), "DegenerateTriangles")
         line = self.net([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
-        self.refused(self.envelope([line], self.line()), "without area", "choose an object")
+        self.refused(self.envelope([line], self.line()), "without area", "choose a solid")
 
     def test_bad_input_05_soup(self):
         vertices, triangles = self.box_arrays()

@@ -17,7 +17,7 @@ class Clearance(Neighbours):
         return {row["name"]: row for row in clearance.report_of(obj)["neighbours"]}
 
     def test_all_visible_others(self):
-        obj = self.made(Required=4.0)
+        obj = self.made(RequiredDistance=4.0)
         self.assertEqual(obj.Status, clearance.NOT_COMPUTED)
         clearance.compute(obj)
         self.assertEqual(obj.Status, clearance.UP_TO_DATE)
@@ -32,7 +32,7 @@ class Clearance(Neighbours):
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
         self.assertTrue(
             obj.Summary.startswith(
-                "2 checked, 1 too near, smallest 3.5 mm, at least 3.39 mm, at t = 1 s (Wall)"
+                "2 checked, 1 below required, smallest 3.5 mm, at least 3.39 mm, at t = 1 s (Wall)"
             ),
             obj.Summary,
         )

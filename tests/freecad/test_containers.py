@@ -19,7 +19,7 @@ class Containers(Case):
         self.outer.addObject(self.group)
         self.group.addObject(self.part)
         self.path = self.line()
-        self.path.Frame = "Relative"
+        self.path.PoseType = "Relative"
         self.doc.recompute()
 
     def recompute(self):
@@ -32,7 +32,7 @@ class Containers(Case):
     def assert_seen(self, obj, root=None):
         """The envelope's only part is seen from the outermost group."""
         root = root or self.outer
-        self.assertEqual(convert.pairs_of(obj.Generators), [(root, "Group.Slide.")])
+        self.assertEqual(convert.pairs_of(obj.MovingParts), [(root, "Group.Slide.")])
 
     def test_envelope_dragged_to_its_part_and_out_again(self):
         obj = self.envelope([self.part], self.path)
@@ -52,7 +52,7 @@ class Containers(Case):
             self.assert_seen(obj)
             group.removeObject(obj)
             self.recompute()
-            self.assertEqual(obj.Generators, [(self.part, ("",))])
+            self.assertEqual(obj.MovingParts, [(self.part, ("",))])
 
     def test_envelope_that_its_part_joins(self):
         self.outer.removeObject(self.group)
@@ -69,7 +69,7 @@ class Containers(Case):
         obj = self.envelope([(self.group, "")], self.path)
         self.group.addObject(obj)
         self.recompute()
-        self.assertEqual([o.Name for o, _ in obj.Generators], ["Slide", "Other"])
+        self.assertEqual([o.Name for o, _ in obj.MovingParts], ["Slide", "Other"])
 
     def test_links_of_checks_and_references(self):
         wall = self.box("Wall")
@@ -107,7 +107,7 @@ class Containers(Case):
             group.addObject(path)
             self.recompute()
             for frame in FRAMES:
-                path.Frame = frame
+                path.PoseType = frame
                 self.recompute()
                 base = base_of(
                     motion.world_poses_of(path), frame, App.Placement(), motion.container_of(path)
@@ -128,7 +128,7 @@ class Containers(Case):
         self.recompute()
         self.assert_seen(obj, self.doc.getObject("Outer"))
         # A circle that an older version has left is opened.
-        obj.Generators = [(self.doc.getObject("Group"), "Slide.")]
+        obj.MovingParts = [(self.doc.getObject("Group"), "Slide.")]
         self.reopen()
         self.recompute()
         self.assert_seen(self.doc.getObject("Envelope"), self.doc.getObject("Outer"))
@@ -221,12 +221,12 @@ class Rule(Case):
                 if group is not None:
                     group.addObject(held)
             frame = FRAMES[k % 3]
-            self.path.Frame = frame
+            self.path.PoseType = frame
             self.doc.recompute()
             with self.subTest(groups=[g and g.Name for g in combination], frame=frame):
                 self.assertNotEqual(obj.Status, envelope.UP_TO_DATE)
                 pair = convert.root_path(self.part)
-                self.assertEqual(convert.pairs_of(obj.Generators), [pair])
+                self.assertEqual(convert.pairs_of(obj.MovingParts), [pair])
                 self.assert_computed(obj, frame, pair)
 
     def test_through_a_link(self):
@@ -238,7 +238,7 @@ class Rule(Case):
         self.path.Interpolation = "None"
         obj = self.envelope([pair], self.path, CellSize=2)
         for frame in FRAMES:
-            self.path.Frame = frame
+            self.path.PoseType = frame
             self.move_groups()
             self.assert_computed(obj, frame, pair)
             link.Placement = turn(45, base=V(0, -210, 0))

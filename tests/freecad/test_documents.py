@@ -27,7 +27,7 @@ class Damaged(Case):
         wall = self.box("Wall")
         wall.Placement = shift(0, 15)
         neighbours = {"AllVisible": False, "Neighbours": [(wall, "")]}
-        settings = dict(Generators=[(self.box(), "")], Motion=self.line(), **neighbours)
+        settings = dict(MovingParts=[(self.box(), "")], Motion=self.line(), **neighbours)
         obj = clearance.make_clearance(self.doc, **settings)
         self.doc.recompute()
         clearance.compute(obj)
@@ -69,14 +69,14 @@ class Damaged(Case):
     def test_times_and_velocities_beyond_all_measure(self):
         places = [shift(), turn(60), shift(9)]
         for times in ([0, 1, float("inf")], [float("nan"), 1, 2]):
-            with self.assertRaisesRegex(InputProblem, "is no moment"):
+            with self.assertRaisesRegex(InputProblem, "must be a finite number"):
                 poses.Poses(times, places)
         for times, tangents in (
             ([0, 1, 1e300], []),
             ([0, 1, 2], [("Given", V(float("nan"), 0, 0))]),
         ):
             keys = poses.Poses(times, places, tangents)
-            with self.assertRaisesRegex(InputProblem, "no smooth way leads from pose"):
+            with self.assertRaisesRegex(InputProblem, "the spline from pose"):
                 poses.at_time(keys, "Spline", 0.9 * times[-1])
                 poses.at_time(keys, "Spline", 0.5)
 
@@ -101,11 +101,11 @@ class Damaged(Case):
     def test_links_to_objects_of_another_kind_are_refused_by_name(self):
         body = self.envelope([self.box()], self.line())
         body.Reference, body.ReferenceMotion = (self.box("B"), [""]), self.box("C")
-        with self.assertRaisesRegex(InputProblem, '"C" is no motion'):
+        with self.assertRaisesRegex(InputProblem, '"C" is not a motion'):
             envelope.compute(body)
         check = self.checked()
         check.Envelope = self.doc.Wall
-        with self.assertRaisesRegex(InputProblem, '"Wall" is no envelope'):
+        with self.assertRaisesRegex(InputProblem, '"Wall" is not an envelope'):
             clearance.compute(check)
 
     def test_a_resolution_beyond_every_limit_is_refused_before_the_triangles(self):

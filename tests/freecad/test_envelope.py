@@ -78,7 +78,7 @@ class Envelope(Computed):
         box.Placement = shift(0, 20)
         obj = self.envelope([box], path)
         for frame, y in (("Absolute", 0), ("Relative", 20), ("RelativeToFirst", 20)):
-            path.Frame = frame
+            path.PoseType = frame
             envelope.compute(obj)
             self.assert_mesh_box(obj, (0, y, 0), (40, y + 10, 10), obj.UsedCellSize.Value)
 
@@ -88,10 +88,10 @@ class Envelope(Computed):
         link = self.doc.addObject("App::Link", "L")
         link.LinkedObject, link.Placement = group, turn(90, V(0, 0, 1), V(0, 0, 100))
         path = self.line()
-        path.Frame = "Relative"
+        path.PoseType = "Relative"
         self.doc.recompute()
         obj = self.envelope([(link, "Box.Face1")], path)
-        self.assertEqual(obj.Generators, [(link, ("Box.",))])
+        self.assertEqual(obj.MovingParts, [(link, ("Box.",))])
         envelope.compute(obj)
         self.assert_mesh_box(obj, (-10, 0, 100), (30, 10, 110), obj.UsedCellSize.Value)
 
@@ -179,7 +179,7 @@ class Envelope(Computed):
         with self.assertRaisesRegex(InputProblem, "no moving part"):
             envelope.compute(obj)
         obj.Motion = motion.make_motion(self.doc)
-        obj.Generators = [(self.box(), "")]
+        obj.MovingParts = [(self.box(), "")]
         self.doc.recompute()
         with self.assertRaisesRegex(InputProblem, "no poses"):
             envelope.compute(obj)
@@ -353,7 +353,7 @@ class SolidAndFiles(Computed):
 
     def test_targets_are_checked_first(self):
         for name, text in (
-            ("a.xyz", "unknown"),
+            ("a.xyz", "not supported"),
             (os.path.join("no", "a.step"), "does not exist"),
         ):
             with self.assertRaisesRegex(InputProblem, text):
@@ -363,5 +363,5 @@ class SolidAndFiles(Computed):
             export.check_target(os.path.join(self.folder, "d.step"))
 
     def test_nothing_to_export(self):
-        with self.assertRaisesRegex(InputProblem, "compute the envelope first"):
+        with self.assertRaisesRegex(InputProblem, "has no mesh yet: compute it first"):
             export.request(self.envelope([self.box()], self.line()))

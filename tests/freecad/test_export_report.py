@@ -84,7 +84,7 @@ class Pages(Slide):
         self.assertIn(("Table", "stands", "allowed"), kinds)
 
     def test_results_that_are_not_there_or_stale_are_refused(self):
-        with self.assertRaisesRegex(InputProblem, "no result that is up to date"):
+        with self.assertRaisesRegex(InputProblem, "is not up to date"):
             self.written()
         clearance.compute(self.obj)
         self.wall.Placement = shift(x=60)
@@ -100,9 +100,9 @@ class Pages(Slide):
     def test_targets_that_cannot_be_are_named(self):
         clearance.compute(self.obj)
         for name, text in (
-            ("a.txt", "unknown"),
+            ("a.txt", "not supported"),
             (os.path.join("no", "a.html"), "does not exist"),
-            ("a.pdf", "by the window alone"),
+            ("a.pdf", "needs the FreeCAD window"),
         ):
             with self.assertRaisesRegex(InputProblem, text):
                 page.write(self.obj, os.path.join(self.folder, name))
@@ -134,7 +134,7 @@ class Pages(Slide):
         self.obj.Report = json.dumps(report)
         with mock.patch.object(page, "language", lambda: "de"):
             text = self.written()
-        self.assertIn("zu nah", text)
+        self.assertIn("unter Sollabstand", text)
         self.assertIn("Eine Notiz &lt;x&gt;", text)
         self.assertNotIn("sind englisch", text)
         self.assertEqual(texts.language(), "en")
@@ -166,15 +166,15 @@ class PagesOfMechanisms(Case):
         self.wall.Placement = shift(y=12)
         self.there = self.line(20.0)
         self.back = self.line(-25.0)
-        self.back.Frame = "RelativeToFirst"
+        self.back.PoseType = "RelativeToFirst"
         self.there.Label, self.back.Label = "There", "Back"
         self.doc.recompute()
         self.obj = mechanism.make_mechanism(
             self.doc,
-            Generators=[(self.left, ""), (self.right, "")],
+            MovingParts=[(self.left, ""), (self.right, "")],
             Motions=[self.there, self.back],
             AllVisible=True,
-            Required=8.0,
+            RequiredDistance=8.0,
         )
         rule = {
             pair_rules.key((self.left, ""), (self.wall, "")): Rule(neighbour_rules.REQUIRED, 1.0)
@@ -189,7 +189,7 @@ class PagesOfMechanisms(Case):
             return file.read()
 
     def test_a_page_tells_of_every_pair(self):
-        with self.assertRaisesRegex(InputProblem, "no result that is up to date"):
+        with self.assertRaisesRegex(InputProblem, "is not up to date"):
             self.written()
         mechanism.compute(self.obj)
         text = self.written()

@@ -37,9 +37,9 @@ class Paths(Case):
         """Rows of the check by name."""
         root, sub = pairs[0]
         obj = clearance.make_clearance(
-            self.doc, Motion=path, AllVisible=True, Required=required, Deflection=0.05
+            self.doc, Motion=path, AllVisible=True, RequiredDistance=required, MeshDeflection=0.05
         )
-        obj.Generators = [(root, sub)]
+        obj.MovingParts = [(root, sub)]
         self.doc.recompute()
         return {row["name"]: row for row in clearance.compute(obj)["neighbours"]}
 
@@ -54,7 +54,7 @@ class Paths(Case):
         part, _ = self.channel()
         pairs, undo = [(part, "")], self.doc.UndoCount
         plan = path_plan.PathPlan(
-            self.doc, pairs, self.beside(pairs), start=shift(0, 0, 80), Required=0.5
+            self.doc, pairs, self.beside(pairs), start=shift(0, 0, 80), RequiredDistance=0.5
         )
         report, path = path_plan.find(plan)
         self.assertEqual((report["verdict"], self.doc.UndoCount), ("found", undo + 1))
@@ -84,7 +84,12 @@ class Paths(Case):
         self.doc.recompute()
         for pairs in ([(outer, "Inner.Cube.")], [(outer, "Inner.Twin.")]):
             plan = path_plan.PathPlan(
-                self.doc, pairs, self.beside(pairs), extract=60.0, Required=0.4, Release=5.0
+                self.doc,
+                pairs,
+                self.beside(pairs),
+                extract=60.0,
+                RequiredDistance=0.4,
+                ReleaseDistance=5.0,
             )
             self.assertEqual(len(plan.neighbours), 4)
             report, path = path_plan.find(plan)
@@ -99,8 +104,8 @@ class Paths(Case):
         part, walls = self.channel()
         pairs = [(part, "")]
         plan = path_plan.PathPlan(
-            self.doc, pairs, self.beside(pairs), extract=V(0, 0, 1), Required=0.5,
-            rules={(walls[2], ""): Rule(length=0.85)}, Release=0.0,
+            self.doc, pairs, self.beside(pairs), extract=V(0, 0, 1), RequiredDistance=0.5,
+            rules={(walls[2], ""): Rule(length=0.85)}, ReleaseDistance=0.0,
         )  # fmt: skip
         _, path = path_plan.find(plan)
         self.assertGreaterEqual(self.checked(path, pairs, 0.5)["Floor"]["guaranteed"], 0.84)
@@ -122,7 +127,9 @@ class Paths(Case):
             (dict(extract=V(0, 0, 0)), "BadOption"),
         ]
         for given, code in cases:
-            plan = path_plan.PathPlan(self.doc, pairs, beside, Release=0.0, Required=0.3, **given)
+            plan = path_plan.PathPlan(
+                self.doc, pairs, beside, ReleaseDistance=0.0, RequiredDistance=0.3, **given
+            )
             with self.assertRaises(core.CoreError, msg=given) as refused:
                 path_plan.find(plan)
             self.assertEqual(refused.exception.code, code)
@@ -147,7 +154,7 @@ class Paths(Case):
         self.doc.recompute()
         pairs, known = [(part, "")], len(self.doc.Objects)
         plan = path_plan.PathPlan(
-            self.doc, pairs, self.beside(pairs), extract=100.0, Required=0.5, Budget=5.0
+            self.doc, pairs, self.beside(pairs), extract=100.0, RequiredDistance=0.5, Budget=5.0
         )
         report, path = path_plan.find(plan)
         self.assertEqual((report["verdict"], path), ("not_found", None))
@@ -174,7 +181,7 @@ class Paths(Case):
             {},
             {"Interpolation": "Screw"},
             {"Interpolation": "Spline"},
-            {"Frame": "Relative"},
+            {"PoseType": "Relative"},
             {"Pivot": V(5, 5, 5)},
         ):
             with self.subTest(settings=settings):
@@ -183,7 +190,7 @@ class Paths(Case):
                 path, pairs = self.wayward(**settings)
                 self.assertEqual(self.checked(path, pairs, 0.4)["Post"]["verdict"], "clash")
                 plan = improve_plan.ImprovePlan(
-                    path, pairs, self.beside(pairs), Required=0.4, Budget=20.0
+                    path, pairs, self.beside(pairs), RequiredDistance=0.4, Budget=20.0
                 )
                 report, better = improve_plan.improve(plan)
                 self.assertEqual(report["unmended_moves"], 0, report)
@@ -206,7 +213,7 @@ class Paths(Case):
         self.doc.recompute()
         pairs = [(group, "Cube.")]
         plan = improve_plan.ImprovePlan(
-            path, pairs, self.beside(pairs), locked=[0, 1, 3], Required=0.4, Budget=20.0
+            path, pairs, self.beside(pairs), locked=[0, 1, 3], RequiredDistance=0.4, Budget=20.0
         )
         report, better = improve_plan.improve(plan)
         self.assertEqual(report["unmended_moves"], 0, report)
@@ -234,16 +241,16 @@ class Demo(unittest.TestCase):
         try:
             plan = path_plan.PathPlan(
                 scene.document, pairs, path_plan.beside(scene.document, pairs).leaves(),
-                start=scene.motion.Placements[0], Required=1.37, Release=20.0,
+                start=scene.motion.Placements[0], RequiredDistance=1.37, ReleaseDistance=20.0,
             )  # fmt: skip
             report, path = path_plan.find(plan)
             self.assertEqual(report["verdict"], "found", report["summary"])
             check = clearance.make_clearance(
                 scene.document,
-                Generators=[scene.starter],
+                MovingParts=[scene.starter],
                 Motion=path,
                 AllVisible=True,
-                Required=1.37,
+                RequiredDistance=1.37,
             )
             scene.document.recompute()
             rows = {row["name"]: row for row in clearance.compute(check)["neighbours"]}

@@ -44,7 +44,7 @@ class Frames(Case):
         # A quarter of a disc, and the bar's own width before and behind it.
         exact = 5 * (math.pi / 4 * (60**2 + 5**2) + 2 * 60 * 5 / 2)
         self.assertAlmostEqual(obj.Volume.Value, exact, delta=0.01 * exact)
-        self.assertNotIn("far apart", obj.Message)
+        self.assertNotIn("are large: near", obj.Message)
 
     def test_frames_that_lie_far_apart_are_said(self):
         path = self.hinge(4, interpolation="Linear")
@@ -54,17 +54,17 @@ class Frames(Case):
         ]
         obj = self.envelope([self.bar], path, CellSize=0.5)
         envelope.compute(obj)
-        self.assertIn("far apart", obj.Message)
+        self.assertIn("are large: near", obj.Message)
         wall = self.box("Wall")
         wall.Placement = shift(0, 90)
-        check = clearance.make_clearance(self.doc, Generators=[(self.bar, "")], Motion=path)
+        check = clearance.make_clearance(self.doc, MovingParts=[(self.bar, "")], Motion=path)
         self.doc.recompute()
         clearance.compute(check)
-        self.assertIn("far apart", check.Message)
+        self.assertIn("are large: near", check.Message)
         path.SourceType = "Stored"  # keys are what they are
         self.doc.recompute()
         envelope.compute(obj)
-        self.assertNotIn("far apart", obj.Message)
+        self.assertNotIn("are large: near", obj.Message)
 
     def test_a_simulation_that_stops_early(self):
         self.assertEqual(assembly.shortfall("S", 0, 1, 0.01, 101), "")

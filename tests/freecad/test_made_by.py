@@ -56,7 +56,7 @@ class MadeBy(Case):
         path = motion.motion_from_poses(
             self.doc, [0, 1, 3], [shift(), turn(40, V(1, 2, 3), V(15, 4, 2)), shift(30, 10, 0)]
         )
-        path.Frame = "Absolute"
+        path.PoseType = "Absolute"
         obj = self.computed([box], path)
         record = self.check(obj, path)
         self.assertEqual(set(record.kind) - {-1}, {CAP, EDGE, GRAZE})
@@ -68,7 +68,7 @@ class MadeBy(Case):
         path = motion.motion_from_poses(
             self.doc, [0, 1], [shift(), turn(40, V(1, 2, 3), V(15, 4, 2))]
         )
-        path.Frame = "Absolute"
+        path.PoseType = "Absolute"
         obj = self.computed([self.box()], path)
         record = made_by.find(obj)
         faces = record.faces.copy()
@@ -94,7 +94,7 @@ class MadeBy(Case):
         path = motion.motion_from_poses(
             self.doc, [0, 2], [shift(), turn(50, V(0, 1, 0), V(20, 0, 0))]
         )
-        path.Frame = "Absolute"
+        path.PoseType = "Absolute"
         obj = self.computed([link], path)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)
         record = made_by.find(obj)
@@ -112,7 +112,7 @@ class MadeBy(Case):
         first = self.line(30)
         second = motion.motion_from_poses(self.doc, [5, 7], [shift(), shift(0, 0, 30)])
         for path in (first, second):
-            path.Frame = "Relative"
+            path.PoseType = "Relative"
         obj = self.envelope([one, two], first, MadeBy="Session")
         obj.Motions = [first, second]
         envelope.compute(obj)

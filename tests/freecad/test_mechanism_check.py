@@ -48,7 +48,7 @@ class SliderCrank(Case):
     def check(self, motions, **settings):
         settings.setdefault("Neighbours", [(self.wall, "")])
         parts = [(m.SourceObjects[1], "") for m in motions]
-        obj = mechanism.make_mechanism(self.doc, Generators=parts, Motions=motions, **settings)
+        obj = mechanism.make_mechanism(self.doc, MovingParts=parts, Motions=motions, **settings)
         self.doc.recompute()
         return obj
 
@@ -143,7 +143,7 @@ class Distances(SliderCrank):
     POSES = 361
 
     def test_distances_are_those_of_the_formula(self):
-        obj = self.check(self.motions(), Required=6)
+        obj = self.check(self.motions(), RequiredDistance=6)
         mechanism.compute(obj)
         self.doc.recompute()
         self.assertEqual(obj.Status, UP_TO_DATE)
@@ -211,7 +211,7 @@ class Distances(SliderCrank):
 
 class Kept(SliderCrank):
     def test_table_and_file(self):
-        obj = self.check(self.motions(), Required=6)
+        obj = self.check(self.motions(), RequiredDistance=6)
         mechanism.compute(obj)
         path = os.path.join(self.folder, "table.csv")
         mechanism_table.write_csv(mechanism.report_of(obj), path)
@@ -219,7 +219,7 @@ class Kept(SliderCrank):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 3)
         row = next(r for r in rows if (r["First"], r["Second"]) == ("Slider", "Wall"))
-        self.assertEqual((row["Verdict"], row["Meets rule"]), ("below", "no"))
+        self.assertEqual((row["Verdict"], row["Meets rule"]), ("below required", "no"))
         self.assertAlmostEqual(float(row["Distance (mm)"]), 5, delta=0.01)
         self.assertAlmostEqual(float(row["First X (mm)"]), CRANK + ROD + HALF, delta=0.02)
         sheet = mechanism_table.make_spreadsheet(obj, mechanism.report_of(obj))
@@ -307,7 +307,7 @@ class BadInput(SliderCrank):
         """pairs: (part, motion)."""
         obj = mechanism.make_mechanism(
             self.doc,
-            Generators=[(part, "") for part, _ in pairs],
+            MovingParts=[(part, "") for part, _ in pairs],
             Motions=[m for _, m in pairs],
             **settings,
         )
@@ -323,20 +323,20 @@ class BadInput(SliderCrank):
         late.Label = "Late"
         jumps = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(9)], "None")
         jumps.Label = "Jumps"
-        self.refused("no moving part is given")
-        self.refused('"Crank" is there twice', (self.crank, crank), (self.crank, rod))
+        self.refused("there is no moving part")
+        self.refused('"Crank" is in the list twice', (self.crank, crank), (self.crank, rod))
         self.refused(
-            '"Crank" is chosen as a neighbour and is a moving part itself',
+            '"Crank" is both a neighbour and a moving part',
             (self.crank, crank),
             (self.rod, rod),
             Neighbours=[(self.crank, "")],
         )
         self.refused('"Late" begins at 5 s', (self.crank, crank), (self.rod, late))
-        self.refused('"Jumps" only jumps', (self.crank, crank), (self.rod, jumps))
-        self.refused("one part alone has no distance", (self.crank, crank))
+        self.refused('"Jumps" has the interpolation None', (self.crank, crank), (self.rod, jumps))
+        self.refused("only one part is given", (self.crank, crank))
         self.refused('"Rod" has no motion', (self.crank, crank), (self.rod, self.wall))
         self.refused(
-            "rules of .* do not fit",
+            "rules of .* are inconsistent",
             (self.crank, crank),
             (self.slider, slider),
             RuleParts=[(self.crank, "")],
@@ -344,7 +344,7 @@ class BadInput(SliderCrank):
             RuleLengths=[0.0],
         )
         self.refused(
-            'contradict each other for "Crank - Rod"',
+            'two rules for "Crank - Rod" contradict each other',
             (self.crank, crank),
             (self.rod, rod),
             RuleParts=[(self.crank, ""), (self.rod, ""), (self.rod, ""), (self.crank, "")],
@@ -355,10 +355,10 @@ class BadInput(SliderCrank):
     def test_missing_motion(self):
         crank = self.motions(9)[0]
         obj = mechanism.make_mechanism(
-            self.doc, Generators=[(self.crank, ""), (self.rod, "")], Motions=[crank]
+            self.doc, MovingParts=[(self.crank, ""), (self.rod, "")], Motions=[crank]
         )
         self.doc.recompute()
-        self.assertIn("2 moving parts and 1 motions", obj.Message)
+        self.assertIn("number of motions (1) is not that of the moving parts (2)", obj.Message)
 
     def test_a_part_inside_another(self):
         group = self.doc.addObject("App::Part", "Group")
@@ -367,10 +367,10 @@ class BadInput(SliderCrank):
         self.doc.recompute()
         path = self.line()
         obj = mechanism.make_mechanism(
-            self.doc, Generators=[(group, ""), (box, "")], Motions=[path, path]
+            self.doc, MovingParts=[(group, ""), (box, "")], Motions=[path, path]
         )
         self.doc.recompute()
-        self.assertRegex(obj.Message, '"Group" and "Inside": one holds the other')
+        self.assertRegex(obj.Message, '"Group" and "Inside": one contains the other')
 
     def grouped(self):
         """Two groups with a part each that passes the other, and the check of both."""
@@ -388,9 +388,9 @@ class BadInput(SliderCrank):
             right,
             mechanism.make_mechanism(
                 self.doc,
-                Generators=[(left, "One."), (right, "Other.")],
+                MovingParts=[(left, "One."), (right, "Other.")],
                 Motions=[self.line(), back],
-                Required=3.0,
+                RequiredDistance=3.0,
             ),
         )
 
@@ -404,7 +404,7 @@ class BadInput(SliderCrank):
         pair_rules.write(obj, crossing)
         self.doc.recompute()
         with self.assertRaisesRegex(
-            InputProblem, "contradict each other for .*none of them is the narro"
+            InputProblem, "contradict each other for .*neither is more specific"
         ):
             mechanism.compute(obj)
         self.assertEqual(obj.Status, FAILED)
@@ -439,19 +439,19 @@ class BadInput(SliderCrank):
 class Warned(SliderCrank):
     def test_clearance_names_what_moves_too(self):
         crank = self.motions(9)[0]
-        obj = clearance.make_clearance(self.doc, Generators=[(self.crank, "")], Motion=crank)
+        obj = clearance.make_clearance(self.doc, MovingParts=[(self.crank, "")], Motion=crank)
         self.doc.recompute()
         clearance.compute(obj)
-        self.assertIn('"Rod", "Slider" moved as well', obj.Message)
+        self.assertIn('"Rod", "Slider" also moved', obj.Message)
         self.assertIn("Check mechanism", obj.Message)
         self.assertNotIn('"Wall"', obj.Message)
         other = clearance.make_clearance(
-            self.doc, Generators=[(self.crank, "")], Motion=self.line()
+            self.doc, MovingParts=[(self.crank, "")], Motion=self.line()
         )
         other.Motion.Placements = [turn(0), turn(90)]
         self.doc.recompute()
         clearance.compute(other)
-        self.assertNotIn("moved as well", other.Message)
+        self.assertNotIn("also moved", other.Message)
 
     def test_a_motion_of_one_part_knows_it_too(self):
         values = {"start": 0, "end": 90, "count": 4}

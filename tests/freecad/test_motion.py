@@ -20,17 +20,17 @@ class Motion(Case):
         obj = motion.motion_from_poses(self.doc, [1, 3.5], [shift(), turn(90)], "Screw", "Relative")
         self.doc.recompute()
         self.assertEqual((obj.Count, obj.Duration, obj.Interpolation), (2, 2.5, "Screw"))
-        self.assertEqual((obj.Frame, obj.SourceType, obj.Status), ("Relative", "Stored", ""))
+        self.assertEqual((obj.PoseType, obj.SourceType, obj.Status), ("Relative", "Stored", ""))
 
     def test_times_may_not_go_back(self):
-        with self.assertRaisesRegex(InputProblem, "pose 3: .*0.5 s comes before the 1 s"):
+        with self.assertRaisesRegex(InputProblem, "pose 3: .*0.5 s is earlier than the 1 s"):
             Poses([0, 1, 0.5], [shift()] * 3)
 
     def test_bad_edit_is_told_and_marks_the_object(self):
         obj = self.line()
         obj.Times = [0, 1, 2]
         self.doc.recompute()
-        self.assertIn("3 times and 2 placements", obj.Status)
+        self.assertIn("3 times but 2 placements", obj.Status)
         self.assertIn("Invalid", obj.State)
 
     def test_linked_placements_follow(self):
@@ -184,7 +184,7 @@ class MotionFile(Case):
         obj.Interpolation = "Linear"
         rest = motion.motion_from_poses(self.doc, [0, 2], [shift(), shift()])
         hull.Reference, hull.ReferenceMotion = (self.box("Table"), [""]), rest
-        with self.assertRaisesRegex(InputProblem, "a moving reference"):
+        with self.assertRaisesRegex(InputProblem, "a motion with a reference part"):
             envelope.compute(hull)
 
     def test_csv_with_unit(self):

@@ -42,7 +42,8 @@ class Moving(Case):
     def test_every_part_needs_its_motion(self):
         along, up = self.lines((30, 0, 0), (0, 20, 0))
         obj = self.envelope([self.box("A"), self.box("B")], along, Motions=[up])
-        with self.assertRaisesRegex(InputProblem, "2 moving parts and 1 motions"):
+        words = "number of individual motions .1. is not that of the moving parts .2."
+        with self.assertRaisesRegex(InputProblem, words):
             envelope.compute(obj)
 
     def test_cancel_in_the_second_part(self):
@@ -62,7 +63,7 @@ class Moving(Case):
         part, table = self.box("Part"), self.box("Table")
         table.Placement = shift(0, 50)
         way = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(80, base=V(90, 5, 1))])
-        way.Frame = "Relative"
+        way.PoseType = "Relative"
         obj = self.envelope([part], way, Reference=(table, [""]), ReferenceMotion=way)
         envelope.compute(obj)
         self.assert_box(obj, (0, 0, 0), (10, 10, 10))
@@ -120,7 +121,7 @@ class Moving(Case):
         way = motion.motion_from_poses(self.doc, [0, 1, 2], places, "Spline")
         part, wall = self.box("Part", 2.0), self.box("Wall", 2.0)
         wall.Placement = shift(20, 30)
-        check = clearance.make_clearance(self.doc, Generators=[(part, [""])], Motion=way)
+        check = clearance.make_clearance(self.doc, MovingParts=[(part, [""])], Motion=way)
         check.Neighbours, check.AllVisible = [(wall, [""])], False
         self.doc.recompute()
         report = clearance.compute(check)

@@ -95,8 +95,8 @@ class Pivot(Case):
         part, wall = self.part(), self.box("Wall")
         wall.Placement.Base = MIDDLE + V(-5, REACH + 2, -5)
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), about(MIDDLE, 90)])
-        obj = clearance.make_clearance(self.doc, AllVisible=False, Required=1)
-        obj.Generators, obj.Motion, obj.Neighbours = [(part, "")], path, [(wall, "")]
+        obj = clearance.make_clearance(self.doc, AllVisible=False, RequiredDistance=1)
+        obj.MovingParts, obj.Motion, obj.Neighbours = [(part, "")], path, [(wall, "")]
         self.doc.recompute()
         swinging = clearance.compute(obj)["neighbours"][0]
         self.assertEqual(swinging["verdict"], "clash")

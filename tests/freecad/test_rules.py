@@ -187,8 +187,8 @@ class Rules(Neighbours):
     def test_impossible_rules_are_named(self):
         obj = self.usual()
         for name, value, text in (
-            ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a length of -3 mm is not possible'),
-            ("RuleLengths", [0.0], "do not fit its parts (3 parts, 3 kinds, 1 lengths)"),
+            ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a rule cannot have a length of -3 mm'),
+            ("RuleLengths", [0.0], "3 parts, 3 kinds and 1 lengths"),
             ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall": there is no rule "Near"'),
         ):
             before = list(getattr(obj, name))
@@ -201,7 +201,7 @@ class Rules(Neighbours):
         obj.RuleParts = [(self.wall, ""), (self.wall, ""), (self.far, "")]
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(obj)
-        self.assertIn('two rules contradict each other for "Wall"', str(refused.exception))
+        self.assertIn('two rules for "Wall" contradict each other', str(refused.exception))
         every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(self.made(every))

@@ -17,7 +17,7 @@ class Saved(Scene):
         third = 1.0 / 3.0 / 10  # a quantity of seventeen digits
         self.swept.Tolerance = self.swept.Offset = third
         self.body.Tolerance = 2 * third
-        self.check.Required, self.check.Deflection = 100 * third, third
+        self.check.RequiredDistance, self.check.MeshDeflection = 100 * third, third
         self.doc.recompute()
         envelope.compute(self.swept)
         if core.has_solids():

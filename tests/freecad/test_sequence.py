@@ -24,11 +24,11 @@ class Sequences(Case):
     def assert_clear(self, obj):
         """Each motion by the workbench's own check of clearances, with what is there by then."""
         there = [(wall, "") for wall in self.walls]
-        for (part, subs), path in zip(obj.Generators, obj.Motions):
+        for (part, subs), path in zip(obj.MovingParts, obj.Motions):
             check = clearance.make_clearance(
-                self.doc, Motion=path, AllVisible=False, Required=0.4, Deflection=0.05
+                self.doc, Motion=path, AllVisible=False, RequiredDistance=0.4, MeshDeflection=0.05
             )
-            check.Generators, check.Neighbours = [(part, "")], there
+            check.MovingParts, check.Neighbours = [(part, "")], there
             self.doc.recompute()
             found = clearance.compute(check)["neighbours"]
             self.assertEqual({row["verdict"] for row in found}, {"clear"}, (part.Label, found))
@@ -39,7 +39,7 @@ class Sequences(Case):
         undo, known = self.doc.UndoCount, len(self.doc.Objects)
         report, obj = sequence.find(plan_of(self.doc, self.parts, self.walls, Order="find"))
         self.assertEqual((report["verdict"], self.doc.UndoCount), ("found", undo + 1))
-        self.assertEqual([part.Name for part, _ in obj.Generators], ["Lower", "Upper"])
+        self.assertEqual([part.Name for part, _ in obj.MovingParts], ["Lower", "Upper"])
         self.assertEqual(
             [motion.parts_of(path)[0][0].Name for path in obj.Motions], ["Lower", "Upper"]
         )
@@ -58,7 +58,7 @@ class Sequences(Case):
         self.assertEqual([step["method"] for step in report["steps"]], ["given", "given"])
         self.assertEqual((obj.Status, report["verdict"]), (UP_TO_DATE, "found"))
         # The other order: the lower one has to pass the upper one.
-        obj.Generators = list(reversed([(part, "") for part, _ in obj.Generators]))
+        obj.MovingParts = list(reversed([(part, "") for part, _ in obj.MovingParts]))
         obj.Motions = list(reversed(obj.Motions))
         self.doc.recompute()
         self.assertEqual(obj.Status, STALE)
@@ -82,7 +82,7 @@ class Sequences(Case):
             self.doc, [0, 5], [shift(0, 0, 80).multiply(self.parts[0].Placement),
                                self.parts[0].Placement]
         )  # fmt: skip
-        path.Frame = "Absolute"
+        path.PoseType = "Absolute"
         motion.set_parts(path, [(self.parts[0], "")])
         self.doc.recompute()
         parts = self.parts[::-1]
@@ -100,7 +100,7 @@ class Sequences(Case):
 
     def test_rules_of_pairs(self):
         plan = plan_of(self.doc, self.parts[::-1], self.walls)
-        plan.values["Required"] = 1.2  # they are 1 mm from the walls and from each other
+        plan.values["RequiredDistance"] = 1.2  # they are 1 mm from the walls and from each other
         with self.assertRaises(core.CoreError) as refused:
             sequence.find(plan)
         self.assertEqual(refused.exception.code, "PartsTooNear")
@@ -116,10 +116,10 @@ class Sequences(Case):
         self.assertEqual(sequence.Plan.of(obj).pair_rules, plan.pair_rules)
 
     def test_wrong_input_is_named(self):
-        with self.assertRaisesRegex(InputProblem, "no part is given"):
+        with self.assertRaisesRegex(InputProblem, "there is no part"):
             plan_of(self.doc, [], self.walls).request()
         twice = plan_of(self.doc, [self.parts[0], self.parts[0]], self.walls)
-        with self.assertRaisesRegex(InputProblem, "is there twice"):
+        with self.assertRaisesRegex(InputProblem, "is in the list twice"):
             twice.request()
         self.parts[0].Placement.Base.z -= 3
         self.doc.recompute()

@@ -86,7 +86,7 @@ class Shared(Case):
             self.doc.recompute()
             exact = one.Shape.common(other.Shape).Volume
             self.assertGreater(exact, 100)
-            obj = self.make([one], [other], Deflection=0.01)
+            obj = self.make([one], [other], MeshDeflection=0.01)
             shared.compute(obj)
             # A chord of height d in a circle of radius r: polygons lack 4/3 d/r of the area.
             lacks = 1 - obj.Volume.Value / exact
@@ -177,7 +177,7 @@ class Shared(Case):
         left, right = self.sides()
         with self.assertRaisesRegex(convert.InputProblem, '"Left" is on both sides'):
             shared.compute(self.make([left], [left, right]))
-        with self.assertRaisesRegex(convert.InputProblem, "two sides are needed"):
+        with self.assertRaisesRegex(convert.InputProblem, "needs two sides"):
             shared.compute(self.make([left], []))
         mesh = self.doc.addObject("Mesh::Feature", "Open")
         facets = Mesh.createBox(10, 10, 10)

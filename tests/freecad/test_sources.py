@@ -148,7 +148,7 @@ class Sources(Case):
         obj = motion.motion_from_source(self.doc, "Curve", [path, other], **sources)
         self.assert_placement(obj.Placements[2], shift(20), 1e-9)
         other.Shape = Part.makeLine(V(-5, 0, 0), V(40, 0, 0))
-        with self.assertRaisesRegex(InputProblem, "does not say where up is"):
+        with self.assertRaisesRegex(InputProblem, "does not define the z axis"):
             motion.motion_from_source(self.doc, "Curve", [path, other], **sources)
 
     def test_cam_planes_radius_and_relative(self):
@@ -203,7 +203,7 @@ class Sources(Case):
         )
         self.assertEqual([round(p.Base.x, 6) for p in obj.Placements], [20, 40, 60])
         self.assertAlmostEqual(sketch.Shape.Length, 10)
-        with self.assertRaisesRegex(InputProblem, "drive what it reads"):
+        with self.assertRaisesRegex(InputProblem, "drive a value in that expression"):
             motion.motion_from_source(
                 self.doc, "Driven", [box, box], property="Placement.Base.x", **values
             )

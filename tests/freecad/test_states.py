@@ -102,7 +102,7 @@ def interpolation_changes(doc):
 
 @change
 def frame_changes(doc):
-    doc.Motion.Frame = "RelativeToFirst"
+    doc.Motion.PoseType = "RelativeToFirst"
 
 
 @change
@@ -250,7 +250,7 @@ def solid_merges_nothing(doc):
 
 @change
 def required_distance(doc):
-    doc.Clearance.Required = 7
+    doc.Clearance.RequiredDistance = 7
 
 
 @change
@@ -260,7 +260,7 @@ def chosen_instead_of_visible(doc):
 
 @change
 def generators_chosen(doc):
-    doc.Envelope.Generators = [(doc.Box, ""), (doc.Net, "")]
+    doc.Envelope.MovingParts = [(doc.Box, ""), (doc.Net, "")]
 
 
 # --- containers and links
@@ -313,7 +313,7 @@ def check_of_the_envelope(doc):
 
 @change
 def accuracy_of_the_check(doc):
-    doc.Clearance.Deflection = 0.5
+    doc.Clearance.MeshDeflection = 0.5
 
 
 @change
@@ -356,7 +356,7 @@ class States(Table):
         motion.motion_from_source(doc, "Curve", [wire])
         self.envelope([box, plate, link], doc.Motion, Resolution=20)
         solid.make_solid(doc, doc.Envelope)
-        clearance.make_clearance(doc, Generators=[(box, "")], Motion=doc.Motion)
+        clearance.make_clearance(doc, MovingParts=[(box, "")], Motion=doc.Motion)
         second = self.envelope([net], doc.Motion001, Resolution=16)
         doc.recompute()
         for obj in (doc.Envelope, second):
@@ -435,7 +435,7 @@ class External(Case):
         self.doc.recompute()
         path = self.line()
         obj = self.envelope([link], path, Resolution=20)
-        check = clearance.make_clearance(self.doc, Generators=[(link, "")], Motion=path)
+        check = clearance.make_clearance(self.doc, MovingParts=[(link, "")], Motion=path)
         self.doc.recompute()
         envelope.compute(obj)
         clearance.compute(check)

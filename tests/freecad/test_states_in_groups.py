@@ -124,7 +124,7 @@ def a_motion_is_smooth(doc):
 
 @change
 def a_motion_is_not_relative(doc):
-    doc.Motion001.Frame = "Absolute"
+    doc.Motion001.PoseType = "Absolute"
 
 
 @change
@@ -134,7 +134,7 @@ def motions_are_exchanged(doc):
 
 @change
 def a_wall_moves_along(doc):
-    doc.Mechanism.Generators = doc.Mechanism.Generators + [(doc.Walls, "Near.")]
+    doc.Mechanism.MovingParts = doc.Mechanism.MovingParts + [(doc.Walls, "Near.")]
     doc.Mechanism.Motions = doc.Mechanism.Motions + [doc.Motion001]
 
 
@@ -150,7 +150,7 @@ def the_rule_is_gone(doc):
 
 @change
 def required_by_an_expression(doc):
-    doc.Mechanism.setExpression("Required", "Values.distance")
+    doc.Mechanism.setExpression("RequiredDistance", "Values.distance")
 
 
 @change
@@ -222,12 +222,12 @@ class Grouped(Table):
         doc.recompute()
         motion.motion_from_source(doc, "Curve", [wire])
         relative = motion.motion_from_poses(doc, [0, 1], [shift(), turn(20, base=V(10, -5, 0))])
-        doc.Motion.Frame = relative.Frame = "RelativeToFirst"
+        doc.Motion.PoseType = relative.PoseType = "RelativeToFirst"
         doc.recompute()
         self.envelope([link], doc.Motion, Resolution=16)
         check = mechanism.make_mechanism(
             doc,
-            Generators=[(link, ""), (arm, "")],
+            MovingParts=[(link, ""), (arm, "")],
             Motions=[doc.Motion, relative],
             Neighbours=[(walls, "")],
         )

@@ -68,17 +68,17 @@ def a_part_is_deleted(doc):
 
 @change
 def a_part_is_there_twice(doc):
-    doc.Mechanism.Generators = [(doc.Box, ""), (doc.Box, "")]
+    doc.Mechanism.MovingParts = [(doc.Box, ""), (doc.Box, "")]
 
 
 @change
 def another_distance_is_required(doc):
-    doc.Mechanism.Required = 4
+    doc.Mechanism.RequiredDistance = 4
 
 
 @change
 def distance_by_expression(doc):
-    doc.Mechanism.setExpression("Required", "Box.Length / 4")
+    doc.Mechanism.setExpression("RequiredDistance", "Box.Length / 4")
 
 
 @change
@@ -88,7 +88,7 @@ def a_wider_range(doc):
 
 @change
 def coarser(doc):
-    doc.Mechanism.Tolerance = 0.3
+    doc.Mechanism.Accuracy = 0.3
 
 
 @change
@@ -153,7 +153,7 @@ class Mechanisms(Table):
         self.envelope([box], doc.Motion, Resolution=16)
         mechanism.make_mechanism(
             doc,
-            Generators=[(box, ""), (other, "")],
+            MovingParts=[(box, ""), (other, "")],
             Motions=[doc.Motion, doc.Motion001],
             Neighbours=[(wall, "")],
         )

@@ -236,10 +236,10 @@ class OtherDocuments(Table):
         path = motion.motion_from_source(doc, "Curve", [doc.WireLink])
         line = self.line(20.0)
         self.envelope([doc.PartLink, doc.GroupLink, box], path, Resolution=16)
-        clearance.make_clearance(doc, Generators=[(doc.PartLink, "")], Motion=path)
+        clearance.make_clearance(doc, MovingParts=[(doc.PartLink, "")], Motion=path)
         clearance.make_clearance(
             doc,
-            Generators=[(box, "")],
+            MovingParts=[(box, "")],
             Motion=line,
             Neighbours=[(doc.WallLink, ""), (doc.EnvelopeLink, "")],
             AllVisible=False,

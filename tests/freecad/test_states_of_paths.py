@@ -110,7 +110,7 @@ class Paths(Table):
         self.envelope([box, inner], doc.Motion, Resolution=16, MadeBy="Document")
         clearance.make_clearance(
             doc,
-            Generators=[(box, "")],
+            MovingParts=[(box, "")],
             Motion=doc.Motion,
             AllVisible=False,
             Neighbours=[(wall, "")],

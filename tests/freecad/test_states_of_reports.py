@@ -127,13 +127,13 @@ def the_envelope_is_finer(doc):
 
 @change
 def required(doc):
-    doc.Clearance.Required = doc.Mechanism.Required = 25
+    doc.Clearance.RequiredDistance = doc.Mechanism.RequiredDistance = 25
 
 
 @change
 def required_by_an_expression(doc):
     for name in ("Clearance", "Mechanism"):
-        doc.getObject(name).setExpression("Required", "Values.length")
+        doc.getObject(name).setExpression("RequiredDistance", "Values.length")
 
 
 @change
@@ -164,9 +164,13 @@ class Reports(Table):
         self.sheet("length", "8 mm")
         self.line()
         self.envelope([box], doc.Motion, Resolution=16)
-        clearance.make_clearance(doc, Envelope=doc.Envelope, AllVisible=True, Required=5.0)
+        clearance.make_clearance(doc, Envelope=doc.Envelope, AllVisible=True, RequiredDistance=5.0)
         mechanism.make_mechanism(
-            doc, Generators=[(box, "")], Motions=[doc.Motion], AllVisible=True, Required=5.0
+            doc,
+            MovingParts=[(box, "")],
+            Motions=[doc.Motion],
+            AllVisible=True,
+            RequiredDistance=5.0,
         )
         neighbour_rules.write(doc.Clearance, {(table, ""): Rule(IGNORE)})
         pair_rules.write(doc.Mechanism, {pair_rules.key((box, ""), (table, "")): Rule(IGNORE)})

@@ -64,7 +64,7 @@ class States(Table):
         self.assertGreater(
             (lid(begins[1]).Base - lid(obj.Motions[1].Times[-1] + begins[1]).Base).Length, 50
         )
-        obj.Generators = [(self.doc.Upper, ""), (self.doc.Lower, "")]
+        obj.MovingParts = [(self.doc.Upper, ""), (self.doc.Lower, "")]
         obj.Motions = list(reversed(obj.Motions))
         self.doc.recompute()
         self.assertEqual((obj.Status, sequence.Plan.of(obj).steps), (STALE, []))

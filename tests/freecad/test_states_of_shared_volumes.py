@@ -122,7 +122,7 @@ def one_part_on_both_sides(doc):
 @change
 def the_sides_the_other_way_round(doc):
     obj = doc.SharedVolume
-    obj.Generators, obj.Neighbours = obj.Neighbours, obj.Generators
+    obj.MovingParts, obj.Neighbours = obj.Neighbours, obj.MovingParts
 
 
 @change
@@ -196,7 +196,7 @@ def the_envelope_stands_elsewhere(doc):
 
 @change
 def coarser(doc):
-    doc.SharedVolume.Deflection = 0.2
+    doc.SharedVolume.MeshDeflection = 0.2
 
 
 @change

@@ -46,7 +46,7 @@ def motion_between_poses(doc):
 
 @change
 def check_asks_for_more(doc):
-    doc.Clearance.Required = 25
+    doc.Clearance.RequiredDistance = 25
 
 
 @change
@@ -163,7 +163,7 @@ def the_wall_is_a_link(doc):
 
 @change
 def required_by_an_expression(doc):
-    doc.Clearance.setExpression("Required", "Values.length")
+    doc.Clearance.setExpression("RequiredDistance", "Values.length")
 
 
 @change
@@ -211,11 +211,11 @@ class OfADocument(Table):
         self.envelope([box], doc.Motion, Resolution=16)
         clearance.make_clearance(
             doc,
-            Generators=[(box, "")],
+            MovingParts=[(box, "")],
             Motion=doc.Motion,
             Neighbours=[(wall, ""), (post, "")],
             AllVisible=False,
-            Required=5.0,
+            RequiredDistance=5.0,
         )
         self.envelope([wall], doc.Motion, Resolution=10)
         doc.Envelope001.setExpression("CellSize", "Values.length / 2")
@@ -245,7 +245,7 @@ class OfADocument(Table):
 
     def test_a_page_of_results_that_are_gone(self):
         shutil.rmtree(self.doc.Study.Results)
-        with self.assertRaisesRegex(InputProblem, "not there any more"):
+        with self.assertRaisesRegex(InputProblem, "were deleted"):
             study.written(self.doc.Study)
 
     def test_nothing_changes_nothing(self):

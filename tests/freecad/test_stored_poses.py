@@ -17,7 +17,7 @@ from table_case import changes, rows
 
 CHANGES, change = changes()
 
-VALUES = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05, "Range": 0.0}
+VALUES = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Range": 0.0}
 
 
 def one_by_one(obj):

@@ -94,7 +94,7 @@ class Studies(Slide):
         obj = self.of_document(one, other)
         study.compute(obj)
         marks = self.times(obj)
-        one.Required = 4.0
+        one.RequiredDistance = 4.0
         self.doc.recompute()
         self.assertEqual(obj.Status, STALE)
         self.assertEqual(self.times(obj), marks)

@@ -44,7 +44,7 @@ class Lost(Scene):
 
     def test_one_of_several_parts(self):
         second = self.box("Second")
-        self.swept.Generators = [(self.part, ""), (second, "")]
+        self.swept.MovingParts = [(self.part, ""), (second, "")]
         self.doc.recompute()
         envelope.compute(self.swept)
         self.doc.removeObject("Second")
@@ -54,7 +54,7 @@ class Lost(Scene):
         with self.assertRaisesRegex(InputProblem, "Second"):
             envelope.compute(self.swept)
         # Chosen anew, though what is left is the same.
-        self.swept.Generators = [(self.part, "")]
+        self.swept.MovingParts = [(self.part, "")]
         self.doc.recompute()
         self.assertEqual(self.swept.Status, envelope.STALE)
         envelope.compute(self.swept)
@@ -139,7 +139,7 @@ class Edges(Case):
         solid.compute(body)
         largest = max(edge.Tolerance for edge in body.Shape.Edges)
         self.assertAlmostEqual(body.EdgeTolerance.Value, largest, 12)
-        self.assertEqual("tolerance of an edge" in body.Message, largest > 0.3)
+        self.assertEqual("have a gap of" in body.Message, largest > 0.3)
         body.EdgeTolerance = 1.25  # as one was seen
         self.doc.recompute()
         self.assertIn("1.25 mm", body.Message)
@@ -196,7 +196,7 @@ class Neighbours(Scene):
         envelope.compute(other)
         check = clearance.make_clearance(
             self.doc,
-            Generators=[(self.part, "")],
+            MovingParts=[(self.part, "")],
             Motion=self.path,
             AllVisible=False,
             Neighbours=[(other, "")],
@@ -210,7 +210,10 @@ class Neighbours(Scene):
         envelope.compute(other)
         self.assertEqual(check.Status, clearance.STALE)
         wire = self.straight_wire()
-        for chosen, words in ((wire, "no solid"), (self.part, "moving part itself")):
+        for chosen, words in (
+            (wire, "no solid"),
+            (self.part, "both a neighbour and a moving part"),
+        ):
             check.Neighbours = [(self.wall, ""), (chosen, "")]
             self.doc.recompute()
             with self.assertRaisesRegex(InputProblem, chosen.Label + ".*" + words):

@@ -38,7 +38,7 @@ class Versions(Case):
         solid.compute(body)
         check = clearance.make_clearance(
             self.doc,
-            Generators=[(moving, "")],
+            MovingParts=[(moving, "")],
             Motion=path,
             AllVisible=False,
             Neighbours=[(wall, "")],

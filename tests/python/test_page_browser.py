@@ -158,7 +158,7 @@ def test_nothing_is_cut_off_on_paper(tmp_path, report):
     browse(tmp_path, page_of(report), "--no-pdf-header-footer", f"--print-to-pdf={paper}")
     text = subprocess.run(["pdftotext", "-raw", paper, "-"], capture_output=True).stdout.decode()
     words = " ".join(text.split())
-    for told in ("Too near for", "Depth", "below required", "Rules", "Settings", "Findings"):
+    for told in ("Below required for", "Depth", "below required", "Rules", "Settings", "Findings"):
         assert told in words, (told, words)
     below = report["neighbours"][0]["below"][0]
     assert f"{below[1] - below[0]:.4g} s" in words and "Point at a curve" not in words

@@ -150,7 +150,12 @@ def test_german_pages(report):
     check_alone(page)
     assert '<html lang="de"' in page
     rows = cells(page, "verdicts")
-    assert [row[1] for row in rows[1:]] == ["Kollision", "zu nah", "Berührung, erlaubt", "frei"]
+    assert [row[1] for row in rows[1:]] == [
+        "Kollision",
+        "unter Sollabstand",
+        "Kontakt, erlaubt",
+        "frei",
+    ]
     assert (
         rows[2][3] == "1,99 mm" and "2 von 4 geprüften Paaren erfüllen ihre Regeln nicht." in page
     )
@@ -255,9 +260,9 @@ def test_the_program_names_wrong_options_of_pages(call, inputs, bench):  # noqa:
         (("--page", target, "--page-template", template), 1, "{{nothing}} is no placeholder"),
         (("--page", target, "--page-template", inputs / "no.html"), 1, "does not exist"),
         (("--page", target, "--page-language", "fr"), 2, "allowed: en, de"),
-        (("--page-title", "x"), 2, "--page-title is given without --page"),
-        (("--page-template", template), 2, "--page-template is given without --page"),
-        (("--page", target, "--offer-rules", "-"), 2, "--offer-rules exclude each other"),
+        (("--page-title", "x"), 2, "--page-title needs --page"),
+        (("--page-template", template), 2, "--page-template needs --page"),
+        (("--page", target, "--offer-rules", "-"), 2, "cannot be combined with --offer-rules"),
         (("--page", inputs / "box.ply"), 2, "SameFile"),
         (("--page", template, "--page-template", template), 2, "SameFile"),
         (("--page", inputs / "x" / "p.html"), 1, "MissingFolder"),

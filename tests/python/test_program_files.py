@@ -183,7 +183,7 @@ def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
     for line, says in (
         ("cat box.ply | swept check - --format step", "'-' does not begin as a STEP"),
         ("cat slide.csv | swept check -", "nothing names its format"),
-        ("swept check <(head -c 300 box.step)", "is no sound STEP file"),
+        ("swept check <(head -c 300 box.step)", "is not a valid STEP file"),
     ):
         status, said = run(line)
         assert status == 1 and says in said and "/proc/" not in said, said

@@ -90,7 +90,7 @@ def test_contacts_at_the_first_pose_are_offered(call, inputs, scene):  # noqa: F
 @pytest.mark.parametrize(
     "rule, status, text",
     [
-        ("post", 2, "'post' is no rule; write NAME=RULE"),
+        ("post", 2, "'post' is not a rule; write NAME=RULE"),
         ("post=-3", 2, "-3 mm is not possible; allowed: 0 to 1e9 mm"),
         ("post=contact:-1", 2, "-1 mm is not possible"),
         (
@@ -176,9 +176,9 @@ def test_searches_take_the_same_rules():
     assert report["verdict"] == "found" and report["ignored"] == ["floor"]
     checked = sv.clearance(PART, motion, WALLS, required=0.5, rules=rules)
     assert all(row["meets_rule"] for row in checked["neighbours"]), checked["summary"]
-    with pytest.raises(sv.InvalidInput, match="GoalBlocked|1.1 mm are asked for"):
+    with pytest.raises(sv.InvalidInput, match="GoalBlocked|1.1 mm are required"):
         sv.find_path(PART, shift(0, 0, 0), WALLS, extract=60.0, clearance=0.5, rules={"left": 1.1})
-    with pytest.raises(sv.InvalidInput, match="allows contact at any time.*release zone"):
+    with pytest.raises(sv.InvalidInput, match="allows contact.*release distance"):
         sv.find_path(PART, shift(0, 0, 0), WALLS, extract=60.0, rules={"left": "contact"})
     better, _ = sv.improve_path(PART, motion, WALLS, clearance=0.5, rules=rules)
     assert better["verdict"] == "found" and better["ignored"] == ["floor"]

@@ -92,7 +92,7 @@ def base_document(folder):
     body = solid.make_solid(doc, plain, Tolerance=0.2)
     wall = case.box("Wall")
     wall.Placement = shift(0, 15)
-    settings = {"Generators": [(part, "")], "Neighbours": [(wall, "")]}
+    settings = {"MovingParts": [(part, "")], "Neighbours": [(wall, "")]}
     check = clearance.make_clearance(doc, Motion=paths[0], AllVisible=False, **settings)
     doc.recompute()
     for module, obj in ((envelope, plain), (envelope, seen), (solid, body), (clearance, check)):

@@ -98,8 +98,8 @@ def _shape_reader(part, deflection):
         raise InputProblem(
             translate(
                 "Messages",
-                "the shape has no solid (faces: {0}). Sweep a solid or a closed mesh; Part > Convert to "
-                "solid or Part > Shape builder close a shape.",
+                "the shape has {0} faces but no solid: convert it with Part > Convert to solid or Part "
+                "> Shape builder, or choose a closed mesh.",
             ).format(len(shape.Faces))
         )
     kept = part.detached()
@@ -119,7 +119,12 @@ def _shape_reader(part, deflection):
             Segments=True,
         )
         if mesh.CountFacets == 0:
-            raise InputProblem(translate("Messages", "the shape gave no triangles."))
+            raise InputProblem(
+                translate(
+                    "Messages",
+                    "the shape could not be meshed: check it with Part > Check geometry.",
+                )
+            )
         return arrays_from_mesh(mesh) + (_faces_of_facets(mesh, local),)
 
     return read
@@ -214,7 +219,7 @@ def leaves(root, sub="", hidden=False):
     if target is None:
         raise InputProblem(
             translate(
-                "Messages", '"{0}" no longer leads to an object; choose the part again.'
+                "Messages", '"{0}" no longer leads to an object: choose the part again.'
             ).format(root.Label + "." + sub)
         )
     if hidden and not getattr(target, "Visibility", True):
@@ -259,16 +264,20 @@ def holds_nothing(root, sub):
     if target.isDerivedFrom("App::Link") and target.LinkedObject is None:
         text = translate(
             "Messages",
-            'the link "{0}" shows nothing: what it linked to was deleted, or its document is not open. Open '
-            "that document, or link to something else.",
+            'the link "{0}" is empty: its target was deleted, or the document of the target is not '
+            "open. Open that document, or choose another target.",
         )
     else:
-        text = translate("Messages", '"{0}" holds neither a solid nor a mesh.')
+        text = translate(
+            "Messages", '"{0}" contains neither a solid nor a mesh: choose another object.'
+        )
     return InputProblem(text.format(label_of(root, sub)))
 
 
 def no_part_text():
-    return translate("Messages", "no moving part is given: choose a solid or a mesh that moves.")
+    return translate(
+        "Messages", "there is no moving part: select a solid or a mesh, then press Add selected."
+    )
 
 
 def owner(root, path):
@@ -305,5 +314,7 @@ def box_corners(pairs):
             if local is not None:
                 corners.append(transform(global_matrix(root, path), local))
     if not corners:
-        raise InputProblem(translate("Messages", "the moving part is empty."))
+        raise InputProblem(
+            translate("Messages", "the moving part is empty: choose a part with a shape or a mesh.")
+        )
     return np.vstack(corners)

@@ -52,10 +52,15 @@ def template(pdf=False):
         with open(path, encoding="utf-8") as file:
             found = file.read()
     except (OSError, UnicodeDecodeError) as error:
-        text = translate("Messages", 'the template "{0}" of the preferences cannot be read: {1}')
+        text = translate(
+            "Messages",
+            'the report template "{0}" cannot be read ({1}): choose another one in the preferences.',
+        )
         raise InputProblem(text.format(path, error)) from None
     if not found.strip():
-        text = translate("Messages", 'the template "{0}" of the preferences is empty.')
+        text = translate(
+            "Messages", 'the report template "{0}" is empty: choose another one in the preferences.'
+        )
         raise InputProblem(text.format(path))
     return found
 
@@ -141,8 +146,8 @@ def request(obj, is_changed=False, pdf=False):
     if obj.Proxy.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
             "Messages",
-            '"{0}" has no result that is up to date: recompute its envelope, if it has one, and check again '
-            "first.",
+            'the result of "{0}" is not up to date: recompute its envelope, if it has one, and run '
+            "the check again first.",
         )
         raise InputProblem("\n".join(filter(None, (text.format(obj.Label), obj.Message))))
     kind = _OfMechanism if mechanism.is_mechanism(obj) else _OfClearance
@@ -211,7 +216,9 @@ def write(obj, path, control=None):
     """Writes the HTML page of a check, for scripts. Raises InputProblem, core.CoreError."""
     check_target(path)
     if is_pdf(path):
-        raise InputProblem(translate("Messages", "a PDF is written by the window alone."))
+        raise InputProblem(
+            translate("Messages", "PDF needs the FreeCAD window: write HTML from scripts.")
+        )
     page = text(request(obj), control or core.Control())
     with written_beside(path) as beside, open(beside, "w", encoding="utf-8", newline="") as out:
         out.write(page)

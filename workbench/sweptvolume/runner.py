@@ -221,7 +221,9 @@ class Run(QtCore.QObject):
         _runs.remove(self)
         if self._gone:
             self.state = "cancelled"
-            self.message = translate("Messages", "Cancelled: the document or an object is gone.")
+            self.message = translate(
+                "Messages", "Cancelled: the document was closed, or an object was deleted."
+            )
         else:
             try:
                 self._conclude()

@@ -35,8 +35,8 @@ def _folder():
         return folder
     text = translate(
         "Messages",
-        "studies need the Python package swept_volume beside the compiled core, and the folder {0} has none: "
-        "install the workbench again, or build it with cmake --build build.",
+        "studies need the Python package swept_volume, which is missing in {0}: install the "
+        "workbench again, or build it with cmake --build build.",
     )
     raise InputProblem(text.format(folder))
 
@@ -118,7 +118,7 @@ def _start(words):
     python = _interpreter()
     if python is None:
         text = translate(
-            "Messages", "studies need the program {0}, and it was not found: install it."
+            "Messages", "studies need the program {0}, which was not found: install it."
         )
         raise InputProblem(text.format("python" + _VERSION))
     hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
@@ -212,7 +212,11 @@ def run(path, output, jobs, told, cancelled):
         if os.path.exists(report):  # else it was refused, or died
             with open(report, encoding="utf-8") as file:
                 return json.load(file)
-    text = translate("Messages", "the study ended with status {0} and no result.")
+    text = translate(
+        "Messages",
+        "the study ended with status {0} and without a result: run it again, or run it with "
+        "swept study to see its output.",
+    )
     raise InputProblem(errors or text.format(process.returncode))
 
 

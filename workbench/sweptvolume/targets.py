@@ -12,14 +12,25 @@ def check_target(path, suffixes):
     """Says before any work whether a file of one of these types can be written. Raises InputProblem."""
     folder, suffix = os.path.dirname(os.path.abspath(path)), os.path.splitext(path)[1].lower()
     if suffix not in suffixes:
-        text = translate("Messages", 'the file type "{0}" is unknown; use one of {1}.')
+        text = translate("Messages", 'the file type "{0}" is not supported: use one of {1}.')
         raise InputProblem(text.format(suffix, " ".join(suffixes)))
     if not os.path.isdir(folder):
-        raise InputProblem(translate("Messages", 'the folder "{0}" does not exist.').format(folder))
+        raise InputProblem(
+            translate(
+                "Messages", 'the folder "{0}" does not exist: create it, or choose another one.'
+            ).format(folder)
+        )
     if os.path.isdir(path):
-        raise InputProblem(translate("Messages", '"{0}" is a folder.').format(path))
+        raise InputProblem(
+            translate("Messages", '"{0}" is a folder: enter the name of a file.').format(path)
+        )
     if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
-        raise InputProblem(translate("Messages", '"{0}" is write-protected.').format(path))
+        raise InputProblem(
+            translate(
+                "Messages",
+                '"{0}" is write-protected: choose another name, or change its permissions.',
+            ).format(path)
+        )
 
 
 def check_not_read(path):

@@ -154,7 +154,8 @@ TemporaryName::~TemporaryName() {
 void requireAbsent(const std::string& role, const std::string& path) {
   std::error_code code;
   if (!fs::exists(fs::symlink_status(pathFromUtf8(path), code))) return;
-  refuse("Exists", role + " '" + path + "' exists and is not to be replaced; choose another name");
+  refuse("Exists",
+         role + " '" + path + "' exists, and replacing files is switched off; choose another name");
 }
 
 void checkTarget(const std::string& path) { const SafeFile probe(path); }

@@ -79,7 +79,7 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   if (worst == nullptr) return;
   finding.text = std::to_string(finding.count) +
                  (finding.count == 1 ? " allowed contact" : " allowed contacts") +
-                 ": no point was found deeper than allowed, but what is proven is less: at '" +
+                 ": no point deeper than allowed was found, but the proof is weaker: at '" +
                  worst->name + "' that nothing is deeper than " +
                  numberText(worst->penetration.depthBound, 3) + " mm";
   report.warnings.push_back(finding);

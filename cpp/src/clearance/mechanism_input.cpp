@@ -28,20 +28,20 @@ void requireNames(const std::vector<MechanismPart>& parts) {
   std::set<std::string> names;
   for (const MechanismPart& part : parts)
     if (!names.insert(part.name).second)
-      refuse("PartTwice", quoted(part) + " is there twice; every part has one name and one motion");
+      refuse("PartTwice", quoted(part) + " is given twice; give each part once, with one motion");
 }
 
 void requireTimes(const MechanismPart& part, const Trajectory& motion) {
   if (motion.poses.size() < 2) return;
   if (motion.interpolation == Interpolation::None)
     refuse("NotInterpolated", "the motion of " + quoted(part) +
-                                  " says nothing of the time between its poses (interpolation "
-                                  "none), where other parts move on; choose linear or screw");
+                                  " has no interpolation, but parts that move together must move "
+                                  "between their poses; choose linear or screw");
   for (std::size_t i = 1; i < motion.poses.size(); ++i) {
     if (motion.poses[i].timeSeconds > motion.poses[i - 1].timeSeconds) continue;
     refuse("EqualTimes", "the motion of " + quoted(part) + " has two placements at t = " +
                              numberText(motion.poses[i].timeSeconds, kTellingDigits) +
-                             " s; where parts move together each pose needs a time of its own");
+                             " s; parts that move together need a different time for each pose");
   }
 }
 

@@ -111,7 +111,7 @@ class Assignment {
           badRule("two rules contradict each other for neighbour " + quoted(names_[i]) + ": " +
                   quoted(other.pattern + "=" + ruleText(other.rule)) + " and " +
                   quoted(rules_[r].pattern + "=" + ruleText(rules_[r].rule)) +
-                  "; leave one of them, or write the name in full for the one that counts");
+                  "; remove one of them, or use the exact name in the rule that should apply");
       }
   }
 
@@ -148,9 +148,7 @@ NeighbourRule parseRule(const std::string& text) {
 
 void checkRule(const NeighbourRule& rule, const std::string& who) {
   if (int(rule.required.has_value()) + int(rule.contact.has_value()) + int(rule.ignored) > 1)
-    badRule(who +
-            " contradicts itself: a required distance, contact that is allowed and ignoring "
-            "exclude each other");
+    badRule(who + " contradicts itself; use only one of: a required distance, contact, ignore");
   const auto check = [&](const std::optional<double>& length, const char* what) {
     if (!length || (std::isfinite(*length) && *length >= 0 && *length <= kLargestLength)) return;
     badRule(who + ": " + what + " of " + numberText(*length, kTellingDigits) +
@@ -164,7 +162,7 @@ NamedRule parseNamedRule(const std::string& text) {
   const std::size_t at = text.rfind('=');
   const std::string name = at == std::string::npos ? "" : trimmed(text.substr(0, at));
   if (name.empty())
-    badRule(quoted(text) + " is no rule; write NAME=RULE, for example 'bolt*=contact'; " +
+    badRule(quoted(text) + " is not a rule; write NAME=RULE, for example 'bolt*=contact'; " +
             kAllowed);
   return {name, parseRule(text.substr(at + 1))};
 }

@@ -20,7 +20,8 @@ struct StampedMinimum {
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, RunContext& run);
 
-/// The same where the neighbour moves too: as many poses of it, at the same moments.
+/// The same if the neighbour moves too. `neighbourPoses` has one pose for each of `poses`, at the
+/// same time.
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
                               RunContext& run);

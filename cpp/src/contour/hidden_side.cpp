@@ -18,11 +18,11 @@ constexpr double kMaxFlatUnevenness =
 constexpr double kLineOvershoot = 0.02;
 /// Cosine (20 degrees) from which a hit counts as a side that is known already.
 constexpr double kMinKnownCosine = 0.94;
-/// Cells: half the length of the line that checks whether a vertex lies on the surface.
+/// Half the length, in cells, of the line that checks whether a vertex lies on the surface.
 constexpr double kCheckReach = 0.1;
-/// Cells: corners of the surface this far outside the cell are still considered.
+/// Corners of the surface up to this far outside the cell, in cells, are considered.
 constexpr double kCornerReach = 1;
-/// Cells: the check succeeds if the surface is hit this near to the vertex.
+/// The check succeeds if the line hits the surface within this distance of the vertex, in cells.
 constexpr double kMaxCheckMiss = 0.06;
 /// Cells: planes that miss a point by less than this are taken to meet in it.
 constexpr double kMaxPlaneMiss = 0.03;

@@ -126,8 +126,7 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
   if (precision > plan.cell / 8) {
     throw Error(Status::InvalidInput, "PrecisionTooCoarse",
                 "the body stands up to " + numberText(farthest, 4) +
-                    " mm from the origin, where numbers "
-                    "are " +
+                    " mm from the origin, where floating-point numbers are " +
                     numberText(precision, 4) + " mm apart; the cell is " +
                     numberText(plan.cell, 4) +
                     " mm: move the body closer to the origin or use a cell above " +

@@ -137,10 +137,10 @@ void reportCleaning(CheckedBody& result, const CleanCounts& cleaned) {
 void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
   add(result, "MixedOrientation", oriented.mixed,
       std::to_string(oriented.mixed) +
-          " triangles looked the other way than their neighbours and were turned over");
+          " triangles were oriented against their neighbours and were reversed");
   add(result, "Flipped", oriented.inverted,
       std::to_string(oriented.inverted) + " of " + std::to_string(oriented.shells) +
-          " shells had their normals on the wrong side and were turned over");
+          " shells had inverted normals and were reversed");
   add(result, "Cavities", oriented.cavities,
       std::to_string(oriented.cavities) + " shells are hollow spaces inside the body");
   add(result, "NestedShells", oriented.nested,
@@ -150,8 +150,8 @@ void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
       std::to_string(oriented.inconsistent) +
           " shells have no consistent orientation; every face is sampled, which takes longer");
   add(result, "InsideOut", oriented.insideOut ? 1 : 0,
-      "the surface crosses itself and is inside out in places; every face is sampled, which takes "
-      "longer");
+      "the surface intersects itself, and some regions are inside out; every face is sampled, "
+      "which takes longer");
 }
 
 }  // namespace
@@ -175,9 +175,9 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   if (result.mesh.triangles.empty()) {
     throw Error(Status::InvalidInput, "NoVolume",
                 "none of the " + std::to_string(body.triangles.size()) +
-                    " triangles encloses anything (" + std::to_string(cleaned.degenerate) +
+                    " triangles encloses a volume (" + std::to_string(cleaned.degenerate) +
                     " without area, " + std::to_string(cleaned.opposite) +
-                    " back to back); choose an object that has a surface");
+                    " in coincident opposite pairs); choose a solid or a closed mesh");
   }
   run.checkpoint(Phase::Input);
   EdgeCounts edges = countEdges(table);

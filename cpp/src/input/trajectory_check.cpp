@@ -64,8 +64,8 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
     throw Error(Status::InvalidInput, "AmbiguousTurn",
                 "between " + poseName(index - 1) + " and " + poseName(index) +
                     " the body turns by " + numberText(degrees) +
-                    " degrees: within 1 degree of 180 no way round is the shorter one; insert a "
-                    "pose between them, or choose interpolation none");
+                    " degrees: within 1 degree of 180 the direction of rotation is ambiguous; "
+                    "insert a pose between them, or choose interpolation none");
   }
 }
 
@@ -121,7 +121,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
                   poseName(i) + ": time " + numberText(pose.timeSeconds, kTellingDigits) +
                       " s comes before " +
                       numberText(trajectory.poses[i - 1].timeSeconds, kTellingDigits) +
-                      " s of the pose before; times may not go back (the order is not guessed)");
+                      " s of the pose before; times must not decrease");
     }
     pose.rotation.normalize();
     if (!poses.empty()) {

@@ -161,7 +161,7 @@ bool LineSource::fill() {
   if (total_ > kMaxTextBytes) {
     throw Error(Status::ResourceLimit, "FileTooLarge",
                 "'" + path_ + "' unpacks to more than " + std::to_string(kMaxTextBytes >> 30) +
-                    " GiB of text; thin the poses out");
+                    " GiB of text; reduce the number of poses");
   }
   return got != 0;
 }
@@ -174,7 +174,7 @@ bool LineSource::next(std::string& line) {
     const std::size_t searched = buffer_.size();
     if (searched > kMaxLineBytes) {
       badFile("'" + path_ + "', line " + std::to_string(number_ + 1) + " is longer than " +
-              std::to_string(kMaxLineBytes) + " bytes; this is no table of poses");
+              std::to_string(kMaxLineBytes) + " bytes; this is not a table of poses");
     }
     if (!fill()) break;
     end = buffer_.find('\n', searched);

@@ -91,7 +91,7 @@ bool isBinaryStl(std::istream& stream, std::uint64_t fileBytes, const std::strin
   const std::uint64_t needed = 84 + 50 * count;
   if (needed == fileBytes || (needed < fileBytes && !saysSolid)) return true;
   if (saysSolid) return false;
-  badFile("'" + path + "' claims " + std::to_string(count) + " triangles, which take " +
+  badFile("'" + path + "' announces " + std::to_string(count) + " triangles, which take " +
           std::to_string(needed) + " bytes, but has " + std::to_string(fileBytes) +
           "; it is truncated or not an STL file");
 }

@@ -90,7 +90,7 @@ void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::stri
                                     : element.leastBytes();
     if (least != 0 && element.count > (left + 1) / least) {
       throw Error(Status::InvalidInput, "BadFile",
-                  "'" + path + "' promises " + std::to_string(element.count) + " of '" +
+                  "'" + path + "' announces " + std::to_string(element.count) + " of '" +
                       element.name + "', at least " + std::to_string(least) +
                       " bytes each, but only " + std::to_string(left) +
                       " bytes are left; the file is truncated");

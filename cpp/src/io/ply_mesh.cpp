@@ -153,7 +153,7 @@ void readBinaryElement(BinaryRows& rows, const PlyElement& element, Growing& mes
       }
       const std::uint64_t entries = take(property.countBytes);
       if (entries > rows.left() / static_cast<std::uint64_t>(property.bytes)) {
-        bad(path, ": " + element.name + " " + std::to_string(i) + " claims " +
+        bad(path, ": " + element.name + " " + std::to_string(i) + " announces " +
                       std::to_string(entries) +
                       " entries, more than the file can hold; it is damaged or truncated");
       }

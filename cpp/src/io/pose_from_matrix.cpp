@@ -18,7 +18,7 @@ constexpr double kRigidLimit = 1e-4;
                      "); export placements as rotation and translation only"));
 }
 
-// Says what a linear part that is no rotation does instead.
+// Describes a matrix that is not a rotation: scale, shear or mirror, and how much.
 std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const Eigen::Vector3d lengths = m.colwise().norm();
   const double spread = lengths.maxCoeff() - lengths.minCoeff();
@@ -26,7 +26,7 @@ std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const double skew = (unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(lengths.minCoeff() > 0)) return "a column of the rotation part is zero";
   if (skew > kRigidLimit) {
-    return "shear: the axes are not square to one another by " + numberText(skew, 4);
+    return "shear: the axes are not perpendicular, by " + numberText(skew, 4);
   }
   if (spread > kRigidLimit) {
     return "scale: the axes are stretched by " + numberText(lengths[0], 4) + ", " +

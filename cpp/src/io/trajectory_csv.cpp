@@ -145,8 +145,8 @@ class CsvReader {
               "'; expected t,tx,ty,tz,qx,qy,qz,qw in any order, or 12 or 16 matrix numbers");
     }
     if (header.repeated) {
-      bad(*header.repeated + 1,
-          "the column '" + plainColumnName(fields_[*header.repeated]) + "' stands twice");
+      bad(*header.repeated + 1, "the column '" + plainColumnName(fields_[*header.repeated]) +
+                                    "' is there twice; remove one");
     }
     if (header.missing)
       bad(0, std::string("the column '") + kPoseColumns[*header.missing] + "' is missing");

@@ -51,7 +51,7 @@ class StepPath {
   double radius(const Sphere& body) const;
   /// Per unit of s, at the moment at which the body is placed by `pose`, one of poseAt().
   Twist twistAt(const Pose& pose) const;
-  /// mm per unit of s that the line itself moves (not along itself for a screw: that is `pitch`).
+  /// Speed along the line, in mm per unit of s: the pitch of a screw, else the speed of the shift.
   double drift() const { return screw_ ? std::abs(pitch_) : shift().norm(); }
   /// mm per unit of s, no point at most `radius` from the line is faster anywhere in the step.
   double fastest(double radius) const {

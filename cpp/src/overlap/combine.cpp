@@ -38,11 +38,11 @@ void requireOnce(const Windings& windings, const std::string& name) {
   constexpr double kMost = 0.01;
   if (windings.more <= kMost * (windings.once + windings.more)) return;
   throw Error(Status::InvalidInput, "OverlappingShells",
-              name + " lies in itself (" +
+              name + " overlaps itself (" +
                   numberText(100 * windings.more / (windings.once + windings.more), 3) +
-                  " % of the edges inside it lie inside it more than once): what it shares with "
-                  "another part has no volume that could be told; give each solid by itself, or "
-                  "join them first");
+                  " % of its inner edges are covered more than once), so the volume that it shares "
+                  "with another part is ambiguous; give each solid separately, or fuse them "
+                  "first");
 }
 
 class Builder {

@@ -28,11 +28,11 @@ struct Combined {
   double area = 0;    ///< mm^2; a ball of the radius volume / area fits into it
 };
 
-/// What is kept of each mesh: what lies inside the other, or outside it (their union).
+/// Which part of each mesh is kept: inside the other one (shared volume) or outside it (union).
 enum class Keep { Inside, Outside };
 
-/// Of two solids as solidOf() gives them. Throws Error(InvalidInput, "OverlappingShells") where one
-/// lies in itself all the same; Error(Cancelled).
+/// Combines two solids that solidOf() made. Throws Error(InvalidInput, "OverlappingShells") if one
+/// of them still overlaps itself; Error(Cancelled).
 Combined combine(Keep keep, const TriMesh& first, const std::string& firstName,
                  const TriMesh& second, const std::string& secondName, RunContext& run);
 

@@ -41,7 +41,8 @@ class Lattice {
 
   /// On which side of a triangle of the other mesh does a vertex lie? 1: where the normal points.
   int sideOf(Side side, std::int32_t vertex, const Corners& triangle) const;
-  /// How far above it, times twice its area; not shifted, rounded.
+  /// Signed height of the vertex above the plane of the triangle, times twice the area of the
+  /// triangle. Rounded, and without the symbolic shift.
   long double heightOf(Side side, std::int32_t vertex, const Corners& triangle) const;
   /// Sign of det(a1 - a0, b0 - a0, b1 - a0): a of the shrunk mesh, b of the fixed one. 0 only where
   /// the two are parallel.

@@ -56,7 +56,7 @@ void checkPart(const PagePart& part) {
   };
   if (const auto bad = findBadIndex(part.mesh))
     refuse("BadIndex", "triangle " + std::to_string(bad->triangle) + " uses vertex " +
-                           std::to_string(bad->vertex) + ", which is not there");
+                           std::to_string(bad->vertex) + ", which does not exist");
   const Coordinates found = measureCoordinates(part.mesh);
   if (found.nonFinite > 0)
     refuse("NonFiniteVertex", "vertex " + std::to_string(found.firstNonFinite[0]) +

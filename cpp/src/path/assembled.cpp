@@ -31,7 +31,7 @@ std::vector<std::string> namesOf(const std::vector<SequencePart>& parts,
   std::set<std::string> seen;
   for (const std::string& name : names)
     if (!seen.insert(name).second)
-      refuse("PartTwice", "part '" + name + "' is there twice; every part has a name of its own");
+      refuse("PartTwice", "part '" + name + "' is given twice; every part needs its own name");
   return names;
 }
 
@@ -43,11 +43,13 @@ void checkPart(const SequencePart& part, const SequenceOptions& options) {
     o.bodyChordError = part.chordError;
     if (part.motion) {
       const std::vector<Pose>& keys = part.motion->poses;
-      if (keys.size() < 2) refuse("BadPose", "a motion of less than two poses has no way");
+      if (keys.size() < 2)
+        refuse("BadPose",
+               "the motion has fewer than two poses; add poses, or leave out the motion");
       for (std::size_t i = 1; i < keys.size(); ++i)
         if (!(keys[i].timeSeconds > keys[i - 1].timeSeconds))
-          refuse("EqualTimes",
-                 "key " + std::to_string(i + 1) + " comes no later than the one in front of it");
+          refuse("EqualTimes", "key " + std::to_string(i + 1) +
+                                   " is not later than the key before it; times must increase");
       std::vector<Finding> findings;
       clearance::timedPoses({part.name, {}, *part.motion}, findings);
       task = {};
@@ -93,7 +95,8 @@ Assembled::Assembled(const std::vector<SequencePart>& parts, const std::vector<S
     : rules_(rulesOf(namesOf(parts, still), options)), parts_(parts.size()) {
   for (const SequencePart& part : parts) checkPart(part, options);
   if (parts.size() == 1 && still.empty())
-    refuse("NoNeighbours", "one part and nothing that stands still; nothing can be in its way");
+    refuse("NoNeighbours",
+           "there is only one part; give a second part, or a neighbour that stands still");
   for (const SequencePart& part : parts)
     placed_.push_back({part.name, placedMesh(part.mesh, goalOf(part)), part.chordError});
   for (const StillPart& part : still) placed_.push_back({part.name, part.mesh, part.chordError});
@@ -187,9 +190,10 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
                                  numberText(mostDepth(worst.row, o.tolerance, o.release), 4) + " mm"
                            : "") +
             "; move one of them, or ignore the pair");
-  refuse("PartsTooNear",
-         text + ", and " + numberText(rules_.of(worst.parts).required.value_or(0), 6) +
-             " mm are asked for; ask for less, or give a release zone in which they may touch");
+  refuse("PartsTooNear", text + ", and " +
+                             numberText(rules_.of(worst.parts).required.value_or(0), 6) +
+                             " mm are required; reduce the required distance, or set a release "
+                             "distance within which they may touch");
 }
 
 }  // namespace swept::path

@@ -21,17 +21,19 @@ constexpr std::size_t kMostExits = 6;
   if (row.verdict == ClearanceVerdict::Clash) {
     const std::string depth =
         row.penetration.known ? numberText(row.penetration.depth, 4) + " mm deep" : "by surfaces";
-    throw Error(
-        Status::InvalidInput, code,
-        where + " the part lies inside neighbour " + who + ", " + depth +
-            (release > 0 ? "; the release zone allows " + numberText(most, 4) + " mm" : "") +
-            "; move the part, or leave that neighbour out");
+    throw Error(Status::InvalidInput, code,
+                where + " the part lies inside neighbour " + who + ", " + depth +
+                    (release > 0 ? "; within the release distance the limit is " +
+                                       numberText(most, 4) + " mm"
+                                 : "") +
+                    "; move the part, or ignore that neighbour");
   }
-  throw Error(Status::InvalidInput, code,
-              where + " the part is " +
-                  numberText(std::max(0.0, row.distance - row.chordError), 6) +
-                  " mm from neighbour " + who + ", and " + numberText(required, 6) +
-                  " mm are asked for; ask for less, or give a release zone in which it may touch");
+  throw Error(
+      Status::InvalidInput, code,
+      where + " the part is " + numberText(std::max(0.0, row.distance - row.chordError), 6) +
+          " mm from neighbour " + who + ", and " + numberText(required, 6) +
+          " mm are required; reduce the required distance, or set a release distance within which "
+          "it may touch");
 }
 
 // Straight, or along a screw in pieces of at most 30 degrees.

@@ -37,7 +37,8 @@ struct End {
   /// mm that the part may lie inside a neighbour while it is released from this end; negative: the
   /// common clearance holds for this neighbour.
   std::vector<double> allowedDepth;
-  /// Ways out: keys from the state itself to one that keeps all clearances. One key: it does so.
+  /// Ways out of contact: each is a list of keys, from this state to one that keeps all required
+  /// distances. A list with one key means that this state keeps them already.
   std::vector<std::vector<State>> exits;
 
   bool touches() const { return exits.empty() || exits.front().size() > 1; }

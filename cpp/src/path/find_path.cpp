@@ -136,11 +136,12 @@ class PathFinder {
         none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
       return none;
     }
-    // A radius may be reached without leaving the space that a proof speaks of.
+    // With a radius as the goal no proof is possible: the part may reach it inside the region that
+    // the proof covers.
     task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
                     (task_.start || task_.extraction->direction);
     const Rule loose(scene_.count(), 0.1 * o_.tolerance);
-    // Part of the time is kept for what would be possible instead.
+    // Part of the time is kept to find the largest clearance for which there is a path.
     const bool mayAskLess =
         o_.askLess &&
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;

@@ -45,7 +45,7 @@ class GivenMotion {
     if (first >= last)
       throw Error(Status::InvalidInput, "BadOption",
                   "the motion never leaves the release zones of " + numberText(o_.release, 4) +
-                      " mm round its ends; ask for a smaller release");
+                      " mm around its start and goal; choose a smaller release distance");
     report_.certificate = checked(part(first, last), demand_.apart);
     checkZone(start, part(0, first));
     checkZone(goal, part(last, keys_.size() - 1));
@@ -123,8 +123,8 @@ class GivenMotion {
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (end.allowedDepth[i] >= 0)
         fail(demand_.names[i], scene_.at(motion.poses.front()),
-             "in a release zone the part lies deeper in '" + demand_.names[i] +
-                 "' than where it touches it at the end");
+             "within the release distance the part lies deeper in '" + demand_.names[i] +
+                 "' than at its start or goal");
   }
 
   std::vector<NeighbourClearance> checked(const Trajectory& motion, const Rule& rule) {

@@ -66,12 +66,14 @@ class Improver {
   void readKeys() {
     const std::vector<Pose>& poses = task_.motion.poses;
     if (poses.size() < 2)
-      throw Error(Status::InvalidInput, "BadPose", "a motion of less than two poses has no way");
+      throw Error(Status::InvalidInput, "BadPose",
+                  "the motion has fewer than two poses, so there is no path to improve; add poses");
     for (const Pose& pose : poses) keys_.push_back(scene_.inside(checkedPose(pose, "key")));
     for (std::size_t i = 1; i < poses.size(); ++i)
       if (!(poses[i].timeSeconds >= poses[i - 1].timeSeconds))
         throw Error(Status::InvalidInput, "BadPose",
-                    "key " + std::to_string(i + 1) + " comes before the one in front of it");
+                    "key " + std::to_string(i + 1) +
+                        " is earlier than the key before it; times must not decrease");
     locked_.assign(keys_.size(), 0);
     locked_.front() = locked_.back() = 1;
     for (const std::size_t i : task_.locked) {

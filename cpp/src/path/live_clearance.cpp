@@ -14,7 +14,8 @@ using clearance::PairSearch;
 
 const std::vector<ClearanceNeighbour>& atLeastOne(const std::vector<ClearanceNeighbour>& given) {
   if (given.empty())
-    throw Error(Status::InvalidInput, "NoNeighbours", "there is no neighbour to keep away from");
+    throw Error(Status::InvalidInput, "NoNeighbours",
+                "there is no neighbour; give at least one part that stands still");
   return given;
 }
 
@@ -68,7 +69,7 @@ LiveDistance LiveClearance::at(const Pose& pose) {
 Pose LiveClearance::reached(const Pose& from, const Pose& to, double apart) {
   if (!(apart > 0) || !std::isfinite(apart))
     throw Error(Status::InvalidInput, "BadOption",
-                "the distance to keep from neighbours must be a positive length");
+                "the required distance must be greater than 0 mm");
   const path::Scene& scene = parts_->scene;
   const path::Rule rule(scene.count(), apart);
   const path::State a = scene.inside(from), b = scene.inside(to);

@@ -103,7 +103,8 @@ class Scene {
   }
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
-  /// `finest`: fraction of the move in which something may be called in the way without being sure.
+  /// `finest`: fraction of the move at which halving stops: a span of this length whose proof fails
+  /// counts as blocked.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
   /// The nearest pair, if nearer than `within`.

@@ -46,20 +46,22 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
   for (const ClearanceNeighbour& n : neighbours) {
     requireLength("chord error of a neighbour", n.chordError, true);
     if (n.rule.contact)
-      throw Error(Status::InvalidInput, "BadRule",
-                  "the rule of neighbour '" + n.name +
-                      "' allows contact at any time, and a search keeps off all neighbours; give a "
-                      "release zone in which the part may touch, or ignore that neighbour");
+      throw Error(
+          Status::InvalidInput, "BadRule",
+          "the rule of neighbour '" + n.name +
+              "' allows contact, but a search keeps its distance from all neighbours; set a "
+              "release distance within which the part may touch, or ignore that neighbour");
   }
   if (!task.start && !task.extraction)
-    throw Error(Status::InvalidInput, "NoStart",
-                "give a start, or how far or in which direction the part is to get out");
+    throw Error(
+        Status::InvalidInput, "NoStart",
+        "there is no start; give a start placement, or a distance or direction of extraction");
   if (task.start && task.extraction)
-    badOption("a start and an extraction exclude each other; give one of them");
+    badOption("a start and an extraction are both given; give only one of them");
   if (task.extraction) {
     if (task.extraction->direction &&
         !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
-      badOption("the direction of the extraction has no length");
+      badOption("the direction of the extraction is (0, 0, 0); give a direction");
     if (!task.extraction->direction)
       requireLength("radius of the extraction", task.extraction->radius, false);
   }
@@ -69,7 +71,7 @@ Pose checkedPose(const Pose& pose, const std::string& what) {
   const double norm = pose.rotation.norm();
   if (!pose.translation.allFinite() || !std::isfinite(norm) || std::abs(norm - 1) > 1e-4)
     throw Error(Status::InvalidInput, "BadPose",
-                "the " + what + " is no rigid placement; its quaternion has the length " +
+                "the " + what + " is not a rigid placement; its quaternion has the length " +
                     numberText(norm, 6) + ", which has to be 1");
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
     throw Error(Status::InvalidInput, "OutOfRange",

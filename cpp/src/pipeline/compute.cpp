@@ -93,7 +93,7 @@ Result PreviewSession::compute(const Trajectory& trajectory, RunContext& run) {
 Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
   if (warm_->options.conservative) {
     throw Error(Status::InvalidInput, "BadOption",
-                "a conservative envelope is proven, which a sketch is not: compute it");
+                "a preview cannot be conservative; compute the envelope instead");
   }
   return runWith(warm_->options, run, Freed::Kept,
                  [&](EnvelopeRun& one) { one.compute(*warm_, trajectory, true); });

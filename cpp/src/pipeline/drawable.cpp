@@ -86,7 +86,8 @@ std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t
   return cells;
 }
 
-/// Planes that meet in a cell, as the least squares sum of their distances from its mean point.
+/// The planes in a cell, as the normal equations of the point that is nearest to all of them (least
+/// squares), relative to their mean point.
 struct Planes {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;  ///< symmetric matrix
   Vector3d pull = Vector3d::Zero();

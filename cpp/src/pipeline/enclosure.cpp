@@ -21,8 +21,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   };
   if (!prepared.body.closed) {
     note("CavitiesFilled", 1,
-         "the body is open, so inside has no meaning: sealed-off hollow spaces are filled; close "
-         "its holes to keep them");
+         "the body is open, so cavities cannot be told from the outside and are filled; close its "
+         "holes to keep them");
     return findOutside(marks, prepared.grid, run);
   }
   std::vector<std::uint32_t> component;
@@ -74,7 +74,7 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
                                   " % of the surface has the outside on both sides");
   if (still && share > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
-                text + "; close its holes, or move it so that the sweep closes it");
+                text + "; close its holes, or choose a motion that closes them");
   }
   report.warnings.push_back({"OpenSheets",
                              hermite.sheetEdges,

@@ -110,15 +110,14 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
 
 void EnvelopeRun::refuseCombinations() const {
   if (options_.sources && (options_.offset > 0 || options_.conservative)) {
-    throw Error(
-        Status::InvalidInput, "BadOption",
-        "sources are known of the swept volume itself: they cannot be had with an offset or "
-        "of a conservative envelope; leave one of them out");
+    throw Error(Status::InvalidInput, "BadOption",
+                "sources cannot be recorded for an envelope with an offset or for a conservative "
+                "envelope; leave out the sources, or the offset and conservative");
   }
   if (!(options_.positionFilter > 0) || !options_.conservative) return;
   throw Error(Status::InvalidInput, "BadOption",
-              "a conservative envelope holds every pose: it cannot be had with a position filter; "
-              "leave one of them out");
+              "a conservative envelope contains every pose and cannot be combined with a position "
+              "filter; leave out one of them");
 }
 
 void EnvelopeRun::describePlan() {
@@ -153,8 +152,8 @@ void EnvelopeRun::adviseFilter() {
        1,
        {},
        "a position filter of " + numberText(distance, 3) +
-           " mm would leave out most of the poses and of the time, and change the envelope by no "
-           "more than the bound on the chord"});
+           " mm would skip most poses and save most of the time; the envelope would change by no "
+           "more than the chord error"});
 }
 
 SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) const {
@@ -191,8 +190,11 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
 void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite, SettlingMoves settlingMoves) {
   requireSurface(surface.mesh, prepared_, run_);
   if (sketch_) {
-    report_.warnings.push_back(
-        {"NotChecked", 1, {}, "a sketch to be drawn: it was neither mended nor checked"});
+    report_.warnings.push_back({"NotChecked",
+                                1,
+                                {},
+                                "this surface is a preview, neither repaired nor checked; compute "
+                                "the envelope to use it"});
   } else {
     const Finishing with{options_, prepared_, run_, [&](const char* name) { stage(name); },
                          std::move(settlingMoves)};
@@ -241,9 +243,9 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
     return;
   }
   throw Error(Status::InternalError, "NotProven",
-              "the surface could not be proven to hold the swept volume: " +
-                  std::to_string(proof.tooNear) + " triangles too near, " +
-                  std::to_string(proof.outside) + " pieces outside; use a smaller cell");
+              "it could not be proven that the envelope contains the swept volume: " +
+                  std::to_string(proof.tooNear) + " triangles are too close to it, " +
+                  std::to_string(proof.outside) + " pieces lie outside; use a smaller cell");
 }
 
 void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, double distance) {

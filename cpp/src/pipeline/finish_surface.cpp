@@ -27,8 +27,8 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
        specks.count,
        {},
        textOf(3, specks.count,
-              " specks that hang on the envelope by less than the grid can see were dropped, the "
-              "largest ",
+              " small separate pieces at the envelope, below the resolution of the grid, were "
+              "removed; the largest is ",
               specks.largestSize * cell, " mm across, ", specks.largestVolume * cell * cell * cell,
               " mm^3")});
 }
@@ -43,8 +43,8 @@ bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishi
                              count,
                              {},
                              std::to_string(count) +
-                                 " shells of a few cells, thinner than their vertices are "
-                                 "exact, came out inside out and were turned over"});
+                                 " very thin shells of a few cells faced inwards and were "
+                                 "reversed"});
   return true;
 }
 
@@ -56,8 +56,8 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
   report.warnings.push_back({"Mended",
                              before - pairs.count,
                              {},
-                             std::to_string(before) + " pairs of triangles met at first; " +
-                                 std::to_string(pairs.count) + " are left after mending"});
+                             std::to_string(before) + " pairs of triangles intersected at first; " +
+                                 std::to_string(pairs.count) + " are left after repair"});
   with.stage("mend");
 }
 
@@ -106,11 +106,12 @@ MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Fi
   }
   with.stage("check");
   if (report.check.selfIntersections > 0) {
-    report.warnings.push_back({"SelfIntersections",
-                               report.check.selfIntersections,
-                               {},
-                               std::to_string(report.check.selfIntersections) +
-                                   " pairs of triangles meet; a smaller cell usually clears them"});
+    report.warnings.push_back(
+        {"SelfIntersections",
+         report.check.selfIntersections,
+         {},
+         std::to_string(report.check.selfIntersections) +
+             " pairs of triangles intersect; a smaller cell usually avoids this"});
   }
   if (consistent) requirePassed(report.check, "the envelope", report.cellSize);
   return topology;

@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 
-/// `remedy` follows the message where that is no sentence of ours.
+/// `remedy`: what the user can do; it is appended to messages that come from a library.
 void fail(Result& result, Status status, const char* code, const char* message,
           const char* remedy = "") {
   result.mesh = TriMesh{};

@@ -11,7 +11,7 @@
 
 namespace swept {
 
-/// `tolerance`: 0 gives the surface as it is.
+/// Simplifies the surface that was kept with a result. `tolerance` in mm; 0: no simplification.
 void cutKept(Result& result, double tolerance, RunContext& run);
 
 }  // namespace swept

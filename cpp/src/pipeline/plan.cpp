@@ -29,7 +29,8 @@ Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options
   return box;
 }
 
-/// Of the longest side, on every side: for the sweeps that a preview session sees next.
+/// Margin on every side, as a fraction of the longest side: room for the next motions of a preview
+/// session, so that the grid can stay the same.
 constexpr double kRoom = 0.03;
 
 Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {

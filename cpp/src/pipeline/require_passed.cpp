@@ -10,7 +10,7 @@ namespace swept {
 
 void requirePassed(const MeshCheck& check, const char* what, double cell) {
   if (check.passes()) return;
-  std::string text = textOf(3, what, " did not pass its own check and is not handed out:");
+  std::string text = textOf(3, what, " did not pass its own check and is not returned:");
   const char* before = " ";
   const auto tell = [&](std::int64_t count, const char* fault) {
     if (count == 0) return;

@@ -59,8 +59,8 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
           std::to_string(
               static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)))) +
           " s. " +
-          (options.exact ? "It may not leave the mesh (exact), so take larger cells or raise the "
-                           "limit of faces"
+          (options.exact ? "An exact solid must not deviate from the mesh: use larger cells, or "
+                           "raise the limit of faces"
                          : "Allow a larger tolerance, raise the limit") +
           ", or export a mesh file: PLY, STL, OBJ, OFF or 3MF hold it easily");
 }
@@ -179,7 +179,7 @@ void refuseKernelFailure(const Standard_Failure& failure, const KernelSession& k
 
 void refuseMemory(std::size_t triangles) {
   throw Error(Status::OutOfMemory, "OutOfMemory",
-              "the memory did not suffice for the solid of a mesh of " + std::to_string(triangles) +
+              "there is not enough memory to make a solid of " + std::to_string(triangles) +
                   " triangles; simplify the envelope or export a mesh file");
 }
 

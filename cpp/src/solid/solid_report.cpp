@@ -12,22 +12,23 @@ std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& o
   if (options.tolerance <= 0 && solid.tolerance > 0) {
     const double percent =
         solid.meshVolume != 0 ? 100 * (solid.volume / solid.meshVolume - 1) : 0.0;
-    findings.push_back({"SolidSimplified",
-                        1,
-                        {},
-                        "to stay within the limits (" + std::to_string(options.maxFaces) +
-                            " faces) the solid was simplified: it leaves the mesh by up to " +
-                            numberText(solid.deviation, 3) + " mm, its volume differs by " +
-                            numberText(percent, 2) +
-                            " %; give a tolerance to choose this, raise the limit of faces, or "
-                            "ask for an exact solid to refuse it"});
+    findings.push_back(
+        {"SolidSimplified",
+         1,
+         {},
+         "to stay within the limits (" + std::to_string(options.maxFaces) +
+             " faces) the solid was simplified: it deviates from the mesh by up to " +
+             numberText(solid.deviation, 3) + " mm, its volume differs by " +
+             numberText(percent, 2) +
+             " %; set a tolerance, raise the limit of faces, or ask for an exact "
+             "solid"});
   }
   if (!solid.note.empty()) findings.push_back({"SolidNote", 1, {}, solid.note});
   if (options.tolerance > 0 && solid.deviation > options.tolerance) {
     findings.push_back({"SolidInaccurate",
                         1,
                         {},
-                        "the solid leaves the mesh by " + numberText(solid.deviation, 3) +
+                        "the solid deviates from the mesh by " + numberText(solid.deviation, 3) +
                             " mm, more than the tolerance of " + numberText(options.tolerance, 3) +
                             " mm"});
   }

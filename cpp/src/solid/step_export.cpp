@@ -87,7 +87,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     report.edgeTolerance = check.edgeTolerance;
     if (options.strict && report.tolerance > 0 && report.deviation > report.tolerance) {
       throw Error(Status::ExportFailed, "SolidInaccurate",
-                  "the solid would leave the mesh by " + numberText(report.deviation, 3) +
+                  "the solid would deviate from the mesh by " + numberText(report.deviation, 3) +
                       " mm, more than the tolerance of " + numberText(report.tolerance, 3) +
                       " mm; give a smaller tolerance, or plane faces only");
     }

@@ -50,8 +50,8 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
   const std::string complaint = step::stepComplaint(text);
   if (complaint.empty()) return;
   throw Error(Status::InvalidInput, "BadFile",
-              "'" + path + "' is no sound STEP file: " + complaint +
-                  "; export it once more from where it comes from");
+              "'" + path + "' is not a valid STEP file: " + complaint +
+                  "; export it again from its original program");
 }
 
 /// By its suffix; where that is neither's, by how it begins.

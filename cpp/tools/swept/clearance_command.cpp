@@ -69,8 +69,8 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
   addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all meet their rules, 3 if one is too near, touches or "
-      "clashes.\n\nExamples:\n"
+      "Exit status 0 if all meet their rules, 3 if one is below required, in contact or "
+      "in clash.\n\nExamples:\n"
       "  swept clearance gripper.stl housing.step bracket.stl --motion path.csv --required 2\n"
       "  swept clearance gripper.stl bolt_1.stl bolt_2.stl cover.step --motion path.csv "
       "--required 2 --rule 'bolt*=contact' --rule cover=5\n"
@@ -243,7 +243,8 @@ Run addClearanceCommand(CLI::App& program) {
     checkNeighbourOptions(job->neighbours, job->generatorPath);
     checkPageOptions(job->page);
     if (!job->page.path.empty() && !job->offerPath.empty())
-      badOption("--page and --offer-rules exclude each other: with the second nothing is checked");
+      badOption(
+          "--page cannot be combined with --offer-rules, which checks nothing; leave out one");
     job->options.curveSamples = static_cast<int>(job->curve);
     return runClearance(*job);
   };

@@ -50,10 +50,10 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
       addNumber(app, "--cell", "MM", options.cellSize, "size of a cell; instead of --resolution");
   cell->excludes("--resolution");
   addNumber(app, "--tolerance", "MM", options.tolerance,
-            "simplify, leaving the surface by at most this (default 0: off)");
-  addNumber(app, "--offset", "MM", options.offset, "grow by a safety distance");
+            "simplify the surface, which moves by at most this (default 0: off)");
+  addNumber(app, "--offset", "MM", options.offset, "grow the envelope by this distance");
   app.add_flag("--conservative", options.conservative, "envelope that provably contains the sweep");
-  app.add_flag("--keep-cavities", options.keepCavities, "keep sealed-off hollow spaces");
+  app.add_flag("--keep-cavities", options.keepCavities, "keep enclosed cavities");
   addConverted(
       app, "--components", "dc|dmc|equivalence|greedy|consistent",
       [&options](const std::string& t) { options.components = parseComponentMethod(t); },
@@ -61,15 +61,15 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   addNumber(app, "--chord", "F", options.chordTolerance,
             "bound on the refined motion's chord, in cells (default 0.02)");
   addNumber(app, "--position-filter", "MM", options.positionFilter,
-            "drop poses while the body stays within this");
+            "skip poses while no point of the part has moved farther than this");
   app.add_flag_callback(
       "--no-cull", [&options] { options.cull = false; }, "sample enclosed faces as well");
   addConverted(
       app, "--backend", "auto|cpu|gpu",
       [&options](const std::string& t) { options.backend = parseBackend(t); },
-      "who samples; all give the same result (default auto)");
+      "processor that samples; the result is the same (default auto)");
   addInteger(app, "--memory-limit", job.memoryLimitMegabytes, 1, std::int64_t{1} << 40,
-             "MB; refuse what would take more (default: 3/4 of what is free)");
+             "MB; a run that needs more is refused (default: 3/4 of the free memory)");
 }
 
 void addOptions(CLI::App& app, EnvelopeJob& job) {
@@ -143,7 +143,7 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   job.options.resolution = static_cast<int>(job.resolution);
   job.options.sources = !job.sourcesPath.empty();
   if (job.options.sources && isSolidSuffix(suffixOfOutput(job)))
-    badOption("--sources tells of the triangles of a mesh: write ply, stl, obj, off or 3mf");
+    badOption("--sources needs a mesh file: write ply, stl, obj, off or 3mf");
 }
 
 void checkFormat(const EnvelopeJob& job) {
@@ -218,10 +218,10 @@ void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, R
       {"SinglePrecision",
        std::max<std::int64_t>(more, 1),
        {},
-       "STL keeps seven digits, with which " + std::to_string(more) +
-           " more pairs of triangles meet" +
-           (report.check.passes() ? "" : ", and the surface is no closed manifold any more") +
-           "; write PLY, OBJ, OFF or 3MF, or put the motion nearer to the origin"});
+       "STL stores seven digits: after rounding, " + std::to_string(more) +
+           " more pairs of triangles intersect" +
+           (report.check.passes() ? "" : ", and the surface is no longer a closed manifold") +
+           "; write PLY, OBJ, OFF or 3MF, or move part and motion closer to the origin"});
 }
 
 SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {

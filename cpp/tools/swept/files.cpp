@@ -86,7 +86,7 @@ void copyTo(int handle, std::istream& stream, const std::string& path) {
       const ssize_t wrote = ::write(handle, block.data() + done, count - done);
       if (wrote < 0)
         throw Error(Status::ExportFailed, "WriteFailed",
-                    "'" + path + "' is a stream, and keeping it in a temporary file failed: " +
+                    "'" + path + "' is a stream, and copying it to a temporary file failed: " +
                         std::system_category().message(errno));
       done += static_cast<std::size_t>(wrote);
     }

@@ -64,8 +64,8 @@ void addOptions(CLI::App& app, MechanismJob& job) {
   addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all pairs meet their rules, 3 if two parts come too near, touch or "
-      "clash.\n\n"
+      "Exit status 0 if all pairs meet their rules, 3 if a pair is below required, in contact or "
+      "in clash.\n\n"
       "Examples:\n"
       "  swept mechanism --moving boom.stl boom.csv --moving arm.stl arm.csv frame.step "
       "--ignore boom arm --required 5\n"
@@ -217,7 +217,8 @@ Run addMechanismCommand(CLI::App& program) {
     checkNeighbourOptions(job->still, "");
     checkPageOptions(job->page);
     if (job->curve < 0) job->curve = job->page.path.empty() ? 0 : 200;
-    if (job->moving.empty()) badOption("--moving PART MOTION is missing: no part moves");
+    if (job->moving.empty())
+      badOption("--moving PART MOTION is missing; give at least one moving part");
     for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
       job->options.rules.push_back({job->ignored[i], job->ignored[i + 1], parseRule("ignore")});
     for (std::size_t i = 0; i + 2 < job->rules.size(); i += 3)

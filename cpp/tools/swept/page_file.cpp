@@ -71,7 +71,7 @@ std::string dateText() {
   std::array<char, 40> text{};
   if (!parts || std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", parts) == 0)
     throw Error(Status::InvalidInput, "BadOption",
-                "SOURCE_DATE_EPOCH is beyond the years that this system knows");
+                "SOURCE_DATE_EPOCH is too large for a date on this system");
   return text.data();
 }
 
@@ -95,8 +95,8 @@ void addPageOptions(CLI::App& app, PageJob& job) {
 
 void checkPageOptions(const PageJob& job) {
   if (!job.path.empty()) return;
-  if (!job.templatePath.empty()) badOption("--page-template is given without --page");
-  if (!job.title.empty()) badOption("--page-title is given without --page");
+  if (!job.templatePath.empty()) badOption("--page-template needs --page as well");
+  if (!job.title.empty()) badOption("--page-title needs --page as well");
 }
 
 void addTemplate(const PageJob& job, std::vector<RoledFile>& inputs) {

@@ -44,9 +44,10 @@ Extraction extractionOf(const std::string& name, const std::string& text) {
 }
 
 void addSearchOptions(CLI::App& app, PathOptions& o, std::int64_t& seed) {
-  addNumber(app, "--clearance", "MM", o.clearance,
-            "distance to keep from every neighbour (default 0: more than the tolerance)");
-  addNumber(app, "--tolerance", "MM", o.tolerance, "as for swept clearance (default 0.01)");
+  addNumber(app, "--clearance,--required", "MM", o.clearance,
+            "distance to keep from every neighbour (default 0: more than the accuracy)");
+  addNumber(app, "--tolerance,--accuracy", "MM", o.tolerance,
+            "as for swept clearance (default 0.01)");
   addNumber(app, "--release", "MM", o.release,
             "contact is allowed until the part is so far out (default 0)");
   app.add_flag_callback(

@@ -47,13 +47,13 @@ int finishReported(const AnyReport& report, const CommonOptions& common, bool cl
   return clear ? kExitOk : kExitNotClear;
 }
 
-/// --required and --tolerance.
+/// --required and --accuracy (called --tolerance before, which stays).
 template <class Options>
 void addDistanceOptions(CLI::App& app, Options& options) {
   addNumber(app, "--required", "MM", options.required,
-            "distance asked for (default 0: contact and clash only)");
-  addNumber(app, "--tolerance", "MM", options.tolerance,
-            "how far the smallest distance may be off (default 0.01)");
+            "distance that must be kept (default 0: contact and clash only)");
+  addNumber(app, "--tolerance,--accuracy", "MM", options.tolerance,
+            "largest error of the smallest distance (default 0.01)");
 }
 
 /// --interval-tolerance, --curve, --no-penetration and --stamp.

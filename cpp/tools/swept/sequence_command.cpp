@@ -182,7 +182,7 @@ Run addSequenceCommand(CLI::App& program) {
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->still, "");
-    if (job->parts.empty()) badOption("--part PART HOW is missing: no part is installed");
+    if (job->parts.empty()) badOption("--part PART HOW is missing; give at least one part");
     for (std::size_t i = 1; i < job->parts.size(); i += 2) {
       PathTask task;
       takePlace(job->parts[i], task);

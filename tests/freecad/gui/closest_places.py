@@ -148,7 +148,7 @@ def two_that_move():
         cubes.append(add_box(doc, name, (10, 10, 10), (ends[0], y, 0)))
         paths.append(hidden_motion(doc, *[at(x, y) for x in ends]))
     doc.recompute()
-    obj = mechanism.make_mechanism(doc, Generators=[(c, "") for c in cubes], Motions=paths)
+    obj = mechanism.make_mechanism(doc, MovingParts=[(c, "") for c in cubes], Motions=paths)
     doc.recompute()
     mechanism.compute(obj)
     graph = view_from("Top").getSceneGraph()

@@ -57,7 +57,7 @@ def check(doc, part, path, required):
     from sweptvolume.features import clearance
 
     obj = clearance.make_clearance(
-        doc, Generators=[part], Motion=path, AllVisible=True, Required=required
+        doc, MovingParts=[part], Motion=path, AllVisible=True, RequiredDistance=required
     )
     doc.recompute()
     return {row["name"]: row for row in clearance.compute(obj)["neighbours"]}

@@ -47,7 +47,7 @@ def scenario():
     starter, path = doc.getObject("Starter"), doc.getObject("Motion")
     assert starter is not None and path.Count == 12
     assert starter.Label == "Anlasser" and path.Label == "Einbaubahn"
-    checked = clearance.make_clearance(doc, Generators=[starter], Motion=path)
+    checked = clearance.make_clearance(doc, MovingParts=[starter], Motion=path)
     doc.recompute()
     clearance.compute(checked)
     text = page.text(page.request(checked), core.Control())
@@ -57,9 +57,9 @@ def scenario():
     menus = [action.text() for action in Gui.getMainWindow().menuBar().actions()]
     assert "Überstri&chener Raum" in menus, menus
     for name, items, expected in (
-        ("EditMotion", (starter, path), ("Zwischen Lagen", "Aufnehmen")),
+        ("EditMotion", (starter, path), ("Art der Lage", "Aufnehmen")),
         ("Envelope", (starter, path), ("Genauigkeit",)),
-        ("Clearance", (starter, path), ("Geforderter Abstand",)),
+        ("Clearance", (starter, path), ("Sollabstand",)),
     ):
         select(*items)
         Gui.runCommand("SweptVolume_" + name)
@@ -83,7 +83,7 @@ def scenario():
     Gui.Selection.clearSelection()
     shot("70_german_Solid")
     yield 0.8
-    assert "Flächen höchstens" in texts_of_panel()
+    assert "Max. Flächen" in texts_of_panel()
     click(panel_button(Cancel))
     yield no_panel
 
@@ -120,7 +120,8 @@ def scenario():
     Gui.runCommand("SweptVolume_Recompute")
     yield lambda: not runner.running()
     yield 0.3
-    text = "Die Zelle ist für das Teil zu groß: Nehmen Sie eine kleinere. (the cell of 5000 mm"
+    text = "Die Zelle ist größer als das Teil: Wählen Sie eine kleinere Zelle oder eine höhere "
+    text += "Auflösung. (the cell"
     assert hull.Message.startswith(text), hull.Message
     assert any(text in line for line in texts_of_panel())
     shot("70_german_refusal")

@@ -63,7 +63,7 @@ def scenario():
     yield no_panel
     for path in (first, locked):
         check = clearance.make_clearance(
-            doc, Generators=[scene.starter], Motion=path, AllVisible=True, Required=1.0
+            doc, MovingParts=[scene.starter], Motion=path, AllVisible=True, RequiredDistance=1.0
         )
         doc.recompute()
         for row in clearance.compute(check)["neighbours"]:

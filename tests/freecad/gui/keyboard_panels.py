@@ -63,7 +63,7 @@ def from_file(keyboard, doc, folder):
     yield no_panel
     motion = motions(doc)[-1]
     assert abs(motion.Placements[2].Base.y - 40) < 1e-9, motion.Placements
-    motion.Frame = "Relative"
+    motion.PoseType = "Relative"
     doc.recompute()
     return motion
 

@@ -102,7 +102,7 @@ def one(name, mesh_name):
     path = motion.motion_from_file(
         doc, os.path.join(DATA, "motions", "keyposes_16_arc_for_{}.csv".format(name)), "mm"
     )
-    path.Frame = "Relative"
+    path.PoseType = "Relative"
     doc.recompute()
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

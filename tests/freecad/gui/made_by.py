@@ -77,7 +77,7 @@ def scenario():
     yield
     panel = made_panel.opened[-1]
     assert not find(QtWidgets.QComboBox, "SweptVolumeColourBy").isEnabled()
-    assert "not remembered" in panel.text.text(), panel.text.text()
+    assert "was not recorded" in panel.text.text(), panel.text.text()
     own = colours(obj)
     click(find(QtWidgets.QPushButton, "SweptVolumeRemember"))
     yield lambda: panel.run is None and made_by.find(obj) is not None
@@ -143,7 +143,7 @@ def scenario():
     yield 0.3
     yield from click_at(V(0, 10, 15))
     assert panel.text.text().startswith("Face1 of Bracket, at 0.000 s"), panel.text.text()
-    assert "not up to date" in panel.text.text(), panel.text.text()
+    assert "is stale" in panel.text.text(), panel.text.text()
     assert not find(QtWidgets.QPushButton, "SweptVolumeSelectFace").isEnabled()
     assert panel.moving is None and not panel.player.isEnabled()
     assert not panel.message.text(), panel.message.text()

@@ -74,7 +74,7 @@ def scenario():
     yield no_panel
     motion = doc.getObject("Motion")
     assert motion.Count == 3 and abs(motion.Placements[2].Base.y - 40) < 1e-9, motion.Placements
-    motion.Frame = "Relative"
+    motion.PoseType = "Relative"
     doc.recompute()
     Gui.SendMsgToActiveView("ViewFit")
     yield

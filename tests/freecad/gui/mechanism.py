@@ -139,7 +139,7 @@ def scenario():
     yield 0.3
     asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
     assert asked.item(rows_of(asked)["Rod - Slider"], 2).text() == "Contact allowed"
-    find(QtWidgets.QWidget, "SweptVolumeMechanismTolerance").setProperty("rawValue", 1e-5)
+    find(QtWidgets.QWidget, "SweptVolumeMechanismAccuracy").setProperty("rawValue", 1e-5)
     summary = obj.Summary
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))
     took = yield from stopped(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism").isEnabled)

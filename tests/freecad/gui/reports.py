@@ -102,7 +102,7 @@ def make_mechanism(doc):
     wall.Placement.Base = V(0, 40, 0)
     doc.recompute()
     obj = mechanism.make_mechanism(
-        doc, "Drei Teile", Generators=parts, Motions=motions, AllVisible=True, Required=5.0
+        doc, "Drei Teile", MovingParts=parts, Motions=motions, AllVisible=True, RequiredDistance=5.0
     )
     doc.recompute()
     mechanism.compute(obj)
@@ -117,11 +117,11 @@ def make_study(doc):
         clearance.make_clearance(
             doc,
             "Run {}".format(k),
-            Generators=[(part, "")],
+            MovingParts=[(part, "")],
             Motion=doc.getObject("Motion"),
             Neighbours=[(wall, "")],
             AllVisible=False,
-            Required=required,
+            RequiredDistance=required,
         )
         for k, required in enumerate((20.0, 40.0))
     ]

@@ -73,7 +73,7 @@ def scenario():
     table = find(QtWidgets.QTableWidget, "SweptVolumeSpacesTable")
     assert names_of(table) == ["First - Second", "First - Post", "Second - Post"], names_of(table)
     assert abs(float(table.item(0, 3).text()) - 10 * 10 * 6) < 0.5, table.item(0, 3).text()
-    assert [table.item(r, 1).text() for r in range(3)] == ["Clash", "Too near", "Clear"]
+    assert [table.item(r, 1).text() for r in range(3)] == ["Clash", "Below required", "Clear"]
     read_verdicts(table)
     summary = find(QtWidgets.QLabel, "SweptVolumeSpacesSummary").text()
     assert "checked: 3" in summary and "shared" in summary, summary
@@ -106,7 +106,7 @@ def scenario():
     doc.getObject("SecondPart").Height = 10
     doc.recompute()
     assert kept.Status == shared.UP_TO_DATE, kept.Status
-    kept.Deflection = 0.02
+    kept.MeshDeflection = 0.02
     doc.recompute()
     assert kept.Status == shared.STALE, kept.Status
     select(kept)

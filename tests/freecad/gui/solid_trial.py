@@ -74,7 +74,7 @@ def scenario():
     tolerance.setProperty("rawValue", 0.1)
     yield bound
     bounds = figures(label.text())
-    assert "being tried out" in label.text(), label.text()
+    assert "Estimating" in label.text(), label.text()
     shot("85_solid_bounds")
     yield tried
     say("longest between two events: " + gaps.stop())
@@ -82,7 +82,7 @@ def scenario():
     shot("86_solid_tried")
     yield 0.5
     assert fine[0] <= bounds[0] and fine[0] < exact[0], (fine, bounds, exact)
-    assert "tried out" not in label.text(), label.text()
+    assert "Estimating" not in label.text(), label.text()
 
     # A change while a trial is under way: the last wish alone is shown.
     tolerance.setProperty("rawValue", 0.02)
@@ -130,7 +130,7 @@ def scenario():
     yield tried
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(1500)
     yield lambda: tried() and figures(label.text())[0] <= 1500
-    assert "limits ask for a tolerance of" in label.text(), label.text()
+    assert "limits need a tolerance of" in label.text(), label.text()
     # What cannot be made is refused by the trial in the words of the run.
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(4)
     yield lambda: "the limit is 4 faces" in label.text()

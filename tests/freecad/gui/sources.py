@@ -56,7 +56,7 @@ def stops_early(doc):
             yield 0.4
             if button == 0:
                 said = told()
-                for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK once more"):
+                for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK again"):
                     assert words in said, said
                 shot("26_stops_early_{}".format(len(chosen)))
                 yield 0.6
@@ -116,7 +116,7 @@ def scenario():
     yield no_panel
     along = made(doc).Placements[0].Rotation.multVec(V(1, 0, 0))
     assert (along - V(0, 0, 1)).Length < 1e-9, along
-    assert made(doc).Frame == "RelativeToFirst"  # it follows the wire from where the part is
+    assert made(doc).PoseType == "RelativeToFirst"  # it follows the wire from where the part is
 
     # A driven value: the cell of a spreadsheet moves the box.
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")

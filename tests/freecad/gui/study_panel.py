@@ -77,11 +77,11 @@ def make(doc):
             clearance.make_clearance(
                 doc,
                 label,
-                Generators=[(part, "")],
+                MovingParts=[(part, "")],
                 Motion=path,
                 Neighbours=[(wall, ""), (post, "")],
                 AllVisible=False,
-                Required=2.5,
+                RequiredDistance=2.5,
             )
         )
     found.append(envelope.make_envelope(doc, [part], path, "Space", Resolution=40))
@@ -179,7 +179,7 @@ def of_a_file(doc):
     took = yield from stopped(run_button().isEnabled)
     say("stopped after {:.2f} s".format(took))
     obj = doc.getObject("Study001")
-    assert obj.Status == study.CANCELLED and run_button().text() == "Go on", obj.Status
+    assert obj.Status == study.CANCELLED and run_button().text() == "Continue", obj.Status
     assert rows(table) == dict(zip(rows(table), ("Not clear", "Not clear", "Done", "Not run")))
     with open(path, "w") as file:
         file.write(FILE)
@@ -193,8 +193,8 @@ def of_a_file(doc):
     # A run as objects of the document; the check finds what the run found.
     undo = doc.UndoCount
     click(find(QtWidgets.QPushButton, "SweptVolumeOpenRun"))
-    yield lambda: any(o.Label == "into" and hasattr(o, "Required") for o in doc.Objects)
-    check = next(o for o in doc.Objects if o.Label == "into" and hasattr(o, "Required"))
+    yield lambda: any(o.Label == "into" and hasattr(o, "RequiredDistance") for o in doc.Objects)
+    check = next(o for o in doc.Objects if o.Label == "into" and hasattr(o, "RequiredDistance"))
     yield lambda: check.Status == study.UP_TO_DATE
     yield 0.5
     own = next(row for row in study.report_of(obj)["runs"] if row["run"] == "into")

@@ -58,7 +58,7 @@ def scenario():
     envelope.compute(hull)
     body = solid.make_solid(doc, hull)
     solid.compute(body)
-    check = clearance.make_clearance(doc, Envelope=hull, Required=5.0)
+    check = clearance.make_clearance(doc, Envelope=hull, RequiredDistance=5.0)
     doc.recompute()
     clearance.compute(check)
     yield 1.0
@@ -68,7 +68,7 @@ def scenario():
     assert above["Envelope"] == ["Motion"], above
     assert above[body.Label] == ["Envelope"] and above[check.Label] == ["Envelope"], above
     assert not [o for o in doc.Objects if "Touched" in o.State], "the tree touched something"
-    # Icons: nothing wrong, too near, clash; a stale one says that first.
+    # Icons: nothing wrong, below required, clash; a stale one says that first.
     assert check.Smallest.Value == 3 and check.ViewObject.Proxy.getIcon() == icon(
         "SweptVolume_Clearance_near"
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first tutorial of the handbook, an engine bay built from nothing; and a recorded path whose keys are
+"""The first tutorial of the handbook, an engine bay opened from its files; and a recorded path whose keys are
 edited (left out, with a line, where the recording is absent)."""
 import json
 import os
@@ -42,7 +42,7 @@ def look(name):
 
 
 def bay():
-    """The first tutorial, with the numbers of its tables."""
+    """The first tutorial, with the files that come with the workbench."""
     import Part
 
     folder = tempfile.mkdtemp()
@@ -51,7 +51,7 @@ def bay():
     made, body = doc.getObject("Envelope"), doc.getObject("EnvelopeSolid")
     motion = made.Motion
     assert motion.Count == 12 and list(motion.Times) == list(range(12))
-    assert made.Generators[0][0].Label == "Starter" and made.Mesh.isSolid()
+    assert made.MovingParts[0][0].Label == "Starter" and made.Mesh.isSolid()
     verdicts = {
         row["name"]: row["verdict"] for row in json.loads(doc.Clearance.Report)["neighbours"]
     }

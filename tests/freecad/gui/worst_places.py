@@ -139,7 +139,7 @@ def scenario():
     now = colours()
     say("colours {}".format(now))
     assert now["Post"][0] > 2 * max(now["Post"][1:]), now  # a clash is red
-    for name in ("Wall", "Stop"):  # too near is yellow
+    for name in ("Wall", "Stop"):  # below required is yellow
         r, g, b = now[name]
         assert min(r, g) > 2 * b, now
     shot("17_clearance_parts")

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Check clearance")
     TIP = mark(
         "Commands",
-        "Smallest distance of the moving parts to every neighbour over the whole motion. Select an "
-        "envelope, or parts and a motion, or an earlier check",
+        "Measures the smallest distance from the moving parts to every neighbour over the "
+        "whole motion. Select an envelope, or parts and a motion, or an existing check",
     )
 
     def run(self, document):

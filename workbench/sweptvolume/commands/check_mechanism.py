@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Check mechanism")
     TIP = mark(
         "Commands",
-        "Smallest distance between each two of several parts that move at the same time, over the whole "
-        "motion. Select their motions, or an earlier check; else all motions that know their parts are taken",
+        "Measures the smallest distance between parts that move at the same time, for every "
+        "pair and over the whole motion. Select their motions, or an existing check; without a "
+        "selection all motions that know their parts are used",
     )
 
     def run(self, document):

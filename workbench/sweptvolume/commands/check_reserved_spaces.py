@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Check reserved spaces")
     TIP = mark(
         "Commands",
-        "How near envelopes, their solids or parts are to each other as they stand, and the space that two "
-        "of them share. Select two or more; of a selected shared volume: computes it again",
+        "Measures distances between envelopes, their solids or parts as they stand, and the "
+        "volume that two of them share. Select two or more objects, or a shared volume to "
+        "recompute it",
     )
 
     def run(self, document):

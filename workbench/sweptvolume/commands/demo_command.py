@@ -7,7 +7,7 @@ from .base import BaseCommand
 class Command(BaseCommand):
     NAME = "SweptVolume_Demo"
     TEXT = mark("Commands", "Open the demo")
-    TIP = mark("Commands", "Opens the example: a starter motor is fitted past its neighbours")
+    TIP = mark("Commands", "Opens an example: a starter motor is installed past its neighbours")
     NEEDS_DOCUMENT = False
 
     def run(self, document):

@@ -9,7 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Edit motion...")
     TIP = mark(
         "Commands",
-        "Edits the keys of the selected motion in a table, plays it with a ghost of the part",
+        "Edits the keys of the selected motion in a table and in the 3D view, and plays the "
+        "motion",
     )
 
     def missing(self, document):

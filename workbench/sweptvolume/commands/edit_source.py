@@ -12,8 +12,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Settings of the source...")
     TIP = mark(
         "Commands",
-        "Changes what the source of the selected motion is asked for (accuracy, orientation, duration, "
-        "range, unit) and reads it again",
+        "Changes how the source of the selected motion is read (accuracy, orientation, "
+        "duration, start and end, unit), and reads it again",
     )
     ICON = "SweptVolume_MotionFromSource"
 

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Export envelope...")
     TIP = mark(
         "Commands",
-        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF, checked on the way; a "
-        "selected solid's tolerance and limits are taken",
+        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the "
+        "file. For a selected solid, its tolerance and limits apply",
     )
 
     def missing(self, document):

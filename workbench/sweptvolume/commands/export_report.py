@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Export report...")
     TIP = mark(
         "Commands",
-        "Writes what the selected check or study found as one HTML file, with a 3D view of a check, or as "
-        "PDF",
+        "Writes the results of the selected check or study as one HTML file, for checks with a "
+        "3D view, or as PDF",
     )
 
     def _found(self, document):

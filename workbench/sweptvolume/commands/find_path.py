@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Find path...")
     TIP = mark(
         "Commands",
-        "Finds how the selected part gets to its place between the others, clear of them all the way. "
-        "More selected parts are its neighbours; a selected motion gives start and goal",
+        "Finds a path on which the selected part reaches its place without coming too close to "
+        "its neighbours. Select the part first, then its neighbours; a selected motion gives "
+        "start and goal",
     )
 
     def missing(self, document):
@@ -18,7 +19,7 @@ class Command(BaseCommand):
 
         if selection.motion() is not None or selection.moving_parts(document):
             return ""
-        return translate("Messages", "Select the part whose way is to be found.")
+        return translate("Messages", "Select the part whose path is to be found.")
 
     def run(self, document):
         from ..panels import find_path_panel, selection

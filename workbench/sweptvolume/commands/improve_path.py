@@ -10,8 +10,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Improve path...")
     TIP = mark(
         "Commands",
-        "Leads the selected motion round what it clashes with, makes it shorter with fewer keys, or gives it "
-        "more clearance. The motion stays; the better one comes beside it",
+        "Removes clashes from the selected motion, makes it shorter with fewer keys, or "
+        "increases its clearance. The result is a new motion; the selected one is kept",
     )
 
     def missing(self, document):
@@ -25,9 +25,10 @@ class Command(BaseCommand):
         obj = selection.the_motion(document)
         if len(obj.Placements) < 2:
             raise InputProblem(
-                translate("Messages", '"{0}" has less than two keys: there is no way.').format(
-                    obj.Label
-                )
+                translate(
+                    "Messages",
+                    '"{0}" has fewer than two keys, so there is no path to improve: add a key.',
+                ).format(obj.Label)
             )
         part = selection.moved_part(obj)
         if part is None:

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Make solid")
     TIP = mark(
         "Commands",
-        "Makes a solid of the selected envelope for booleans, measuring and STEP; of a selected solid: "
-        "makes it again",
+        "Converts the selected envelope to a solid for Boolean operations, measuring and STEP. "
+        "A selected solid is converted again",
     )
 
     def missing(self, document):

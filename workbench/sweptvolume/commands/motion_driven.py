@@ -10,9 +10,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from driven value...")
     TIP = mark(
         "Commands",
-        "Makes a motion of a part while a value runs through a range: a spreadsheet cell, a sketch "
-        "dimension, a variable of an assembly. Select the object with the value, then the part; without a "
-        "part, motions of all parts that move",
+        "Records the motion of a part while a value changes: a spreadsheet cell, a sketch "
+        "dimension or a variable of an assembly. Select the object with the value, then the "
+        "part; without a part, every part that moves gets a motion",
     )
 
     def missing(self, document):

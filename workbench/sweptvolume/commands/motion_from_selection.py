@@ -12,8 +12,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from selected placements")
     TIP = mark(
         "Commands",
-        "Makes a motion from the placements of the selected objects, in the order of selection. It "
-        "stays linked: moving an object moves its pose",
+        "Makes a motion from the placements of the selected objects, in the order of "
+        "selection. The motion stays linked: if you move an object, its pose follows",
     )
 
     def missing(self, document):

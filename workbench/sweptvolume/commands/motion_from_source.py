@@ -7,12 +7,12 @@ from .base import BaseCommand
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MotionFromSource"
-    TEXT = mark("Commands", "Motion from path object...")
+    TEXT = mark("Commands", "Motion from object...")
     TIP = mark(
         "Commands",
-        "Makes a motion from the selected wire, sketch, robot trajectory, link or Draft array, or CAM "
-        "path; from a path and a second curve that orients; from an assembly simulation, of a part or of "
-        "all that move. It stays linked to it",
+        "Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft "
+        "array, CAM operation or assembly simulation. A second curve sets the orientation. The "
+        "motion stays linked to its source",
     )
 
     def missing(self, document):
@@ -23,7 +23,8 @@ class Command(BaseCommand):
             return ""
         return translate(
             "Messages",
-            "Select a wire, sketch, array, path, trajectory, or a simulation and a part.",
+            "Select a wire, sketch, array, CAM operation or robot trajectory, or a simulation and "
+            "a part.",
         )
 
     def run(self, document):
@@ -36,8 +37,8 @@ class Command(BaseCommand):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "Select one wire, sketch, robot trajectory, link or Draft array, or CAM path; or a path "
-                    "and a second curve; or a simulation of an assembly and the part to watch.",
+                    "Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; "
+                    "or two curves; or an assembly simulation and the part to follow.",
                 )
             )
         source_panel.show(document, kind, objects)

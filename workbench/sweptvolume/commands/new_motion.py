@@ -9,7 +9,7 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "New motion...")
     TIP = mark(
         "Commands",
-        "Opens the path editor: move the selected part step by step and capture its placements",
+        "Opens the motion editor: move the selected part step by step and capture its placements",
     )
 
     def run(self, document):

@@ -12,8 +12,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Recompute envelope")
     TIP = mark(
         "Commands",
-        "Computes the selected envelope again from its present parts and motion; without a selection the "
-        "first one that is stale",
+        "Recomputes the selected envelope from its current parts and motion; without a "
+        "selection, the first stale envelope",
     )
 
     def find(self, document):

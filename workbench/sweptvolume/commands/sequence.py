@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Sequence...")
     TIP = mark(
         "Commands",
-        "Installs the selected parts one after the other, each clear of all that is there by then: finds "
-        "their ways in this order, or an order, and plays them as one. Or opens the selected sequence",
+        "Finds installation paths for the selected parts, one after the other: each part keeps "
+        "clear of those already in place. The order is given or found. Opens a selected "
+        "sequence",
     )
 
     def run(self, document):

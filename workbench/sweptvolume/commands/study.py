@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Study...")
     TIP = mark(
         "Commands",
-        "Many runs, several at once: those of a study file, or the envelopes and clearance checks of the "
-        "document. Select some of them, or an earlier study",
+        "Runs many computations, several at once: those of a study file, or the envelopes and "
+        "clearance checks of the document. Select some of them, or an existing study",
     )
 
     def run(self, document):

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Keyboard to the tree or panel")
     TIP = mark(
         "Commands",
-        "Puts the keyboard into the tree: arrows choose, Ctrl with arrows and Space chooses more; from "
-        "the tree it goes to the open panel",
+        "Moves the keyboard focus to the tree: arrow keys select, Ctrl with arrow keys and "
+        "Space selects more. From the tree, moves it to the open panel",
     )
     ACCEL = "Ctrl+T"
     #: FreeCAD leaves it on while a panel is open.

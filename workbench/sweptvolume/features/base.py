@@ -6,6 +6,7 @@ import json
 import FreeCAD as App
 
 from ..texts import mark, translate
+from . import renamed
 
 READ_ONLY = 1
 HIDDEN = 2
@@ -55,6 +56,8 @@ class Feature:
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
+        with quietly(obj):
+            renamed.take_over(obj, renamed.RENAMED.get(self.KIND, {}))
 
     def look(self, obj):
         """Compares the inputs with those of the stored result, where there is one."""

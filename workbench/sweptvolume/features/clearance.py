@@ -36,7 +36,7 @@ FAR = 1e9  # mm, where nothing stands
 #: Verdict of the core -> what people read.
 VERDICTS = {
     "clear": mark("Messages", "Clear"),
-    "below": mark("Messages", "Too near"),
+    "below": mark("Messages", "Below required"),
     "contact": mark("Messages", "Contact"),
     "clash": mark("Messages", "Clash"),
 }

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a clearance check looks at, read off an object or a panel: moving parts, neighbours, settings -> the
 input of the core as plain arrays."""
-import json
 
 from .. import contents, convert
 from ..convert import InputProblem
 from ..texts import translate
-from . import containers, missing, neighbour_rules, row_names, status
+from . import containers, missing, neighbour_rules, renamed, row_names, status
 from . import envelope as envelope_feature
 from .base import set_changed
 from .moving import Moving, Seen
@@ -47,7 +46,7 @@ class Request:
 
 def _all_ignored():
     return InputProblem(
-        translate("Messages", "the rules ignore every neighbour: leave at least one to be checked.")
+        translate("Messages", "the rules ignore every neighbour: change at least one rule.")
     )
 
 
@@ -58,7 +57,7 @@ def _place_of(obj):
 class Plan(StillParts):
     """What is to be checked. Reads documents only in the thread of the GUI."""
 
-    SETTINGS = ("Required", "Tolerance", "Deflection")
+    SETTINGS = ("RequiredDistance", "Accuracy", "MeshDeflection")
 
     def __init__(
         self, document, pairs, motion, neighbours, all_visible, values, envelope=None, rules=None
@@ -79,7 +78,7 @@ class Plan(StillParts):
         source = obj.Envelope if envelope_feature.is_envelope(obj.Envelope) else obj
         plan = cls(
             obj.Document,
-            convert.pairs_of(source.Generators),
+            convert.pairs_of(source.MovingParts),
             source.Motion,
             convert.pairs_of(obj.Neighbours),
             obj.AllVisible,
@@ -94,7 +93,7 @@ class Plan(StillParts):
         missing.forget(obj)
         obj.Envelope = self.envelope
         if self.envelope is None:
-            containers.set_pairs(obj, "Generators", self.pairs)
+            containers.set_pairs(obj, "MovingParts", self.pairs)
             obj.Motion = self.motion
         containers.set_pairs(obj, "Neighbours", self.neighbours)
         obj.AllVisible = self.all_visible
@@ -115,7 +114,7 @@ class Plan(StillParts):
             return Moving(self.pairs, self.motion)
         if not envelope_feature.is_envelope(self.envelope):
             raise InputProblem(
-                translate("Messages", '"{0}" is no envelope: choose another one.').format(
+                translate("Messages", '"{0}" is not an envelope: choose an envelope.').format(
                     self.envelope.Label
                 )
             )
@@ -124,7 +123,8 @@ class Plan(StillParts):
             raise InputProblem(
                 translate(
                     "Messages",
-                    'the parts of "{0}" have motions of their own: check each part with its motion.',
+                    'the parts of "{0}" have individual motions: use Check mechanism, or check each part '
+                    "with its motion.",
                 ).format(self.envelope.Label)
             )
         return groups[0]
@@ -143,8 +143,8 @@ class Plan(StillParts):
             return []
         text = translate(
             "Messages",
-            "{0} moved as well when this motion was read, and stand still in this check: use Check mechanism "
-            "for parts that move at the same time.",
+            "{0} also moved when this motion was read, but stand still in this check: use Check "
+            "mechanism for parts that move at the same time.",
         )
         return [text.format(listed(names))]
 
@@ -200,20 +200,20 @@ class Plan(StillParts):
         return contents.short(words + [contents.signature_of_before(counted), self._settings()])
 
     def _settings(self):
-        return json.dumps(contents.steady(self.values), sort_keys=True)
+        return renamed.hashed(contents.steady(self.values))
 
     def request(self):
         """The check as plain arrays. Raises InputProblem."""
         moving = self.moving()
-        deflection = max(float(self.values["Deflection"]), 1e-4)
-        straight = 0.5 * float(self.values["Tolerance"])
+        deflection = max(float(self.values["MeshDeflection"]), 1e-4)
+        straight = 0.5 * float(self.values["Accuracy"])
         way, parts = moving.way(), convert.body_from(self.pairs, deflection)
         body = way.request(Seen(parts, way.into_base, moving.motion), straight, {})
         chord = chord_of(self.pairs, deflection) + (straight if way.curved() else 0.0)
         neighbours, notes, ignored = self.still_parts(deflection)
         notes += self.moved_too()
         off, text = way.hidden()
-        if off > float(self.values["Tolerance"]):
+        if off > float(self.values["Accuracy"]):
             notes.append(text)
         if moving.motion.Message:
             notes.append(moving.motion.Message)
@@ -227,8 +227,8 @@ class Plan(StillParts):
             neighbours,
             self.all_visible,
             {
-                "required": float(self.values["Required"]),
-                "tolerance": float(self.values["Tolerance"]),
+                "required": float(self.values["RequiredDistance"]),
+                "tolerance": float(self.values["Accuracy"]),
                 "body_chord": chord,
             },
             points,

@@ -8,46 +8,54 @@ INPUT = [
     (
         "App::PropertyLinkGlobal",
         "Envelope",
-        mark("Properties", "Envelope whose parts and motion are checked, and which is coloured"),
+        mark(
+            "Properties", "Envelope whose parts and motion are checked; it is coloured by distance"
+        ),
         None,
     ),
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
-        mark("Properties", "Parts that move together, where no envelope is given"),
+        "MovingParts",
+        mark("Properties", "Parts that move together, if no envelope is given"),
         None,
     ),
     (
         "App::PropertyLinkGlobal",
         "Motion",
-        mark("Properties", "Motion, where no envelope is given"),
+        mark("Properties", "Motion of the parts, if no envelope is given"),
         None,
     ),
     (
         "App::PropertyLinkSubListGlobal",
         "Neighbours",
-        mark("Properties", "Parts that stand still, seen through groups and links"),
+        mark("Properties", "Parts that stand still; groups and links stand for what they contain"),
         None,
     ),
     (
         "App::PropertyBool",
         "AllVisible",
-        mark("Properties", "Check all other visible parts instead of Neighbours"),
+        mark("Properties", "All other visible parts are neighbours, instead of Neighbours"),
         True,
     ),
-    ("App::PropertyLength", "Required", mark("Properties", "Distance asked for"), 5.0),
     (
         "App::PropertyLength",
-        "Tolerance",
-        mark("Properties", "How far the smallest distance may be off between two poses"),
+        "RequiredDistance",
+        mark("Properties", "Distance from the neighbours that the motion must keep"),
+        5.0,
+    ),
+    (
+        "App::PropertyLength",
+        "Accuracy",
+        mark("Properties", "Largest error of the smallest distance"),
         0.01,
     ),
     (
         "App::PropertyLength",
-        "Deflection",
+        "MeshDeflection",
         mark(
             "Properties",
-            "Chord error to which solids are meshed; it is subtracted from the distances",
+            "How far the triangles of solids may deviate from them; it is subtracted from "
+            "guaranteed distances",
         ),
         0.05,
     ),
@@ -62,8 +70,8 @@ INPUT = [
         "RuleKinds",
         mark(
             "Properties",
-            "The rule of each of RuleParts: Required (a distance of its own), Contact (may be touched at "
-            "any time), Ignore",
+            "The rule of each of RuleParts: Required (its own required distance), Contact (contact "
+            "is allowed), Ignore (not checked)",
         ),
         None,
     ),
@@ -72,7 +80,8 @@ INPUT = [
         "RuleLengths",
         mark(
             "Properties",
-            "mm for each of RuleParts: the distance that it asks for, or how deep a contact may be",
+            "For each of RuleParts, in mm: its required distance, or how deep the parts may "
+            "overlap in allowed contact",
         ),
         None,
     ),
@@ -90,7 +99,10 @@ RESULT = [
     (
         "App::PropertyString",
         "Verdict",
-        mark("Properties", "Worst verdict against the rules: clear, below, contact or clash"),
+        mark(
+            "Properties",
+            "Worst verdict of all rows: clear, below (below required), contact or clash",
+        ),
         READ_ONLY,
     ),
     ("App::PropertyLength", "Smallest", mark("Properties", "Smallest distance"), READ_ONLY),
@@ -105,7 +117,7 @@ RESULT = [
     (
         "App::PropertyString",
         "TriedHash",
-        mark("Properties", "Inputs of the last run that gave nothing"),
+        mark("Properties", "Inputs of the last run that failed"),
         HIDDEN,
     ),
     (
@@ -117,7 +129,7 @@ RESULT = [
     (
         "App::PropertyLinkListGlobal",
         "Seen",
-        mark("Properties", "What AllVisible looks at, so that a change of it is noticed"),
+        mark("Properties", "Parts that AllVisible found, to notice when they change"),
         HIDDEN,
     ),
 ]

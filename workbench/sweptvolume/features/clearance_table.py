@@ -10,16 +10,22 @@ from ..safe_file import written_beside
 from ..texts import translate
 from .neighbour_rules import CONTACT, REQUIRED
 
+
+def verdict_word(verdict):
+    """A verdict of a report as people read it, in files (English)."""
+    return "below required" if verdict == "below" else verdict
+
+
 #: Title, unit ("mm": that of the preferences) and how to find it in a row of the report.
 _COLUMNS = [
     ("Neighbour", "", lambda row, deep: row["name"]),
-    ("Verdict", "", lambda row, deep: row["verdict"]),
+    ("Verdict", "", lambda row, deep: verdict_word(row["verdict"])),
     ("Distance", "mm", lambda row, deep: row["distance"]),
     ("Guaranteed", "mm", lambda row, deep: row["guaranteed"]),
     ("Time", "s", lambda row, deep: row["time_seconds"]),
     ("Depth", "mm", lambda row, deep: deep.get("depth", 0.0)),
     ("Depth at most", "mm", lambda row, deep: deep.get("depth_bound", 0.0)),
-    ("Too near for", "s", lambda row, deep: sum((b - a for a, b in row["below"]), 0.0)),
+    ("Below required for", "s", lambda row, deep: sum((b - a for a, b in row["below"]), 0.0)),
     ("Body X", "mm", lambda row, deep: row["point_on_body"][0]),
     ("Body Y", "mm", lambda row, deep: row["point_on_body"][1]),
     ("Body Z", "mm", lambda row, deep: row["point_on_body"][2]),
@@ -49,7 +55,7 @@ def worst(report):
 
 
 def worst_first(report):
-    """Indices of the rows: what does not meet its rule first, clashes before contact before what is too near,
+    """Indices of the rows: what does not meet its rule first, clashes before contact before below required,
     the deepest and then the nearest first."""
     rows = report["neighbours"]
 
@@ -111,7 +117,7 @@ def summary(report, head=""):
     for verdict, text in (
         ("clash", translate("Messages", "{0} clash")),
         ("contact", translate("Messages", "{0} in contact")),
-        ("below", translate("Messages", "{0} too near")),
+        ("below", translate("Messages", "{0} below required")),
     ):
         count = sum(row["verdict"] == verdict and not meets_rule(row) for row in rows)
         if count:

@@ -11,7 +11,7 @@ from . import status
 from .base import kind_of
 
 #: Properties with paths to parts.
-_LISTS, _SINGLES = ("Generators", "Neighbours", "Parts"), ("Reference",)
+_LISTS, _SINGLES = ("MovingParts", "Neighbours", "Parts"), ("Reference",)
 
 _observer = None
 

@@ -67,7 +67,7 @@ class Envelope(Feature):
             for name, text in (
                 ("Report", mark("Properties", "Report of the run (JSON)")),
                 ("InputHash", mark("Properties", "Inputs of the stored result")),
-                ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
+                ("TriedHash", mark("Properties", "Inputs of the last run that failed")),
                 (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
                 (made_by.PROPERTY, mark("Properties", "What made each triangle (packed)")),
             )
@@ -248,7 +248,7 @@ def make_envelope(document, generators, motion, label=None, **settings):
     obj = document.addObject(TYPE, "Envelope")
     Envelope(obj)
     obj.Label = label or translate("Messages", "Envelope")
-    containers.set_pairs(obj, "Generators", pairs_of_items(generators))
+    containers.set_pairs(obj, "MovingParts", pairs_of_items(generators))
     obj.Motion = motion
     for name, value in settings.items():
         setattr(obj, name, value)

@@ -49,7 +49,7 @@ class Plan:
             values[name] = getattr(value, "Value", value)
         seen_from = convert.pairs_of(obj.Reference)
         plan = cls(
-            convert.pairs_of(obj.Generators),
+            convert.pairs_of(obj.MovingParts),
             obj.Motion,
             values,
             obj.Motions,
@@ -62,7 +62,7 @@ class Plan:
     def write(self, obj):
         """Puts the plan into an envelope object."""
         missing.forget(obj)
-        containers.set_pairs(obj, "Generators", self.pairs)
+        containers.set_pairs(obj, "MovingParts", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
         self.tell_motions()
@@ -93,7 +93,8 @@ class Plan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "{0} moving parts and {1} motions of their own: give one for each part, or none.",
+                    "the number of individual motions ({1}) is not that of the moving parts ({0}): give "
+                    "one motion for each part, or none.",
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)
@@ -177,8 +178,8 @@ class Plan:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "cavities cannot be kept where parts have motions of their own: make one "
-                        "envelope for each motion.",
+                        "cavities cannot be kept if parts have individual motions: create one envelope for "
+                        "each motion.",
                     )
                 )
         deflection = max(max(self.values["MeshDeflection"], 1e-3) * cell, finest)

@@ -17,9 +17,12 @@ BACKENDS = {"Auto": "auto", "CPU": "cpu", "GPU": "gpu"}
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         "Input",
-        mark("Properties", "Solids and meshes that move together, seen through groups and links"),
+        mark(
+            "Properties",
+            "Solids and meshes that move together; groups and links stand for what they contain",
+        ),
         None,
         0,
     ),
@@ -37,7 +40,8 @@ INPUT = [
         "Input",
         mark(
             "Properties",
-            "One motion for each of Generators, where they move by themselves; empty: all by Motion",
+            "One motion for each of MovingParts, if they move independently; empty: all follow "
+            "Motion",
         ),
         None,
         0,
@@ -46,7 +50,7 @@ INPUT = [
         "App::PropertyLinkSubGlobal",
         "Reference",
         "Input",
-        mark("Properties", "Part that moves itself; the envelope is what it sees"),
+        mark("Properties", "Moving part relative to which the envelope is computed"),
         None,
         0,
     ),
@@ -64,7 +68,10 @@ ACCURACY = [
         "App::PropertyInteger",
         "Resolution",
         "Accuracy",
-        mark("Properties", "Cells along the longest side of the sweep; used while CellSize is 0"),
+        mark(
+            "Properties",
+            "Cells along the longest side of the swept volume; used while CellSize is 0",
+        ),
         128,
         0,
     ),
@@ -72,7 +79,9 @@ ACCURACY = [
         "App::PropertyLength",
         "CellSize",
         "Accuracy",
-        mark("Properties", "Edge of a cell of the sampling grid; 0: from Resolution"),
+        mark(
+            "Properties", "Edge length of a cell of the sampling grid; 0: derived from Resolution"
+        ),
         None,
         0,
     ),
@@ -80,7 +89,7 @@ ACCURACY = [
         "App::PropertyFloat",
         "MeshDeflection",
         "Accuracy",
-        mark("Properties", "How far the triangles of a solid may leave it, in cells"),
+        mark("Properties", "How far the triangles of a solid may deviate from it, in cells"),
         0.1,
         0,
     ),
@@ -88,7 +97,7 @@ ACCURACY = [
         "App::PropertyLength",
         "Tolerance",
         "Accuracy",
-        mark("Properties", "Simplification: largest deviation allowed; 0: none"),
+        mark("Properties", "How far simplification may move the surface; 0: no simplification"),
         None,
         0,
     ),
@@ -96,7 +105,7 @@ ACCURACY = [
         "App::PropertyLength",
         "Offset",
         "Accuracy",
-        mark("Properties", "Safety distance by which the envelope is grown"),
+        mark("Properties", "Distance by which the envelope is grown on all sides"),
         None,
         0,
     ),
@@ -122,8 +131,8 @@ ACCURACY = [
         "Method",
         mark(
             "Properties",
-            "Poses are left out while no point of the part has moved farther than this from the last "
-            "one kept; 0: none",
+            "A pose is skipped if no point of the part has moved farther than this since the last "
+            "pose used; 0: none is skipped",
         ),
         None,
         0,
@@ -132,7 +141,7 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "Components",
         "Method",
-        mark("Properties", "How surface pieces inside one cell are told apart"),
+        mark("Properties", "How pieces of surface inside one cell are separated"),
         list(COMPONENTS),
         0,
     ),
@@ -140,7 +149,7 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "Backend",
         "Method",
-        mark("Properties", "Where the sampling runs"),
+        mark("Properties", "Processor that samples the envelope"),
         list(BACKENDS),
         0,
     ),
@@ -150,8 +159,8 @@ ACCURACY = [
         "Result",
         mark(
             "Properties",
-            "Whether it is remembered which face or edge made each triangle: Off; Session: until the "
-            "document is closed; Document: stored with it, which makes it larger",
+            "Whether to record which face or edge made each triangle. Off: no. Session: until the "
+            "document is closed. Document: stored in the document, which makes the file larger",
         ),
         MADE_BY,
         0,

@@ -18,8 +18,8 @@ MEGABYTES, SECONDS = 0.0024, 0.001
 
 NOTE = mark(
     "Messages",
-    "the core was built without OpenCASCADE: FreeCAD made a face of every triangle, and no surfaces "
-    "were looked for",
+    "the core was built without OpenCASCADE, so FreeCAD made one face for each triangle "
+    "and recognised no surfaces",
 )
 
 
@@ -41,7 +41,7 @@ def check(shape, volume):
         raise InputProblem(
             translate(
                 "Messages",
-                "FreeCAD's own way gives no valid solid of this envelope; build the core with "
+                "FreeCAD could not make a valid solid from this envelope: build the core with "
                 "OpenCASCADE, or export a mesh file.",
             )
         )

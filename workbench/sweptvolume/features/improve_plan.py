@@ -32,25 +32,27 @@ class ImprovePlan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" only stands at its poses: choose what it does between them first.',
+                    '"{0}" has the interpolation None: choose another interpolation first.',
                 ).format(self.motion.Label)
             )
         if not self.neighbours:
             raise InputProblem(
-                translate("Messages", "no neighbour is given: choose parts or show some others.")
+                translate(
+                    "Messages", "there is no neighbour: choose parts, or make other parts visible."
+                )
             )
         moving, v = Moving(self.pairs, self.motion), self.values
-        deflection = max(float(v["Deflection"]), 1e-4)
-        body = moving.body_request(deflection, 0.5 * float(v["Tolerance"]), {})
+        deflection = max(float(v["MeshDeflection"]), 1e-4)
+        body = moving.body_request(deflection, 0.5 * float(v["Accuracy"]), {})
         times = [self.motion.Times[k] for k in self.locked]
         options = {
             "locked": [int(np.argmin(np.abs(body.times - time))) for time in times],
             "more_clearance": self.more,
-            "clearance": float(v["Required"]),
-            "release": float(v["Release"]),
+            "clearance": float(v["RequiredDistance"]),
+            "release": float(v["ReleaseDistance"]),
             "budget": float(v["Budget"]),
             "seed": int(v["Seed"]),
-            "tolerance": float(v["Tolerance"]),
+            "tolerance": float(v["Accuracy"]),
             "body_chord": still_parts.chord_of(self.pairs, deflection),
         }
         rows = path_plan.rows_beside(

@@ -28,9 +28,9 @@ CAP, EDGE, GRAZE = range(3)
 #: Results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    mark("Panels", "the face itself, at a key"),
+    mark("Panels", "the face itself, at a pose"),
     mark("Panels", "swept by an edge"),
-    mark("Panels", "swept by a face in passing"),
+    mark("Panels", "swept by a face that passed"),
 )
 _PART = {
     "first": int,

@@ -2,14 +2,13 @@
 """What a check of a mechanism looks at, read off an object or a panel: parts with motions of their own, parts
 that stand still, rules of pairs -> the input of the core as plain arrays."""
 import itertools
-import json
 
 from .. import contents, convert
 from ..convert import InputProblem
 from ..quantities import number
 from ..texts import translate
 from ..trajectory.poses import Poses, at_time
-from . import containers, missing, pair_rules, row_names, status
+from . import containers, missing, pair_rules, renamed, row_names, status
 from . import motion as motion_feature
 from .base import set_changed, whole
 from .moving import Seen, grouped
@@ -95,7 +94,7 @@ class Plan(StillParts):
     """What is to be checked. Reads documents only in the thread of the GUI. motions: one for each of
     pairs."""
 
-    SETTINGS = ("Required", "Tolerance", "Deflection", "Range")
+    SETTINGS = ("RequiredDistance", "Accuracy", "MeshDeflection", "Range")
 
     def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
         self.document = document
@@ -111,7 +110,7 @@ class Plan(StillParts):
     def of(cls, obj):
         plan = cls(
             obj.Document,
-            convert.pairs_of(obj.Generators),
+            convert.pairs_of(obj.MovingParts),
             obj.Motions,
             convert.pairs_of(obj.Neighbours),
             obj.AllVisible,
@@ -123,7 +122,7 @@ class Plan(StillParts):
     def write(self, obj):
         """Puts the plan into an object."""
         missing.forget(obj)
-        containers.set_pairs(obj, "Generators", self.pairs)
+        containers.set_pairs(obj, "MovingParts", self.pairs)
         set_changed(obj, "Motions", self.motions)
         containers.set_pairs(obj, "Neighbours", self.neighbours)
         set_changed(obj, "AllVisible", self.all_visible)
@@ -155,13 +154,15 @@ class Plan(StillParts):
             raise InputProblem(convert.no_part_text())
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages", "{0} moving parts and {1} motions: give one motion for each part."
+                "Messages",
+                "the number of motions ({1}) is not that of the moving parts ({0}): give one motion "
+                "for each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
         for pair, motion in zip(self.pairs, self.motions):
             if not motion_feature.is_motion(motion):
-                text = translate("Messages", '"{0}" has no motion: choose one for it.')
+                text = translate("Messages", '"{0}" has no motion: choose one in the table.')
                 raise InputProblem(text.format(convert.label_of(*pair)))
         groups = grouped(self.pairs, self.motions)
         for group in groups:
@@ -176,12 +177,11 @@ class Plan(StillParts):
                 continue
             names = convert.label_of(one, a), convert.label_of(other, b)
             if a == b:
-                text = translate("Messages", '"{0}" is there twice: give each part one motion.')
+                text = translate("Messages", '"{0}" is in the list twice: remove one entry.')
             else:
                 text = translate(
                     "Messages",
-                    '"{0}" and "{1}": one holds the other, so that it would move twice. Take one of '
-                    "them away.",
+                    '"{0}" and "{1}": one contains the other, which would move twice. Remove one of them.',
                 )
             raise InputProblem(text.format(*names))
 
@@ -190,8 +190,8 @@ class Plan(StillParts):
             if motion.Interpolation == "None":
                 text = translate(
                     "Messages",
-                    '"{0}" only jumps from pose to pose: parts that move at the same time need a motion '
-                    "between them. Choose another interpolation.",
+                    '"{0}" has the interpolation None, but parts that move at the same time must move '
+                    "between their poses: choose another interpolation.",
                 )
                 raise InputProblem(text.format(motion.Label))
         late = max(motions, key=lambda m: m.Times[0] if m.Times else 0.0)
@@ -199,7 +199,8 @@ class Plan(StillParts):
         if late.Times and early.Times and late.Times[0] >= early.Times[-1] and late is not early:
             text = translate(
                 "Messages",
-                'there is no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s.',
+                'the motions have no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s. '
+                "Change their times so that they overlap.",
             )
             begin, end = number(late.Times[0]), number(early.Times[-1])
             raise InputProblem(text.format(early.Label, end, late.Label, begin))
@@ -220,7 +221,7 @@ class Plan(StillParts):
         beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
         words = [word for group in self.groups() for word in group.words()]
         words += contents.words(beside) if beside else []
-        words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+        words.append(renamed.hashed(contents.steady(self.values)))
         words.append(pair_rules.words(self.pair_rules))
         return words
 
@@ -228,7 +229,7 @@ class Plan(StillParts):
         """Raises InputProblem where the document is no longer what it was when words() was first asked."""
         if self.words() != self._words_now():
             text = translate(
-                "Messages", "the document was changed while its parts were read: start again."
+                "Messages", "the document changed while its parts were read: start the run again."
             )
             raise InputProblem(text)
 
@@ -288,8 +289,8 @@ class Plan(StillParts):
     def reading(self):
         """The same in pieces: a generator that returns it. Between them the window may go on, and the
         document must not change (check_unchanged())."""
-        deflection = max(float(self.values["Deflection"]), 1e-4)
-        tolerance = float(self.values["Tolerance"])
+        deflection = max(float(self.values["MeshDeflection"]), 1e-4)
+        tolerance = float(self.values["Accuracy"])
         parts, ways, notes, names = [], [], [], self.names()
         for group in self.groups():
             yield
@@ -305,11 +306,11 @@ class Plan(StillParts):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "one part alone has no distance: add a second one that moves or stands still.",
+                    "only one part is given: add a second part, moving or standing still.",
                 )
             )
         options = {
-            "required": float(self.values["Required"]),
+            "required": float(self.values["RequiredDistance"]),
             "tolerance": tolerance,
             "range": float(self.values["Range"]),
         }

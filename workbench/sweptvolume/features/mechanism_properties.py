@@ -6,7 +6,7 @@ from . import clearance_properties
 from .neighbour_rules import PARTS_PROPERTY
 
 #: What it has as the clearance check has it.
-_SAME = ("Neighbours", "Required", "Tolerance", "Deflection", "RuleKinds")
+_SAME = ("Neighbours", "RequiredDistance", "Accuracy", "MeshDeflection", "RuleKinds")
 _GIVEN = {
     name: (kind, name, text, default) for kind, name, text, default in clearance_properties.INPUT
 }
@@ -14,14 +14,14 @@ _GIVEN = {
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
-        mark("Properties", "Parts that move, each with the motion of the same number"),
+        "MovingParts",
+        mark("Properties", "Parts that move, in the order of Motions"),
         None,
     ),
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark("Properties", "The motion of each of the moving parts, over common time"),
+        mark("Properties", "One motion for each of MovingParts, on a common time axis"),
         None,
     ),
     (
@@ -29,7 +29,7 @@ INPUT = [
         "AllVisible",
         mark(
             "Properties",
-            "Check the other visible parts as well, which stand still, instead of Neighbours",
+            "All other visible parts are neighbours that stand still, instead of Neighbours",
         ),
         False,
     ),
@@ -38,7 +38,8 @@ INPUT = [
         "Range",
         mark(
             "Properties",
-            "Pairs that come nearer than this are listed; 0: a tenth of the size of the parts",
+            "Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the "
+            "parts",
         ),
         0.0,
     ),
@@ -56,7 +57,8 @@ INPUT = [
         "RuleLengths",
         mark(
             "Properties",
-            "mm for each pair of RuleParts: the distance that it asks for, or how deep a contact may be",
+            "For each pair of RuleParts, in mm: its required distance, or how deep the parts may "
+            "overlap in allowed contact",
         ),
         None,
     ),
@@ -67,7 +69,7 @@ RESULT = [
     (
         "App::PropertyInteger",
         "Checked",
-        mark("Properties", "Pairs of parts that were checked, far ones as well"),
+        mark("Properties", "Number of pairs checked, including those beyond Range"),
         1,
     ),
 ]

@@ -66,8 +66,7 @@ def text(holder):
         return ""
     return translate(
         "Messages",
-        "{0} was deleted, and {1} is not whole without it: choose anew what is to be used ({2}), or undo "
-        "the deletion.",
+        "{0} was deleted, and {1} needs it: choose a replacement ({2}), or undo the deletion.",
     ).format(
         ", ".join('"{}"'.format(entry["label"]) for entry in found),
         '"{}"'.format(holder.Label),
@@ -88,6 +87,15 @@ def forget(holder, name=None):
     if found:
         kept = [entry for entry in found if name is not None and entry["property"] != name]
         _write(holder, kept)
+
+
+def rename(holder, names):
+    """Inputs have other names now, {old: new}."""
+    found = _read(holder)
+    for entry in found:
+        entry["property"] = names.get(entry["property"], entry["property"])
+    if found:
+        _write(holder, found)
 
 
 def changed(holder, name):

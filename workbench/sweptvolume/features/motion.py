@@ -132,7 +132,7 @@ def set_tangents(obj, tangents):
 
 def words(obj):
     """Texts that change with the way that the motion takes, for hashes."""
-    found = [obj.Interpolation, obj.Frame] + stored_poses.of(obj).words()
+    found = [obj.Interpolation, obj.PoseType] + stored_poses.of(obj).words()
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
     if obj.Pivot.Length and obj.Interpolation in PIVOTED:
@@ -151,7 +151,7 @@ def words_of_before(obj):
         raise InputProblem(
             "poses of a motion in a group that stands elsewhere were those of the world"
         )
-    found = [obj.Interpolation, obj.Frame, repr([round(t, 9) for t in obj.Times])]
+    found = [obj.Interpolation, obj.PoseType, repr([round(t, 9) for t in obj.Times])]
     for placement in obj.Placements:
         found.append(np.array2string(matrix_of(placement), precision=9))
     if obj.Interpolation == "Spline":
@@ -208,7 +208,7 @@ def motion_from_poses(document, times, placements, interpolation="Linear", frame
     obj = make_motion(document)
     store(obj, poses)
     obj.Interpolation = interpolation
-    obj.Frame = frame
+    obj.PoseType = frame
     return obj
 
 
@@ -230,7 +230,7 @@ def motion_from_source(document, kind, objects, interpolation="", frame="Absolut
 def _motion_of(document, settings, interpolation, frame):
     obj = motion_of_read(document, settings, moved_parts.read(document, settings))
     obj.Interpolation = interpolation
-    obj.Frame = frame
+    obj.PoseType = frame
     return obj
 
 

@@ -24,4 +24,4 @@ def from_world(obj, placement):
     """A pose of a motion (by its Frame) that is given as seen from the document."""
     container = container_of(obj)
     inside = container.inverse().multiply(placement)
-    return inside.multiply(container) if obj.Frame == "Relative" else inside
+    return inside.multiply(container) if obj.PoseType == "Relative" else inside

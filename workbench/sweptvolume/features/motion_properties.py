@@ -15,7 +15,7 @@ PROPERTIES = [
         "App::PropertyFloatList",
         "Times",
         "Motion",
-        mark("Properties", "Time of each pose (s), growing"),
+        mark("Properties", "Time of each pose (s), in ascending order"),
         None,
         0,
     ),
@@ -33,21 +33,23 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "What the part does between two poses. Linear: straight line and even turn. Screw: "
-            "one screw movement. Spline: smooth through all poses. None: it only stands at them",
+            "How the part moves between two poses. Linear: straight line at a constant rate of "
+            "turn. Screw: one screw movement. Spline: smooth curve through all poses. None: the "
+            "part only appears at the poses",
         ),
         list(INTERPOLATIONS),
         0,
     ),
-    ("App::PropertyEnumeration", "Frame", "Motion", FRAME_HELP, list(FRAMES), 0),
+    ("App::PropertyEnumeration", "PoseType", "Motion", FRAME_HELP, list(FRAMES), 0),
     (
         "App::PropertyVectorDistance",
         "Pivot",
         "Motion",
         mark(
             "Properties",
-            "Point that goes straight (Linear) or along the spline between two poses, in the "
-            "coordinates that a pose places: of the part where Frame is Absolute",
+            "Point of the part that moves along the straight line (Linear) or the curve (Spline) "
+            "between two poses. In coordinates of the part if PoseType is Absolute, else of the "
+            "document",
         ),
         None,
         0,
@@ -58,7 +60,7 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "Parts that this motion moves; the path editor shows the first of them",
+            "Parts that this motion moves; the motion editor shows the first one",
         ),
         None,
         0,
@@ -67,7 +69,7 @@ PROPERTIES = [
         "App::PropertyLinkListHidden",
         "MovedToo",
         "Motion",
-        mark("Properties", "What else the source of this motion moved when it was read"),
+        mark("Properties", "Other parts that the source moved when this motion was read"),
         None,
         READ_ONLY,
     ),
@@ -77,8 +79,8 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "Spline: what happens at each pose: Auto, Stop, Corner or Given (then by "
-            "Velocities); missing ones are Auto",
+            "Spline: the tangent at each pose. Auto: from the neighbouring poses. Stop, Corner, or "
+            "Given: from Velocities. Missing entries are Auto",
         ),
         None,
         0,
@@ -87,7 +89,7 @@ PROPERTIES = [
         "App::PropertyVectorList",
         "Velocities",
         "Motion",
-        mark("Properties", "Spline: velocity at each pose with the tangent Given (mm/s)"),
+        mark("Properties", "Spline: velocity at each pose whose tangent is Given (mm/s)"),
         None,
         0,
     ),
@@ -151,7 +153,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Status",
         "Result",
-        mark("Properties", "Whether the motion can be used"),
+        mark("Properties", "Empty if the motion can be used, else what is wrong"),
         None,
         READ_ONLY,
     ),
@@ -159,7 +161,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Message",
         "Result",
-        mark("Properties", "What is to be known of the poses as they were read"),
+        mark("Properties", "Remarks about the poses as they were read"),
         None,
         READ_ONLY,
     ),
@@ -186,13 +188,15 @@ _SETTINGS = {
     "count": (
         "App::PropertyInteger",
         "SourceCount",
-        mark("Properties", "Number of poses; along a path 0: as many as SourceAccuracy asks for"),
+        mark("Properties", "Number of poses; for a curve 0: as many as SourceAccuracy needs"),
         0,
     ),
     "accuracy": (
         "App::PropertyLength",
         "SourceAccuracy",
-        mark("Properties", "How far the straight way between two poses may leave the path"),
+        mark(
+            "Properties", "How far the straight line between two poses may deviate from the curve"
+        ),
         ACCURACY,
     ),
     "orientation": (
@@ -220,13 +224,13 @@ _SETTINGS = {
     "rapid": (
         "App::PropertySpeed",
         "SourceRapid",
-        mark("Properties", "Speed of G0"),
+        mark("Properties", "Rapid"),
         100.0,
     ),
     "convention": (
         "App::PropertyEnumeration",
-        "SourceConvention",
-        mark("Properties", "What the words A, B and C turn: the tool head, or the table"),
+        "SourceRotaryAxes",
+        mark("Properties", "What the words A, B and C rotate: the tool head or the table"),
         CONVENTIONS,
     ),
     "property": (

@@ -116,7 +116,7 @@ def _signature_of_before(obj):
         return "? {}".format(problem)
     container = container_of(obj)
     if found and obj.SourceType != "File" and not container.isIdentity():
-        relative = " relative" if obj.Frame == "Relative" else ""
+        relative = " relative" if obj.PoseType == "Relative" else ""
         found += " in " + contents.matrices(matrix_of(container)) + relative
     return found
 

@@ -27,7 +27,7 @@ def _in_world(motion, standing):
     """(poses, base): the poses of a motion seen from the document, and the frame in which they take a part
     that stands there."""
     poses = motion_feature.world_poses_of(motion)
-    base = base_of(poses, motion.Frame, standing, motion_feature.container_of(motion))
+    base = base_of(poses, motion.PoseType, standing, motion_feature.container_of(motion))
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
@@ -123,8 +123,8 @@ class Way:
         most, where = float(reach.max()), poses.times[1 + int(reach.argmax())]
         text = translate(
             "Messages",
-            'the frames of "{0}" lie far apart: near {1} s the part may leave its way between two of them '
-            "by about {2}. Read the motion with smaller steps.",
+            'the steps of "{0}" are large: near {1} s the part may deviate from its true motion by '
+            "about {2}. Read the motion with smaller steps.",
         ).format(self.label, number(where), quantity(most))
         return most, text
 
@@ -173,7 +173,7 @@ class Way:
 
 
 class Moving:
-    """Generators with one motion. reference: (root, sub) of a part that moves itself by
+    """Moving parts with one motion. reference: (root, sub) of a part that moves itself by
     reference_motion; the generators are then seen from it, where it stands now."""
 
     def __init__(self, pairs, motion, reference=None, reference_motion=None):
@@ -186,7 +186,9 @@ class Moving:
         """Raises InputProblem while something is missing."""
         if self.motion is None or not motion_feature.is_motion(self.motion):
             raise InputProblem(
-                translate("Messages", "no motion is given: make one with New motion and choose it.")
+                translate(
+                    "Messages", "there is no motion: make one with New motion, then choose it."
+                )
             )
         motion_feature.check_usable(self.motion)
         if not self.pairs:
@@ -194,14 +196,13 @@ class Moving:
         given = self.reference_motion
         if given is not None and not motion_feature.is_motion(given):
             raise InputProblem(
-                translate("Messages", '"{0}" is no motion: choose another one.').format(given.Label)
+                translate("Messages", '"{0}" is not a motion: choose a motion.').format(given.Label)
             )
         if given is None and self.reference is not None:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "a reference part is given, but no motion of it: choose its motion, or take the "
-                    "reference part away.",
+                    "the reference part has no motion: choose its motion, or clear the reference part.",
                 )
             )
         if given is not None:
@@ -210,7 +211,7 @@ class Moving:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "a motion of the reference is given, but no reference part: choose it as well.",
+                    "there is a reference motion but no reference part: choose the reference part as well.",
                 )
             )
 

@@ -50,13 +50,15 @@ def check(rule, label):
     """Raises InputProblem where a rule is impossible. label: whose."""
     if rule.kind not in KINDS:
         raise InputProblem(
-            translate("Messages", '"{0}": there is no rule "{1}".').format(label, rule.kind)
+            translate(
+                "Messages", '"{0}": there is no rule "{1}"; use Required, Contact or Ignore.'
+            ).format(label, rule.kind)
         )
     if rule.length is not None and not (math.isfinite(rule.length) and rule.length >= 0):
         raise InputProblem(
-            translate("Messages", '"{0}": a length of {1} mm is not possible in a rule.').format(
-                label, "{:g}".format(rule.length)
-            )
+            translate(
+                "Messages", '"{0}": a rule cannot have a length of {1} mm; enter 0 or more.'
+            ).format(label, "{:g}".format(rule.length))
         )
 
 
@@ -67,8 +69,8 @@ def read(obj):
         raise InputProblem(
             translate(
                 "Messages",
-                'the rules of "{0}" do not fit its parts ({1} parts, {2} kinds, {3} lengths): '
-                "give them anew.",
+                'the rules of "{0}" are inconsistent: {1} parts, {2} kinds and {3} lengths, which must '
+                "be equal in number. Enter the rules again.",
             ).format(obj.Label, len(pairs), len(obj.RuleKinds), len(obj.RuleLengths))
         )
     return checked(obj, zip(pairs, (convert.label_of(*pair) for pair in pairs)))
@@ -84,7 +86,7 @@ def checked(obj, parts):
         if kind == CONTACT and not rule.length:
             rule.length = None
         if part in rules and rules[part] != rule:
-            text = translate("Messages", 'two rules contradict each other for "{0}": keep one.')
+            text = translate("Messages", 'two rules for "{0}" contradict each other: remove one.')
             raise InputProblem(text.format(label))
         rules[part] = rule
     return rules

@@ -27,11 +27,14 @@ class Plan:
         """Plain values for work(). Raises InputProblem."""
         if len(self.pairs) < 2:
             raise InputProblem(
-                translate("Messages", "choose two or more parts, envelopes or solids to compare.")
+                translate(
+                    "Messages",
+                    "there is nothing to compare: choose two or more parts, envelopes or solids.",
+                )
             )
         for (root, sub), (other, path) in itertools.combinations(self.pairs, 2):
             if root is other and (sub.startswith(path) or path.startswith(sub)):
-                text = translate("Messages", '"{0}" holds "{1}": take one of them away.')
+                text = translate("Messages", '"{0}" contains "{1}": remove one of them.')
                 outer, inner = sorted((sub, path), key=len)
                 raise InputProblem(
                     text.format(convert.label_of(root, outer), convert.label_of(root, inner))

@@ -18,14 +18,14 @@ from .moving import Seen, middle_of
 
 #: mm; the budget in s, the largest turn in degrees.
 DEFAULTS = {
-    "Required": 1.0,
-    "Release": 20.0,
+    "RequiredDistance": 1.0,
+    "ReleaseDistance": 20.0,
     "TranslationOnly": False,
     "LargestTurn": 180.0,
     "Budget": 60.0,
     "Seed": 1,
-    "Tolerance": 0.01,
-    "Deflection": 0.05,
+    "Accuracy": 0.01,
+    "MeshDeflection": 0.05,
 }
 INTERPOLATION = "Linear"
 
@@ -66,17 +66,21 @@ class PathPlan:
             raise InputProblem(convert.no_part_text())
         if not self.neighbours:
             raise InputProblem(
-                translate("Messages", "no neighbour is given: choose parts or show some others.")
+                translate(
+                    "Messages", "there is no neighbour: choose parts, or make other parts visible."
+                )
             )
         if self.start is None and self.extract is None:
             raise InputProblem(
-                translate("Messages", "give a start, or how far the part is to get out.")
+                translate(
+                    "Messages", "there is no start: give a placement, a distance or a direction."
+                )
             )
 
     def request(self):
         """The search without a document; notes the pivot. Raises InputProblem."""
         self.check()
-        deflection = max(float(self.values["Deflection"]), 1e-4)
+        deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         body = convert.body_from(self.pairs, deflection)
         self.pivot = middle_of(self.pairs, body.placement)
         base = body.placement.multiply(shift_to(self.pivot))
@@ -99,13 +103,13 @@ class PathPlan:
     def _options(self, deflection):
         v = self.values
         return {
-            "clearance": float(v["Required"]),
-            "release": float(v["Release"]),
+            "clearance": float(v["RequiredDistance"]),
+            "release": float(v["ReleaseDistance"]),
             "translation_only": bool(v["TranslationOnly"]),
             "max_angle": None if v["LargestTurn"] >= 180.0 else math.radians(v["LargestTurn"]),
             "budget": float(v["Budget"]),
             "seed": int(v["Seed"]),
-            "tolerance": float(v["Tolerance"]),
+            "tolerance": float(v["Accuracy"]),
             "body_chord": still_parts.chord_of(self.pairs, deflection),
         }
 
@@ -161,7 +165,7 @@ def make(document, pairs, poses, label=None, interpolation=INTERPOLATION):
     """The motion of a path that was found."""
     obj = motion_feature.make_motion(document, label or label_for(pairs))
     motion_feature.store(obj, poses)
-    obj.Interpolation, obj.Frame = interpolation, "Absolute"
+    obj.Interpolation, obj.PoseType = interpolation, "Absolute"
     obj.Pivot = poses.pivot
     motion_feature.set_parts(obj, pairs)
     document.recompute([obj])

@@ -133,17 +133,17 @@ def step_text(step):
     if step["verdict"] == "found":
         length = quantities.quantity(step["length"])
         if step.get("clearance") is None:
-            return translate("Messages", "{0}, nothing in the way").format(length)
+            return translate("Messages", "{0}, no obstacles").format(length)
         return translate("Messages", "{0}, clearance {1}").format(
             length, quantities.quantity(step["clearance"])
         )
     blockers = step["escape"]["blockers"]
     if step["verdict"] == "no_translation":
-        return translate("Messages", "proven: no way without turning")
+        return translate("Messages", "proven: no path without turning")
     if not blockers:
         return step["summary"]
     names = ", ".join('"{}"'.format(name) for name in blockers[:MOST_NAMES])
-    return translate("Messages", "no way; came {0}, in the way: {1}").format(
+    return translate("Messages", "no path; blocked after {0} by {1}").format(
         quantities.quantity(step["escape"]["distance"]), names
     )
 
@@ -154,7 +154,8 @@ def told(report):
     if report["verdict"] == "no_order":
         lines.append(
             translate(
-                "Messages", "No order exists in which one part comes after the other: proven."
+                "Messages",
+                "There is no order in which the parts can be installed one after the other (proven).",
             )
         )
     for step in report["steps"]:

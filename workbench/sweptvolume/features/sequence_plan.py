@@ -5,14 +5,13 @@ searched for, and what stands still -> the input of the core as plain values.
 A part that is searched for belongs where it stands; its poses are placed by the middle of the part, as in
 path_plan."""
 import itertools
-import json
 import math
 
 from .. import contents, convert
 from ..convert import InputProblem, matrix_of
 from ..texts import translate
 from ..trajectory.poses import shift_to
-from . import mechanism_plan, pair_rules, path_plan, row_names, still_parts
+from . import mechanism_plan, pair_rules, path_plan, renamed, row_names, still_parts
 from .base import UP_TO_DATE
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
@@ -77,7 +76,7 @@ class Plan(mechanism_plan.Plan):
     of the stored report in the order of the parts, none where it is not that of the document as it is; known:
     hash of its inputs."""
 
-    SETTINGS = ("Required", "Release", "Tolerance", "Deflection")
+    SETTINGS = ("RequiredDistance", "ReleaseDistance", "Accuracy", "MeshDeflection")
 
     def __init__(self, document, pairs, motions, neighbours, all_visible, values, rules=None):
         super().__init__(document, pairs, motions, neighbours, all_visible, values, rules)
@@ -98,12 +97,14 @@ class Plan(mechanism_plan.Plan):
         if not self.pairs:
             raise InputProblem(
                 translate(
-                    "Messages", "no part is given: select the parts, then press Add selected."
+                    "Messages", "there is no part: select the parts, then press Add selected."
                 )
             )
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages", "{0} parts and {1} motions: give one motion for each part."
+                "Messages",
+                "the number of motions ({1}) is not that of the parts ({0}): give one motion for each "
+                "part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
@@ -116,7 +117,7 @@ class Plan(mechanism_plan.Plan):
             if motion.Interpolation == "None":
                 text = translate(
                     "Messages",
-                    '"{0}" only jumps from pose to pose: choose another interpolation, or let the way be '
+                    '"{0}" has the interpolation None: choose another interpolation, or let a path be '
                     "found.",
                 )
                 raise InputProblem(text.format(motion.Label))
@@ -130,7 +131,7 @@ class Plan(mechanism_plan.Plan):
             for pair, group in zip(self.pairs, self.groups()):
                 words += contents.words([pair]) if group is None else group.words()
             words += contents.words(beside) if beside else []
-            words.append(json.dumps(contents.steady(self.values), sort_keys=True))
+            words.append(renamed.hashed(contents.steady(self.values)))
             words.append(pair_rules.words(self.pair_rules))
             self._words = words
         return self._words
@@ -167,8 +168,8 @@ class Plan(mechanism_plan.Plan):
 
     def request(self):
         """The search as plain values. Raises InputProblem."""
-        deflection = max(float(self.values["Deflection"]), 1e-4)
-        straight = 0.5 * float(self.values["Tolerance"])
+        deflection = max(float(self.values["MeshDeflection"]), 1e-4)
+        straight = 0.5 * float(self.values["Accuracy"])
         names, rows, notes = self.names(), [], []
         for pair, group in zip(self.pairs, self.groups()):
             if group is None:
@@ -195,9 +196,9 @@ class Plan(mechanism_plan.Plan):
     def _options(self):
         v, s = self.values, self.search
         return {
-            "clearance": float(v["Required"]),
-            "release": float(v["Release"]),
-            "tolerance": float(v["Tolerance"]),
+            "clearance": float(v["RequiredDistance"]),
+            "release": float(v["ReleaseDistance"]),
+            "tolerance": float(v["Accuracy"]),
             "translation_only": bool(s["TranslationOnly"]),
             "max_angle": None if s["LargestTurn"] >= 180.0 else math.radians(s["LargestTurn"]),
             "interpolation": path_plan.INTERPOLATION.lower(),

@@ -4,34 +4,37 @@ one's."""
 from ..texts import mark
 from . import mechanism_properties, path_plan
 
-_SAME = ("Neighbours", "AllVisible", "Tolerance", "Deflection")
+_SAME = ("Neighbours", "AllVisible", "Accuracy", "MeshDeflection")
 _SAME += ("RuleParts", "RuleKinds", "RuleLengths")
 _GIVEN = {row[1]: row for row in mechanism_properties.INPUT}
 
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
-        mark("Properties", "Parts in the order in which they are installed"),
+        "MovingParts",
+        mark("Properties", "Parts, in the order in which they are installed"),
         None,
     ),
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark("Properties", "The motion of each of the parts, which ends where the part belongs"),
+        mark("Properties", "One motion for each part, which ends at its installed position"),
         None,
     ),
     (
         "App::PropertyLength",
-        "Required",
-        mark("Properties", "Clearance from all that is there when a part comes"),
-        path_plan.DEFAULTS["Required"],
+        "RequiredDistance",
+        mark("Properties", "Distance that each part must keep from everything already in place"),
+        path_plan.DEFAULTS["RequiredDistance"],
     ),
     (
         "App::PropertyLength",
-        "Release",
-        mark("Properties", "So far from its ends a part may touch what it touches there"),
-        path_plan.DEFAULTS["Release"],
+        "ReleaseDistance",
+        mark(
+            "Properties",
+            "Within this distance of its start and end, a part may touch what it touches there",
+        ),
+        path_plan.DEFAULTS["ReleaseDistance"],
     ),
 ] + [_GIVEN[name] for name in _SAME]
 RESULT = [row for row in mechanism_properties.RESULT if row[1] != "Checked"] + [

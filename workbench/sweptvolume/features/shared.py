@@ -91,21 +91,21 @@ class Plan:
 
     @classmethod
     def of(cls, obj):
-        sides = convert.pairs_of(obj.Generators), convert.pairs_of(obj.Neighbours)
+        sides = convert.pairs_of(obj.MovingParts), convert.pairs_of(obj.Neighbours)
         motions = obj.Motion, obj.NeighbourMotion
-        plan = cls(obj.Document, *sides, motions, obj.Time, obj.Deflection.Value)
+        plan = cls(obj.Document, *sides, motions, obj.Time, obj.MeshDeflection.Value)
         plan.lost = missing.text(obj)
         return plan
 
     def write(self, obj):
         """Puts the plan into an object."""
         missing.forget(obj)
-        containers.set_pairs(obj, "Generators", self.sides[0])
+        containers.set_pairs(obj, "MovingParts", self.sides[0])
         containers.set_pairs(obj, "Neighbours", self.sides[1])
         set_changed(obj, "Motion", self.motions[0])
         set_changed(obj, "NeighbourMotion", self.motions[1])
         set_changed(obj, "Time", self.time)
-        set_changed(obj, "Deflection", self.deflection)
+        set_changed(obj, "MeshDeflection", self.deflection)
 
     def pairs(self):
         """(root, sub) of both sides."""
@@ -134,7 +134,7 @@ class Plan:
                 moves = motion is not None
                 words += Moving(side, motion).words() if moves else contents.words(side)
                 words.append("|")
-            settings = {"Time": self.time, "Deflection": self.deflection}
+            settings = {"Time": self.time, "MeshDeflection": self.deflection}
             words.append(json.dumps(contents.steady(settings), sort_keys=True))
             self._words = words
         return self._words
@@ -148,12 +148,14 @@ class Plan:
             raise InputProblem(self.lost)
         if not all(self.sides):
             raise InputProblem(
-                translate("Messages", "two sides are needed: choose two parts or envelopes.")
+                translate(
+                    "Messages", "a shared volume needs two sides: choose two parts or envelopes."
+                )
             )
         for pair in self.sides[0]:
             if pair in self.sides[1]:
                 text = translate(
-                    "Messages", '"{0}" is on both sides: it shares all of itself with itself.'
+                    "Messages", '"{0}" is on both sides: choose another object for one of them.'
                 )
                 raise InputProblem(text.format(convert.label_of(*pair)))
 
@@ -209,7 +211,7 @@ def notes_of(obj):
     """What is to be said of the stored result."""
     if not obj.InputHash or obj.Mesh.CountFacets:
         return ""
-    text = translate("Messages", "They share no space; the smallest distance is {0}.")
+    text = translate("Messages", "They share no volume; the smallest distance is {0}.")
     return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
 
 
@@ -254,7 +256,7 @@ def make_shared(document, first=(), second=(), label=None, **settings):
     obj = document.addObject(TYPE, "SharedVolume")
     Shared(obj)
     obj.Label = label or translate("Messages", "Shared volume")
-    containers.set_pairs(obj, "Generators", list(first))
+    containers.set_pairs(obj, "MovingParts", list(first))
     containers.set_pairs(obj, "Neighbours", list(second))
     for name, value in settings.items():
         setattr(obj, name, value)

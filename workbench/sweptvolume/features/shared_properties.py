@@ -9,9 +9,9 @@ from .envelope_properties import PLACED
 INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
-        "Generators",
+        "MovingParts",
         "Input",
-        mark("Properties", "Parts, envelopes or other reserved spaces: the one side"),
+        mark("Properties", "First side: parts, envelopes or other reserved spaces"),
         None,
         0,
     ),
@@ -19,7 +19,7 @@ INPUT = [
         "App::PropertyLinkSubListGlobal",
         "Neighbours",
         "Input",
-        mark("Properties", "Parts, envelopes or other reserved spaces: the other side"),
+        mark("Properties", "Second side: parts, envelopes or other reserved spaces"),
         None,
         0,
     ),
@@ -27,7 +27,7 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "Motion",
         "Input",
-        mark("Properties", "Motion that puts the one side where it is at Time; none: it stands"),
+        mark("Properties", "Motion that moves the first side; none: it stands still"),
         None,
         0,
     ),
@@ -35,16 +35,23 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "NeighbourMotion",
         "Input",
-        mark("Properties", "Motion that puts the other side where it is at Time; none: it stands"),
+        mark("Properties", "Motion that moves the second side; none: it stands still"),
         None,
         0,
     ),
-    ("App::PropertyFloat", "Time", "Input", mark("Properties", "Time of the motions (s)"), 0.0, 0),
+    (
+        "App::PropertyFloat",
+        "Time",
+        "Input",
+        mark("Properties", "Time at which both sides are compared (s)"),
+        0.0,
+        0,
+    ),
     (
         "App::PropertyLength",
-        "Deflection",
+        "MeshDeflection",
         "Input",
-        mark("Properties", "How far the triangles of solids may leave them"),
+        mark("Properties", "How far the triangles of solids may deviate from them"),
         0.05,
         0,
     ),
@@ -53,24 +60,24 @@ RESULT = [
     (kind, name, "Result", text, None, READ_ONLY)
     for kind, name, text in (
         ("App::PropertyString", "Status", mark("Properties", "Whether the result is current")),
-        ("App::PropertyString", "Message", mark("Properties", "What is to be said of the result")),
+        ("App::PropertyString", "Message", mark("Properties", "Remarks about the result")),
         ("App::PropertyVolume", "Volume", mark("Properties", "Volume that both share")),
         (
             "App::PropertyLength",
             "Distance",
-            mark("Properties", "Smallest distance where they share nothing"),
+            mark("Properties", "Smallest distance, if they share no volume"),
         ),
         (
             "App::PropertyLength",
             "Depth",
-            mark("Properties", "How deep a point of one lies inside the other"),
+            mark("Properties", "How deep one side penetrates the other"),
         ),
     )
 ] + [
     ("App::PropertyString", name, "Result", text, None, HIDDEN)
     for name, text in (
         ("InputHash", mark("Properties", "Inputs of the stored result")),
-        ("TriedHash", mark("Properties", "Inputs of the last run that gave nothing")),
+        ("TriedHash", mark("Properties", "Inputs of the last run that failed")),
         (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
     )
 ]

@@ -133,11 +133,7 @@ def _words(source, wanted):
 
 def _check_source(source):
     if source is None or not can_be_source(source):
-        raise InputProblem(
-            translate(
-                "Messages", "compute the envelope first: there is no mesh to make a solid of."
-            )
-        )
+        raise InputProblem(translate("Messages", "the envelope has no mesh yet: compute it first."))
 
 
 def update_status(obj):
@@ -162,8 +158,8 @@ def notes_of(obj):
         return ""
     return translate(
         "Messages",
-        "the largest tolerance of an edge is {0}, more than the {1} by which the solid leaves the mesh: its "
-        "faces meet no nearer there. A smaller Tolerance gives more faces that fit better.",
+        "at one edge the faces of the solid have a gap of {0}, more than its deviation of {1} "
+        "from the mesh. A smaller Tolerance gives more faces and smaller gaps.",
     ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
 
 
@@ -184,8 +180,8 @@ class Request:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the envelope is conservative, and a solid with a tolerance could cut into the swept "
-                    "volume: set the solid's Tolerance to 0.",
+                    "the envelope is conservative, but a solid with a tolerance could cut into the swept "
+                    "volume: set the Tolerance of the solid to 0.",
                 )
             )
         return Request(self.vertices, self.triangles, self.name, self.exact, wanted)

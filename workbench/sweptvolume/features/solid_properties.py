@@ -12,7 +12,7 @@ PROPERTIES = [
         "App::PropertyLinkGlobal",
         "Source",
         "Solid",
-        mark("Properties", "Envelope (or any closed mesh) of which this is the solid"),
+        mark("Properties", "Envelope or other closed mesh that is converted to a solid"),
         None,
         0,
     ),
@@ -20,7 +20,7 @@ PROPERTIES = [
         "App::PropertyBool",
         "MergeCoplanar",
         "Solid",
-        mark("Properties", "Flat regions become single faces"),
+        mark("Properties", "Merge coplanar"),
         True,
         0,
     ),
@@ -28,7 +28,11 @@ PROPERTIES = [
         "App::PropertyInteger",
         "MaxFaces",
         "Solid",
-        mark("Properties", "At most this many faces; without a Tolerance it is chosen so"),
+        mark(
+            "Properties",
+            "Largest number of faces; if Tolerance is 0, the smallest tolerance that stays within "
+            "it is chosen",
+        ),
         MAX_FACES,
         0,
     ),
@@ -38,8 +42,9 @@ PROPERTIES = [
         "Solid",
         mark(
             "Properties",
-            "The solid may leave the mesh by this: cylinders, spheres and the like are found, "
-            "the rest is simplified. 0: exact, unless MaxFaces asks for more",
+            "How far the solid may deviate from the mesh. Within it, cylinders, spheres and other "
+            "surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces needs "
+            "a tolerance",
         ),
         0.0,
         0,
@@ -58,7 +63,7 @@ PROPERTIES = [
         "Result",
         mark(
             "Properties",
-            "Largest tolerance of an edge of the solid: its faces meet within it",
+            "Largest gap between two faces that share an edge",
         ),
         None,
         READ_ONLY,
@@ -107,7 +112,7 @@ PROPERTIES = [
         "App::PropertyString",
         "TriedHash",
         "Result",
-        mark("Properties", "Inputs of the last run that gave nothing"),
+        mark("Properties", "Inputs of the last run that failed"),
         None,
         HIDDEN,
     ),

@@ -9,7 +9,7 @@ from . import envelope as envelope_feature
 from .base import kind_of
 
 
-#: How much coarser than for distances solids are where they are only looked at.
+#: Solids that are only drawn, not measured, are meshed with this many times the mesh deflection.
 DRAWN = 4
 #: Kinds of results that stand in the document as parts do.
 _RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
@@ -58,7 +58,7 @@ def left_out_text(problem):
 
 def no_neighbour():
     return InputProblem(
-        translate("Messages", "no neighbour is given: choose parts or show some others.")
+        translate("Messages", "there is no neighbour: choose parts, or make other parts visible.")
     )
 
 
@@ -135,7 +135,7 @@ class StillParts:
 
     def seen_deflection(self):
         """mm, how far the triangles of solids may leave them in pictures."""
-        return DRAWN * max(float(self.values["Deflection"]), 0.05)
+        return DRAWN * max(float(self.values["MeshDeflection"]), 0.05)
 
     def left_out(self):
         """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""
@@ -151,8 +151,8 @@ class StillParts:
         return [
             translate(
                 "Messages",
-                "Left out: {0} (envelopes and their solids are checked where they are chosen as "
-                "neighbours).",
+                "Left out: {0}. Envelopes and their solids are only checked if you choose them as "
+                "neighbours.",
             ).format(", ".join('"{}"'.format(label) for label in labels))
         ]
 
@@ -167,7 +167,7 @@ class StillParts:
             return InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" is chosen as a neighbour and is a moving part itself: choose another one.',
+                    '"{0}" is both a neighbour and a moving part: remove it from one of the lists.',
                 ).format(label)
             )
         return convert.holds_nothing(root, sub)

@@ -70,7 +70,9 @@ class Run:
 
 def _one_motion(label):
     text = translate(
-        "Messages", 'the parts of "{0}" have motions of their own: a run of a study has one motion.'
+        "Messages",
+        'the parts of "{0}" have individual motions, but a run of a study has one motion: '
+        'leave "{0}" out, or give its parts one motion.',
     )
     return InputProblem(text.format(label))
 
@@ -88,7 +90,8 @@ def run_of(name, source, plan):
     given = requests[0].options
     if given["components"] != "consistent":
         text = translate(
-            "Messages", '"{0}": a study knows only consistent components (property Components).'
+            "Messages",
+            '"{0}": studies support only the value Consistent of the property Components.',
         )
         raise InputProblem(text.format(source.Label))
     own = {key: given[key] for key in _OPTIONS if given[key]}

@@ -13,7 +13,11 @@ from ..trajectory.poses import INTERPOLATIONS
 from . import clearance, envelope, motion, neighbour_rules
 
 #: Options of a run -> properties; lengths in mm.
-_CLEARANCE = {"required": "Required", "tolerance": "Tolerance", "deflection": "Deflection"}
+_CLEARANCE = {
+    "required": "RequiredDistance",
+    "tolerance": "Accuracy",
+    "deflection": "MeshDeflection",
+}
 _ENVELOPE = {
     "resolution": "Resolution",
     "cell": "CellSize",
@@ -67,11 +71,11 @@ class Taken:
         made = clearance.make_clearance(
             document,
             self.run.name,
-            Generators=[(body, "")],
+            MovingParts=[(body, "")],
             Motion=path,
             Neighbours=[(obj, "") for obj, _ in found],
             AllVisible=False,
-            Required=0.0,
+            RequiredDistance=0.0,
         )
         self._set(made, _CLEARANCE, "clearance")
         rules = {(obj, ""): neighbour_rules.from_text(rule) for obj, rule in found}
@@ -92,5 +96,7 @@ class Taken:
 
 def problem_text(name):
     """What is said of a run that the study file does not have any more."""
-    text = translate("Messages", 'the study file has no run "{0}" any more: run the study again.')
+    text = translate(
+        "Messages", 'the study file no longer contains the run "{0}": run the study again.'
+    )
     return text.format(name)

@@ -94,7 +94,7 @@ class Plan:
             if not self.file:
                 text = translate(
                     "Messages",
-                    "no runs are given: choose a study file, or envelopes and clearance checks.",
+                    "the study has no runs: choose a study file, or envelopes and clearance checks.",
                 )
                 raise InputProblem(text)
             return self.file, self.folder
@@ -102,7 +102,10 @@ class Plan:
         if not folder:
             path = self.document.FileName
             if not path:
-                text = translate("Messages", "save the document first, or choose a folder.")
+                text = translate(
+                    "Messages",
+                    "there is no folder for the results: save the document first, or choose a folder.",
+                )
                 raise InputProblem(text)
             folder = os.path.splitext(path)[0] + "-study"
         return os.path.join(folder, "study.toml"), os.path.join(folder, "results")

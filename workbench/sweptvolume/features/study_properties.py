@@ -8,7 +8,10 @@ INPUT = [
     (
         "App::PropertyFile",
         "File",
-        mark("Properties", "Study file (TOML) with the runs, where they are not those of Sources"),
+        mark(
+            "Properties",
+            "Study file (TOML) that lists the runs; empty: the runs are those of Sources",
+        ),
         "",
     ),
     (

@@ -64,14 +64,15 @@ class ResultPanel(StayingPanel):
             translate("Panels", self.NAME),
             translate("Panels", "Verdict"),
             self.unit,
-            translate("Panels", "at s"),
-            "{}\n{}".format(translate("Panels", "depth"), self.unit),
+            "{}\ns".format(translate("Panels", "Time")),
+            "{}\n{}".format(translate("Panels", "Depth"), self.unit),
         )
         self.table = VerdictTable("SweptVolumeClearanceTable", heads)
         self.table.horizontalHeaderItem(2).setToolTip(
             translate(
                 "Panels",
-                "Between the meshes; the line above has taken off how far these may leave the parts",
+                "Measured between the meshes. The line above subtracts how far the meshes may deviate "
+                "from the parts",
             )
         )
         font = self.table.font()
@@ -119,15 +120,15 @@ class ResultPanel(StayingPanel):
             widgets.hint(QtWidgets.QPushButton(text), tip)
             for text, tip in (
                 (
-                    translate("Panels", "Place &before"),
-                    translate("Panels", "Back to the place that is worse than this one"),
+                    translate("Panels", "Pre&vious place"),
+                    translate("Panels", "Goes back to the place that is worse than this one"),
                 ),
                 (
                     translate("Panels", "&Next worst place"),
                     translate(
                         "Panels",
-                        "Goes through the places from the worst on: clashes, the deepest first, then what is "
-                        "nearest",
+                        "Goes through the places, the worst first: clashes by depth, then the others by "
+                        "distance",
                     ),
                 ),
             )
@@ -148,7 +149,7 @@ class ResultPanel(StayingPanel):
         self.whole, self.report = report, self.rows_of(report)
         text = self.TABLE.summary(report)
         if self.obj.Status != clearance.UP_TO_DATE:
-            text = translate("Panels", "{0} (stale: check again)").format(text)
+            text = translate("Panels", "{0} (stale: run the check again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
         if self.obj.Message:
             widgets.show_message(self.message, self.obj.Message)

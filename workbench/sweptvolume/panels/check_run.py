@@ -51,7 +51,7 @@ class CheckRun:
         listed = self.asked.pairs + [pair for pair in found if pair not in self.asked.pairs]
         self.asked.show_pairs(listed, {**rules, **found})
         if not found:
-            text = translate("Panels", "Nothing touches at the first pose.")
+            text = translate("Panels", "No parts are in contact at the first pose.")
         else:
             told = [
                 "{} ({})".format(self.label_of(pair), quantities.quantity(rule.length, 3))
@@ -59,7 +59,9 @@ class CheckRun:
                 else self.label_of(pair)
                 for pair, rule in found.items()
             ]
-            text = translate("Panels", "Contact allowed, where it is meant: {0}")
+            text = translate(
+                "Panels", "Contact is now allowed for these; check that it is intended: {0}"
+            )
             text = text.format(", ".join(told))
         widgets.show_message(self.message, text)
 

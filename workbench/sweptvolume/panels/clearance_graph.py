@@ -14,7 +14,8 @@ COLOURS = ("#1f77b4", "#d95f02", "#2ca02c", "#9467bd", "#8c564b", "#17becf", "#7
 #: The colour of all lines after those; they have no name at the side.
 OTHERS = "#609a9a9a"
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 8, 30
-#: The scale bends at the smallest distance asked for over BEND; without one at a SHARE of the largest.
+#: The scale changes from linear to logarithmic at the smallest required distance divided by BEND, or
+#: without a required distance at the largest distance divided by SHARE.
 BEND, SHARE, ABOVE = 1.5, 20.0, 1.2
 #: Pixels: between two numbers beside the scale; from a line to the mouse that points at it.
 TICK_GAP, NEAR = 15, 7
@@ -127,7 +128,7 @@ class DistanceGraph(QtWidgets.QWidget):
         painter = QtGui.QPainter(self)
         if not self.order:
             painter.setPen(self._ink())
-            text = translate("Panels", "No curve yet: check first.")
+            text = translate("Panels", "No graph yet: run the check first.")
             painter.drawText(self.rect(), QtCore.Qt.AlignCenter, text)
             painter.end()
             return

@@ -16,7 +16,7 @@ from .rules_table import RulesTable
 from .tasks import ClearanceTask, FirstContactsTask
 from .widgets import QtWidgets
 
-DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05}
+DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05}
 
 
 class ClearancePanel(CheckRun, ResultPanel):
@@ -75,8 +75,9 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
         rows.addRow(translate("Panels", "Moving parts"), self.moving)
         rows.addRow(translate("Panels", "Motion"), self.path)
-        self.all = QtWidgets.QCheckBox(translate("Panels", "All other visible parts"))
+        self.all = QtWidgets.QCheckBox(translate("Panels", "All visible"))
         self.all.setChecked(bool(all_visible))
+        widgets.hint(self.all, translate("Panels", "All other visible parts are neighbours"))
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
         self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
@@ -85,11 +86,11 @@ class ClearancePanel(CheckRun, ResultPanel):
         rows.addRow(self.chosen)
         rows.addRow(self.take)
         self._build_rules(rows)
-        self.required = widgets.length(values["Required"], 0.0, 0.5)
-        self.tolerance = widgets.length(values["Tolerance"], 1e-6, 0.01)
-        self.deflection = widgets.length(values["Deflection"], 1e-4, 0.01)
+        self.required = widgets.length(values["RequiredDistance"], 0.0, 0.5)
+        self.tolerance = widgets.length(values["Accuracy"], 1e-6, 0.01)
+        self.deflection = widgets.length(values["MeshDeflection"], 1e-4, 0.01)
         rows.addRow(translate("Panels", "Required distance"), self.required)
-        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
+        rows.addRow(translate("Panels", "Accuracy"), self.tolerance)
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheck")
@@ -101,12 +102,12 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.source.currentIndexChanged.connect(lambda *ignored: self._show_neighbours())
 
     def _build_rules(self, rows):
-        self.asked = RulesTable("SweptVolumeRules", translate("Panels", "length"), height=130)
+        self.asked = RulesTable("SweptVolumeRules", translate("Panels", "Distance"), height=130)
         self.touching = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Allow what &touches at first")),
+            QtWidgets.QPushButton(translate("Panels", "Allow initial con&tacts")),
             translate(
                 "Panels",
-                "What the moving parts touch at the first pose of the motion may be touched at any time",
+                "Allows contact with the neighbours that the moving parts touch at the first pose",
             ),
         )
         self.touching.setObjectName("SweptVolumeTouching")
@@ -132,9 +133,9 @@ class ClearancePanel(CheckRun, ResultPanel):
         elif self.path.currentData():
             path = self.document.getObject(self.path.currentData())
         values = {
-            "Required": float(self.required.property("rawValue")),
-            "Tolerance": float(self.tolerance.property("rawValue")),
-            "Deflection": float(self.deflection.property("rawValue")),
+            "RequiredDistance": float(self.required.property("rawValue")),
+            "Accuracy": float(self.tolerance.property("rawValue")),
+            "MeshDeflection": float(self.deflection.property("rawValue")),
         }
         chosen, every = self.neighbours, self.all.isChecked()
         plan = clearance.Plan(self.document, pairs, path, chosen, every, values, envelope)
@@ -167,7 +168,7 @@ class ClearancePanel(CheckRun, ResultPanel):
     def taken(self, plan):
         self.rules = plan.rules
         Gui.Selection.clearSelection()  # its green would hide the colours
-        self.required_band.setProperty("rawValue", self.obj.Required.Value)
+        self.required_band.setProperty("rawValue", self.obj.RequiredDistance.Value)
 
 
 def show(document, **given):

@@ -21,9 +21,9 @@ class ResultPanel(played_result.PlayedPanel):
     def build_more(self, rows):
         self.build_played(rows)
         self.cut_away = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Keep volume to be cut awa&y")),
+            QtWidgets.QPushButton(translate("Panels", "Keep volume to cut awa&y")),
             translate(
-                "Panels", "Makes a body of what the envelope shares with the part of the row"
+                "Panels", "Makes a shared volume of the envelope and the part of the chosen row"
             ),
         )
         self.cut_away.setObjectName("SweptVolumeKeepCut")
@@ -85,7 +85,9 @@ class ResultPanel(played_result.PlayedPanel):
         plan, time = clearance.Plan.of(self.obj), self.report["neighbours"][index]["time_seconds"]
         if plan.moving().reference is not None:
             text = translate(
-                "Messages", "parts that are seen from another one have no place in the document."
+                "Messages",
+                "the envelope is relative to a moving part, so its clash volume has no place in the "
+                "document: check without a reference part.",
             )
             raise InputProblem(text)
         sides = plan.pairs, [self._neighbour(plan, index)]
@@ -100,7 +102,7 @@ class ResultPanel(played_result.PlayedPanel):
     def _shared(self, plan, sides, motions, time):
         if None in sides[1]:
             raise gone()
-        return shared.Plan(self.document, *sides, motions, time, plan.values["Deflection"])
+        return shared.Plan(self.document, *sides, motions, time, plan.values["MeshDeflection"])
 
     def _view(self):
         return self.obj.ViewObject.Proxy
@@ -118,7 +120,7 @@ class ResultPanel(played_result.PlayedPanel):
         texts = (
             translate("Panels", "clash: inside"),
             translate("Panels", "contact: up to"),
-            translate("Panels", "too near: up to"),
+            translate("Panels", "below required: up to"),
             translate("Panels", "clear: beyond"),
         )
         fields = (None, self.contact_band, self.required_band, None)
@@ -157,7 +159,9 @@ class ResultPanel(played_result.PlayedPanel):
                 self.hidden = envelope
             envelope.ViewObject.Visibility = False
         else:
-            text = translate("Panels", "The envelope has changed since the check: check again.")
+            text = translate(
+                "Panels", "The envelope has changed since the check: run the check again."
+            )
             widgets.show_message(self.message, text)
 
     def standing_rows(self):

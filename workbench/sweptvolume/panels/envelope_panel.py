@@ -97,7 +97,7 @@ class EnvelopePanel(StartPanel):
         self.by = widgets.choice(
             ["Resolution", "CellSize"],
             "CellSize" if values["CellSize"] > 0 else "Resolution",
-            [translate("Panels", "Number of cells"), translate("Panels", "Cell size")],
+            [translate("Panels", "Resolution"), translate("Panels", "Cell size")],
         )
         self.resolution = QtWidgets.QSpinBox()
         self.resolution.setRange(0, MOST_TYPED)
@@ -105,7 +105,7 @@ class EnvelopePanel(StartPanel):
         self.resolution.setGroupSeparatorShown(True)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
-        tip = translate("Panels", "Cells along the longest side of the sweep")
+        tip = translate("Panels", "Cells along the longest side of the swept volume")
         widgets.hint(self.resolution, tip)
         self.quality = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.quality.setObjectName("SweptVolumeQuality")
@@ -113,28 +113,39 @@ class EnvelopePanel(StartPanel):
         self.quality.setPageStep(1)
         self.quality.setTickPosition(QtWidgets.QSlider.TicksBelow)
         widgets.hint(
-            self.quality, translate("Panels", "Left coarse and quick, right fine and slow")
+            self.quality,
+            translate("Panels", "Coarse and fast on the left, fine and slow on the right"),
         )
         self.cell = widgets.length(values["CellSize"] or 1.0)
         self.tolerance = widgets.length(values["Tolerance"])
         self.offset = widgets.length(values["Offset"])
         widgets.hint(
-            self.tolerance, translate("Panels", "Largest deviation by simplification; 0: none")
+            self.tolerance,
+            translate(
+                "Panels", "How far simplification may move the surface; 0: no simplification"
+            ),
         )
-        widgets.hint(self.offset, translate("Panels", "Safety distance around the swept volume"))
-        rows.addRow(translate("Panels", "Given by"), self.by)
-        rows.addRow(translate("Panels", "Cells"), self.resolution)
+        widgets.hint(
+            self.offset, translate("Panels", "Grows the envelope by this distance on all sides")
+        )
+        rows.addRow(translate("Panels", "Set cell size by"), self.by)
+        rows.addRow(translate("Panels", "Resolution"), self.resolution)
         rows.addRow(translate("Panels", "Quality"), self.quality)
         rows.addRow(translate("Panels", "Cell size"), self.cell)
         self.estimate_label = QtWidgets.QLabel()
         self.estimate_label.setWordWrap(True)
         rows.addRow(self.estimate_label)
-        rows.addRow(translate("Panels", "Simplification"), self.tolerance)
+        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
         rows.addRow(translate("Panels", "Offset"), self.offset)
-        self.conservative = QtWidgets.QCheckBox(translate("Panels", "Contain the sweep provably"))
+        self.conservative = QtWidgets.QCheckBox(translate("Panels", "Conservative"))
         self.conservative.setChecked(values["Conservative"])
-        self.cavities = QtWidgets.QCheckBox(translate("Panels", "Keep enclosed cavities"))
+        widgets.hint(
+            self.conservative,
+            translate("Panels", "Grows the envelope until it provably contains the swept volume"),
+        )
+        self.cavities = QtWidgets.QCheckBox(translate("Panels", "Keep cavities"))
         self.cavities.setChecked(values["KeepCavities"])
+        widgets.hint(self.cavities, translate("Panels", "Keeps enclosed cavities as inner shells"))
         rows.addRow(self.conservative)
         rows.addRow(self.cavities)
         self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
@@ -153,8 +164,8 @@ class EnvelopePanel(StartPanel):
             self.filter,
             translate(
                 "Panels",
-                "For recordings of very many poses: leaves out those that move no point farther than "
-                "this from the last one kept; 0: uses all",
+                "For recordings of very many poses: skips a pose if no point of the part has moved "
+                "farther than this since the last pose used; 0: uses all",
             ),
         )
         rows.addRow(translate("Panels", "Components"), self.components)
@@ -166,11 +177,11 @@ class EnvelopePanel(StartPanel):
             self.made_by,
             translate(
                 "Panels",
-                "Remembers which face or edge of which part made each place, and when, for "
-                '"What made this?"; in the document it takes room',
+                'Records which face or edge of which part made each triangle, and when, for "What made '
+                'this?". Stored in the document, it makes the file larger',
             ),
         )
-        rows.addRow(translate("Panels", "What made it"), self.made_by)
+        rows.addRow(translate("Panels", "Made by"), self.made_by)
 
     def _connect(self):
         self.by.currentIndexChanged.connect(self._accuracy_changed)
@@ -243,7 +254,7 @@ class EnvelopePanel(StartPanel):
         if reading.first(
             self.document, self._words, id(self.form), lambda: self._read(self._changed)
         ):
-            text = translate("Panels", "The parts are being read ...")
+            text = translate("Panels", "Reading the parts ...")
             widgets.show_message(self.estimate_label, text)
             return
         self.estimate()
@@ -298,7 +309,8 @@ class EnvelopePanel(StartPanel):
         text = self._grid_text(found) + more.format(*took)
         if found.get("useful_filter"):
             hint = translate(
-                "Panels", "A position filter of {0} would leave out most poses and be much quicker."
+                "Panels",
+                "Most poses are nearly equal: a position filter of {0} skips them and is much faster.",
             )
             text += "\n" + hint.format(quantities.quantity(found["useful_filter"]))
         self._show_estimate(text)
@@ -321,7 +333,7 @@ class EnvelopePanel(StartPanel):
         if motion is None or len(motion.Placements) != 1:
             return ""
         return "\n" + translate(
-            "Panels", "The motion has one key: the parts do not move. Add another."
+            "Panels", "The motion has only one key, so the parts do not move: add another key."
         )
 
     # --- run

@@ -36,13 +36,13 @@ class FilePanel:
         rows.addRow(line)
         self.unit = widgets.choice(UNITS, obj.SourceUnit if obj else "mm")
         self.unit.setObjectName("SweptVolumeUnit")
-        now = (obj.Interpolation, obj.Frame) if obj else ("Linear", "Absolute")
+        now = (obj.Interpolation, obj.PoseType) if obj else ("Linear", "Absolute")
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
-        rows.addRow(translate("Panels", "Unit of length"), self.unit)
-        rows.addRow(translate("Panels", "Between poses"), self.interpolation)
-        rows.addRow(translate("Panels", "A pose is"), self.frame)
+        rows.addRow(translate("Panels", "Unit"), self.unit)
+        rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
+        rows.addRow(translate("Panels", "Pose type"), self.frame)
         self.message = widgets.message_label()
         layout.addWidget(self.message)
         layout.addStretch(1)
@@ -62,7 +62,7 @@ class FilePanel:
         poses = csv_file.read(self.path.text(), self.unit.currentData())
         points = pose_arrays(poses.placements)[0]
         size = points.max(axis=0) - points.min(axis=0)
-        text = translate("Panels", "{0} poses, {1} to {2} s, moving {3} x {4} x {5}")
+        text = translate("Panels", "{0} poses, {1} to {2} s, travel {3} x {4} x {5}")
         widgets.show_message(
             self.message,
             text.format(
@@ -84,7 +84,7 @@ class FilePanel:
                 self.document.recompute([obj])
             else:
                 self.obj.SourceFile, self.obj.SourceUnit = given
-                self.obj.Interpolation, self.obj.Frame = rules
+                self.obj.Interpolation, self.obj.PoseType = rules
                 motion.reload_source(self.obj)
                 self.document.recompute()
         Gui.Control.closeDialog()

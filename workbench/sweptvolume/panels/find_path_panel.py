@@ -36,7 +36,7 @@ class FindPathPanel(SearchPanel):
     # --- building
 
     def build_way(self):
-        rows = widgets.group(translate("Panels", "Way of the part"), self.layout)
+        rows = widgets.group(translate("Panels", "Start and goal"), self.layout)
         self.part = QtWidgets.QLabel(self.part_text())
         self.part.setWordWrap(True)
         pick = QtWidgets.QPushButton(translate("Panels", "&Pick"))
@@ -51,8 +51,8 @@ class FindPathPanel(SearchPanel):
         kinds = ["Out", "Along", "Place"]
         self.start_at = PlaceField("SweptVolumeStart", kinds, self._pair, self._size())
         rows.addRow(translate("Panels", "Part"), line)
-        rows.addRow(translate("Panels", "It belongs"), self.goal)
-        rows.addRow(translate("Panels", "It comes from"), self.start_at)
+        rows.addRow(translate("Panels", "Goal"), self.goal)
+        rows.addRow(translate("Panels", "Start"), self.start_at)
         pick.clicked.connect(lambda *ignored: self._pick())
         for field in (self.goal, self.start_at):
             field.failed.connect(lambda text: widgets.show_message(self.message, text))
@@ -62,7 +62,9 @@ class FindPathPanel(SearchPanel):
         self.straight.setObjectName("SweptVolumeTranslationOnly")
         self.turn = widgets.hint(
             widgets.angle(path_plan.DEFAULTS["LargestTurn"], 0.0, 15.0),
-            translate("Panels", "From how the part stands where it belongs; 180: as it likes"),
+            translate(
+                "Panels", "Largest rotation away from the orientation at the goal; 180: no limit"
+            ),
         )
         self.turn.setObjectName("SweptVolumeLargestTurn")
         rows.addRow(self.straight)
@@ -100,7 +102,7 @@ class FindPathPanel(SearchPanel):
     @guard.told
     def _take_ends(self, path):
         poses = motion.world_poses_of(path).placements
-        if path.Frame == "Absolute" and len(poses) > 1:
+        if path.PoseType == "Absolute" and len(poses) > 1:
             self.start_at.show_placement(poses[0])
             self.goal.show_placement(poses[-1])
 

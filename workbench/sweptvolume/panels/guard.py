@@ -54,7 +54,7 @@ def check_fields(form):
             field.setFocus(QtCore.Qt.OtherFocusReason)
             raise InputProblem(
                 translate(
-                    "Messages", '{0}: "{1}" is not understood here; it counts as {2}.'
+                    "Messages", '{0}: "{1}" is not a valid value; {2} is used instead.'
                 ).format(name_of(field, form), edit.text(), _counts_as(field))
             )
 

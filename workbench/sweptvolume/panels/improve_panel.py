@@ -30,7 +30,7 @@ class ImprovePanel(SearchPanel):
         self.keys = QtWidgets.QListWidget()
         self.keys.setObjectName("SweptVolumeLockedKeys")
         self.keys.setFixedHeight(96)
-        widgets.hint(self.keys, translate("Panels", "Ticked keys stay where and when they are"))
+        widgets.hint(self.keys, translate("Panels", "Ticked keys keep their placement and time"))
         text = translate("Panels", "Key {0}, {1} s")
         last = len(self.motion.Times) - 1
         for k, time in enumerate(self.motion.Times):
@@ -44,10 +44,11 @@ class ImprovePanel(SearchPanel):
 
     def build_rules(self, rows):
         self.more = widgets.hint(
-            QtWidgets.QCheckBox(translate("Panels", "As much clearance as can be had")),
+            QtWidgets.QCheckBox(translate("Panels", "Maximise clearance")),
             translate(
                 "Panels",
-                "The path may be longer then; without this it is as short as the clearance lets it",
+                "Increases the clearance, even if the path gets longer; otherwise the path is as short "
+                "as the required distance allows",
             ),
         )
         self.more.setObjectName("SweptVolumeMoreClearance")

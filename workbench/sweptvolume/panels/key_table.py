@@ -33,15 +33,23 @@ def actions():
         return translate("Panels", text)
 
     return [
-        ("Capture", t("&Capture"), t("Adds the placement that the part has now (Ctrl+Return)")),
-        ("Update", t("&Update"), t("Takes the part's placement of now for this key")),
-        ("Insert", t("&Insert"), t("A new key half-way to the next one (Insert)")),
-        ("Duplicate", t("&Duplicate"), t("The same placement again (Ctrl+D)")),
+        (
+            "Capture",
+            t("&Capture"),
+            t("Adds the current placement of the part as a key (Ctrl+Return)"),
+        ),
+        (
+            "Update",
+            t("&Update"),
+            t("Replaces the placement of this key by the current placement of the part"),
+        ),
+        ("Insert", t("&Insert"), t("Adds a key halfway to the next one (Insert)")),
+        ("Duplicate", t("&Duplicate"), t("Adds the same placement again (Ctrl+D)")),
         ("Delete", t("De&lete"), t("Removes the key (Delete)")),
-        ("Reverse", t("&Reverse"), t("The way back")),
-        ("Up", t("Up"), t("Earlier (Ctrl+Up)")),
-        ("Down", t("Down"), t("Later (Ctrl+Down)")),
-        ("Even", t("Eve&n times"), t("One second from key to key")),
+        ("Reverse", t("&Reverse"), t("Reverses the order of the keys")),
+        ("Up", t("Up"), t("Moves the key one place earlier (Ctrl+Up)")),
+        ("Down", t("Down"), t("Moves the key one place later (Ctrl+Down)")),
+        ("Even", t("Eve&n times"), t("Sets the times one second apart")),
     ]
 
 

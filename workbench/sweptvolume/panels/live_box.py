@@ -45,8 +45,8 @@ class LiveBox(QtCore.QObject):
             QtWidgets.QCheckBox(translate("Panels", "Stop at contact")),
             translate(
                 "Panels",
-                "The key goes no farther than the part comes without touching a neighbour; neighbours are "
-                "all visible parts",
+                "Stops the dragged key where the part would touch a neighbour; all visible parts are "
+                "neighbours",
             ),
         )
         self.stop_box.setObjectName("SweptVolumeStopAtContact")

@@ -30,8 +30,8 @@ opened = []
 def _of_before():
     return translate(
         "Panels",
-        "The envelope is not up to date: this tells of the parts and the motion that it was computed from. "
-        "Recompute it to see them move.",
+        "The envelope is stale: this information is about the parts and the motion from which "
+        "it was computed. Recompute it to see them move.",
     )
 
 
@@ -84,14 +84,14 @@ class MadePanel(StayingPanel):
         self.by = widgets.choice(CHOICES, self.obj.ViewObject.ColourBy)
         self.by.setObjectName("SweptVolumeColourBy")
         self.by.currentIndexChanged.connect(lambda *ignored: self._colour())
-        self.again = QtWidgets.QPushButton(translate("Panels", "Compute and remember"))
+        self.again = QtWidgets.QPushButton(translate("Panels", "Compute and record"))
         self.again.setObjectName("SweptVolumeRemember")
         self.again.clicked.connect(lambda *ignored: self.remember())
         rows.addRow(translate("Panels", "Colour by"), self.by)
         rows.addRow(self.again)
 
     def _build_answer(self, layout):
-        box = QtWidgets.QGroupBox(translate("Panels", "The place that was clicked"))
+        box = QtWidgets.QGroupBox(translate("Panels", "Clicked place"))
         column = QtWidgets.QVBoxLayout(box)
         column.setContentsMargins(*widgets.MARGINS)
         self.text = QtWidgets.QLabel()
@@ -119,8 +119,8 @@ class MadePanel(StayingPanel):
             if known
             else translate(
                 "Panels",
-                "It is not remembered what made this envelope: it was computed without, or the document "
-                "was closed since.",
+                "What made this envelope was not recorded, or the record was lost when the document "
+                "was closed: press Compute and record.",
             )
         )
         self.player.setEnabled(False)
@@ -135,8 +135,8 @@ class MadePanel(StayingPanel):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "what made an envelope is known of the swept volume itself: this one has an offset or "
-                    "is conservative.",
+                    "Made by cannot be recorded for an envelope with an offset or a conservative one: set "
+                    "Offset to 0 and Conservative to off.",
                 )
             )
         plan = Plan.of(self.obj)
@@ -167,7 +167,9 @@ class MadePanel(StayingPanel):
         current = self.obj.Status == UP_TO_DATE
         self.choose.setEnabled(answer is not None and current)
         if answer is None:
-            self.text.setText(translate("Panels", "It is not known what made this place."))
+            self.text.setText(
+                translate("Panels", "For this place it is not known what made it: click beside it.")
+            )
             return
         text = made_by.text_of(answer)
         self.text.setText(text if current else text + "\n" + _of_before())

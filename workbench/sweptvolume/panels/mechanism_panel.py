@@ -15,7 +15,7 @@ from .rules_table import RulesTable
 from .tasks import MechanismTask, PairContactsTask
 from .widgets import QtWidgets
 
-DEFAULTS = {"Required": 5.0, "Tolerance": 0.01, "Deflection": 0.05, "Range": 0.0}
+DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Range": 0.0}
 #: More pairs than this and only those that came near, or have a rule, are listed.
 MOST_PAIRS = 300
 
@@ -53,37 +53,38 @@ class MechanismPanel(CheckRun, ResultPanel):
 
     def _build_inputs(self, all_visible, values):
         rows = widgets.group(translate("Panels", "Check"), self.layout)
-        self.all = QtWidgets.QCheckBox(
-            translate("Panels", "Other visible parts, which stand still")
-        )
+        self.all = QtWidgets.QCheckBox(translate("Panels", "All visible"))
         self.all.setObjectName("SweptVolumeStanding")
         self.all.setChecked(bool(all_visible))
+        widgets.hint(
+            self.all, translate("Panels", "All other visible parts are neighbours that stand still")
+        )
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
         self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
         self.take.setObjectName("SweptVolumeTakeStanding")
         self.asked = RulesTable(
             "SweptVolumePairRules",
-            translate("Panels", "length"),
+            translate("Panels", "Distance"),
             height=130,
             label=pair_rules.label_of,
             title=translate("Panels", "Pair"),
         )
         self.touching = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Allow what &touches at first")),
+            QtWidgets.QPushButton(translate("Panels", "Allow initial con&tacts")),
             translate(
                 "Panels",
-                "Parts that touch when the common time begins, as at their joints, may touch at any time",
+                "Allows contact between parts that touch at the start, for example at their joints",
             ),
         )
         self.touching.setObjectName("SweptVolumeTouchingPairs")
         for widget in (self.all, self.chosen, self.take, self.asked, self.touching):
             rows.addRow(widget)
         self.fields = {
-            "Required": (translate("Panels", "Required distance"), 0.0, 0.5),
-            "Range": (translate("Panels", "List pairs nearer than"), 0.0, 1.0),
-            "Tolerance": (translate("Panels", "Tolerance"), 1e-6, 0.01),
-            "Deflection": (translate("Panels", "Mesh deflection"), 1e-4, 0.01),
+            "RequiredDistance": (translate("Panels", "Required distance"), 0.0, 0.5),
+            "Range": (translate("Panels", "Range"), 0.0, 1.0),
+            "Accuracy": (translate("Panels", "Accuracy"), 1e-6, 0.01),
+            "MeshDeflection": (translate("Panels", "Mesh deflection"), 1e-4, 0.01),
         }
         for name, (text, least, step) in self.fields.items():
             field = widgets.length(values[name], least, step)
@@ -91,7 +92,9 @@ class MechanismPanel(CheckRun, ResultPanel):
             rows.addRow(text, field)
             self.fields[name] = field
         tip = translate(
-            "Panels", "0: a tenth of the size of the parts, and at least what the rules need"
+            "Panels",
+            "Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the "
+            "parts, or more if a rule needs it",
         )
         widgets.hint(self.fields["Range"], tip)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
@@ -130,7 +133,7 @@ class MechanismPanel(CheckRun, ResultPanel):
             return
         names = [label_of(*pair) for pair in standing]
         more = "" if len(names) <= 6 else " ..."
-        text = translate("Panels", "{0} parts that stand: {1}")
+        text = translate("Panels", "{0} parts that stand still: {1}")
         self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
         new = [pair for pair in pairs if pair not in self.asked.pairs]
         self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})

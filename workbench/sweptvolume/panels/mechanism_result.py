@@ -104,7 +104,7 @@ class ResultPanel(played_result.PlayedPanel):
         time = self.report["neighbours"][index]["time_seconds"]
         (first, second), motions = self._two(plan, index)
         return shared.Plan(
-            self.document, [first], [second], motions, time, plan.values["Deflection"]
+            self.document, [first], [second], motions, time, plan.values["MeshDeflection"]
         )
 
     def standing_rows(self):

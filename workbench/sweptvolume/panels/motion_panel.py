@@ -43,10 +43,10 @@ class MotionPanel(KeysInView):
         self.light, self.undrawn, self.drawn, self.path_seen = None, None, 0.0, True
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
         self.home = App.Placement(self.target.Placement) if self.target is not None else None
-        self.form, layout = widgets.window(translate("Panels", "Path"), "SweptVolume_EditMotion")
+        self.form, layout = widgets.window(translate("Panels", "Motion"), "SweptVolume_EditMotion")
         self.message = widgets.message_label()
         layout.addWidget(self.message)
-        none = translate("Panels", "none: select it, then press Pick")
+        none = translate("Panels", "none: select the part, then press Pick")
         self.keyboard = key_table.add_to(
             layout,
             convert.label_of(*self.pair) if self.pair else none,
@@ -56,7 +56,9 @@ class MotionPanel(KeysInView):
         self.cut, self.chose = not sourced.is_sourced(obj), False
         self.few = widgets.message_label()
         self.few.setText(
-            translate("Panels", "A motion has at least two keys: move the part, then Capture.")
+            translate(
+                "Panels", "A motion needs at least two keys: move the part, then press Capture."
+            )
         )
         layout.addWidget(self.few)
         self._build_rules(layout)
@@ -81,10 +83,10 @@ class MotionPanel(KeysInView):
             list(INTERPOLATIONS), self.obj.Interpolation if self.obj else "Linear"
         )
         self.interpolation.setObjectName("SweptVolumeInterpolation")
-        self.frame = widgets.choice(FRAMES, self.obj.Frame if self.obj else "Absolute")
+        self.frame = widgets.choice(FRAMES, self.obj.PoseType if self.obj else "Absolute")
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
-        rows.addRow(translate("Panels", "Between poses"), self.interpolation)
-        rows.addRow(translate("Panels", "A pose is"), self.frame)
+        rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
+        rows.addRow(translate("Panels", "Pose type"), self.frame)
         self.pivot = PivotBox(self.pair)
         self.pivot.show_fixed(self.keys.pivot)
         rows.addRow(translate("Panels", "Pivot"), self.pivot)
@@ -98,10 +100,12 @@ class MotionPanel(KeysInView):
         self.drag_box.setChecked(True)
         self.snap = widgets.length(1.0, 0.0, 1.0)
         self.snap_angle = widgets.angle(5.0, 0.0, 5.0)
-        tip = translate("Panels", "Steps in which the arrows and arcs move; 0: freely")
+        tip = translate("Panels", "Step size of the arrows and arcs; 0: no steps")
         round_button = QtWidgets.QPushButton(translate("Panels", "R&ound"))
         round_button.setObjectName("SweptVolumeRound")
-        round_button.setToolTip(translate("Panels", "Rounds the chosen key to these steps"))
+        round_button.setToolTip(
+            translate("Panels", "Rounds the placement of the chosen key to these steps")
+        )
         round_button.clicked.connect(lambda *ignored: self.act("Round"))
         line = QtWidgets.QHBoxLayout()
         for field in (self.snap, self.snap_angle):
@@ -143,7 +147,7 @@ class MotionPanel(KeysInView):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "no part: close the panel, select the moving part and open it again.",
+                    "there is no moving part: close the panel, select the part and open the panel again.",
                 )
             )
         return convert.global_placement(*self.pair)
@@ -152,7 +156,11 @@ class MotionPanel(KeysInView):
         """Carries out an action on a row; returns the row that is the current one then."""
         keys = self.keys
         if name in ("Capture", "Update") and self.frame.currentData() != "Absolute":
-            raise InputProblem(translate("Messages", "only Absolute poses can be captured."))
+            raise InputProblem(
+                translate(
+                    "Messages", "only absolute poses can be captured: set Pose type to Absolute."
+                )
+            )
         if name == "Capture":
             return keys.append(self.container.inverse().multiply(self.standing()))
         if name == "Insert":
@@ -209,7 +217,8 @@ class MotionPanel(KeysInView):
         panel.home = self.home
         text = translate(
             "Messages",
-            "Transform is locked while the path editor is open: drag the chosen key, or type numbers.",
+            "Transform is locked while the motion editor is open: drag the chosen key, or enter "
+            "numbers.",
         )
         panel.take_over(self, text)
 
@@ -363,7 +372,7 @@ class MotionPanel(KeysInView):
             if content(self.keys) != self.before:
                 motion.set_tangents(self.obj, self.keys.tangents)
             self.obj.Interpolation = self.interpolation.currentData()
-            self.obj.Frame = self.frame.currentData()
+            self.obj.PoseType = self.frame.currentData()
             motion.set_changed(self.obj, "Pivot", self.keys.pivot)
             motion.set_parts(self.obj, [self.pair] if self.pair else [], anew=self.chose)
             self.document.recompute()

@@ -35,7 +35,7 @@ class MovingBox(MotionTable):
             line,
             "SweptVolumeRemoveMoving",
             translate("Panels", "&Remove"),
-            translate("Panels", "Takes the marked parts out of the list"),
+            translate("Panels", "Removes the marked parts from the list"),
             self.remove_chosen,
         )
         rows.addRow(line)
@@ -62,11 +62,11 @@ class MovingBox(MotionTable):
         self._button(
             line,
             "SweptVolumeTakeAll",
-            translate("Panels", "Take a&ll its parts"),
+            translate("Panels", "Add a&ll its parts"),
             translate(
                 "Panels",
-                "Runs it once and takes every part that moves: motions that the document has of it are read "
-                "again, others are made",
+                "Runs the source once and adds every part that moves. Existing motions of these parts "
+                "are read again, others are created",
             ),
             self.take_all,
         )
@@ -93,7 +93,8 @@ class MovingBox(MotionTable):
             pairs = motion.parts_of(path)
             if not pairs:
                 text = translate(
-                    "Messages", '"{0}" does not know its part: add the part, then choose it.'
+                    "Messages",
+                    'the motion "{0}" has no part: add the part to the list, then choose the motion for it.',
                 )
                 raise InputProblem(text.format(path.Label))
             for pair in pairs:

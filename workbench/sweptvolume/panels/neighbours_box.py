@@ -17,7 +17,7 @@ class NeighboursBox(QtCore.QObject):
         self.document, self.moving = document, moving
         rows = widgets.group(translate("Panels", "Neighbours"), layout)
         self.table = RulesTable(
-            "SweptVolumeNeighbours", translate("Panels", "Clearance"), (REQUIRED, IGNORE)
+            "SweptVolumeNeighbours", translate("Panels", "Distance"), (REQUIRED, IGNORE)
         )
         rows.addRow(self.table)
         line = QtWidgets.QHBoxLayout()
@@ -31,7 +31,7 @@ class NeighboursBox(QtCore.QObject):
             (
                 "SweptVolumeRemoveNeighbours",
                 translate("Panels", "&Remove"),
-                translate("Panels", "Takes the marked parts out of the list"),
+                translate("Panels", "Removes the marked parts from the list"),
                 self.remove_chosen,
             ),
             (

@@ -18,7 +18,7 @@ from .tasks import OverlapTask, SharedTask
 from .verdict_table import VerdictTable
 from .widgets import QtWidgets
 
-DEFAULTS = {"Required": 0.0, "Deflection": 0.05}
+DEFAULTS = {"RequiredDistance": 0.0, "MeshDeflection": 0.05}
 
 
 class OverlapPanel(StayingPanel):
@@ -47,9 +47,9 @@ class OverlapPanel(StayingPanel):
         self.chosen.setObjectName("SweptVolumeSpaces")
         self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected"))
         self.take.setObjectName("SweptVolumeTakeSpaces")
-        self.required = widgets.length(DEFAULTS["Required"], 0.0, 0.5)
+        self.required = widgets.length(DEFAULTS["RequiredDistance"], 0.0, 0.5)
         self.required.setObjectName("SweptVolumeSpacesRequired")
-        self.deflection = widgets.length(DEFAULTS["Deflection"], 1e-4, 0.01)
+        self.deflection = widgets.length(DEFAULTS["MeshDeflection"], 1e-4, 0.01)
         self.deflection.setObjectName("SweptVolumeSpacesDeflection")
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheckSpaces")
@@ -79,7 +79,8 @@ class OverlapPanel(StayingPanel):
         self.keep = widgets.hint(
             QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
             translate(
-                "Panels", "Makes an object of what the two share, which tells when they change"
+                "Panels",
+                "Adds the volume that both share as an object, which shows when it is out of date",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")
@@ -175,10 +176,10 @@ class OverlapPanel(StayingPanel):
         count = len(self.report["pairs"])
         total = sum(pair.get("volume", 0.0) for pair in self.report["pairs"])
         if total > 0:
-            text = translate("Panels", "Pairs checked: {0}, shared: {1}")
+            text = translate("Panels", "Pairs checked: {0}, shared volume: {1}")
             return text.format(count, quantities.volume(total))
         least = min(pair["clearance"]["distance"] for pair in self.report["pairs"])
-        text = translate("Panels", "Pairs checked: {0}, no space is shared, smallest distance: {1}")
+        text = translate("Panels", "Pairs checked: {0}, none shares volume, smallest distance: {1}")
         return text.format(count, quantities.quantity(least, quantities.TABLE_DIGITS))
 
     def _cells(self, pair):

@@ -31,7 +31,7 @@ class PartsBox(MotionTable):
         self.remove.setObjectName("SweptVolumeRemoveParts")
         tip = translate("Panels", "Adds the solids and meshes selected in the tree")
         widgets.hint(self.add, tip)
-        widgets.hint(self.remove, translate("Panels", "Takes the marked parts out of the list"))
+        widgets.hint(self.remove, translate("Panels", "Removes the marked parts from the list"))
         buttons = QtWidgets.QHBoxLayout()
         buttons.addWidget(self.add)
         buttons.addWidget(self.remove)
@@ -53,14 +53,16 @@ class PartsBox(MotionTable):
         return box
 
     def _build_reference(self, plan, layout):
-        self.reference_box = QtWidgets.QGroupBox(translate("Panels", "Seen from a moving part"))
+        self.reference_box = QtWidgets.QGroupBox(translate("Panels", "Relative to a moving part"))
         self.reference_box.setObjectName("SweptVolumeReference")
         self.reference_box.setCheckable(True)
         self.reference_box.setChecked(
             plan.reference_motion is not None or (self.chosen and plan.reference is not None)
         )
         self.reference_box.setToolTip(
-            translate("Panels", "The envelope is what the moving parts take up for this part")
+            translate(
+                "Panels", "Computes the space that the moving parts occupy as seen from this part"
+            )
         )
         grid = QtWidgets.QFormLayout(self.reference_box)
         grid.setContentsMargins(*widgets.MARGINS)
@@ -71,8 +73,8 @@ class PartsBox(MotionTable):
         self.reference_motions = self._motion_box(plan.reference_motion)
         self.reference_motions.setObjectName("SweptVolumeReferenceMotion")
         self.rows = [
-            (QtWidgets.QLabel(translate("Panels", "Part")), self.take),
-            (QtWidgets.QLabel(translate("Panels", "Its motion")), self.reference_motions),
+            (QtWidgets.QLabel(translate("Panels", "Reference")), self.take),
+            (QtWidgets.QLabel(translate("Panels", "Reference motion")), self.reference_motions),
         ]
         for row in self.rows:
             grid.addRow(*row)

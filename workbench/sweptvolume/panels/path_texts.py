@@ -33,7 +33,7 @@ def _found(report):
     ]
     if report["contacts"]:
         text = translate(
-            "Messages", "Nearer than that, as allowed, within {0} of the ends: {1}."
+            "Messages", "Nearer than that within the release distance of {0}, as allowed: {1}."
         ).format(quantities.quantity(report["release"]), _names(report["contacts"]))
         lines.append(text)
     return lines
@@ -42,22 +42,32 @@ def _found(report):
 def _not_found(report):
     escape = report["escape"]
     if report["verdict"] == "no_translation":
-        lines = [translate("Messages", "There is no path on which the part never turns: proven.")]
+        lines = [translate("Messages", "There is no path without turning the part (proven).")]
     elif report["budget_ended"]:
-        lines = [translate("Messages", "No path was found in this time.")]
+        lines = [translate("Messages", "No path was found within the time limit.")]
     else:
         lines = [translate("Messages", "No path was found.")]
-    text = translate("Messages", "The part came {0} away from where it belongs; it is shown there.")
+    text = translate(
+        "Messages", "The part moved {0} from its goal before it was blocked; it is shown there."
+    )
     lines.append(text.format(quantities.quantity(escape["distance"])))
     if escape["blockers"]:
-        text = translate("Messages", "Most often in the way: {0}.")
+        text = translate("Messages", "Most frequent obstacle: {0}.")
         lines.append(text.format(_names(escape["blockers"])))
     possible = report.get("possible_clearance", -1)
     if possible > 0:
-        text = translate("Messages", "A path was found with a clearance of {0}: ask for less.")
+        text = translate(
+            "Messages",
+            "A path exists with a clearance of {0}: reduce the required distance to find it.",
+        )
         lines.append(text.format(quantities.quantity(possible)))
     elif possible == 0:
-        lines.append(translate("Messages", "A path was found without any clearance: ask for less."))
+        lines.append(
+            translate(
+                "Messages",
+                "A path exists only with a clearance near 0: reduce the required distance to find it.",
+            )
+        )
     return lines
 
 
@@ -67,7 +77,8 @@ def improved(report):
         lines = [
             translate(
                 "Messages",
-                "Nothing of the motion keeps the clearance: ask for less, or find a path.",
+                "No move of the motion keeps the required distance: reduce the required distance, or "
+                "use Find path.",
             )
         ]
     else:
@@ -89,13 +100,13 @@ def improved(report):
         if report["unmended_moves"]:
             text = translate(
                 "Messages",
-                "Moves that stay nearer than asked for, as no other way was found there: {0}.",
+                "Moves that stay below the required distance, because no other path was found: {0}.",
             )
             lines.append(text.format(report["unmended_moves"]))
         if released:
             text = translate(
                 "Messages",
-                "Moves at the ends that are nearer, as allowed, and stay as they were: {0}.",
+                "Moves within the release distance of start and goal, which are left unchanged: {0}.",
             )
             lines.append(text.format(released))
     lines += [said(w["code"], w["text"]) for w in report["warnings"]]

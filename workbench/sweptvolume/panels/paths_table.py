@@ -23,11 +23,11 @@ class PathsTable(QtCore.QObject):
         self.table.setObjectName("SweptVolumePaths")
         self.table.setHorizontalHeaderLabels(
             [
-                translate("Panels", "Path"),
+                translate("Panels", "Motion"),
                 translate("Panels", "Keys"),
-                "{}\n{}".format(translate("Panels", "length"), unit),
-                "{}\ndeg".format(translate("Panels", "turns")),
-                "{}\n{}".format(translate("Panels", "clearance"), unit),
+                "{}\n{}".format(translate("Panels", "Distance"), unit),
+                "{}\ndeg".format(translate("Panels", "Turns")),
+                "{}\n{}".format(translate("Panels", "Clearance"), unit),
             ]
         )
         self.table.verticalHeader().hide()

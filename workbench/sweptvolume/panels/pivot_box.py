@@ -86,8 +86,8 @@ class PivotBox(QtWidgets.QWidget):
     def _explain(self):
         text = translate(
             "Panels",
-            "The point that goes straight between two keys, and about which a key is turned; x, y, z of "
-            "the keys are its own.",
+            "The point that moves straight between two keys and about which the part turns. The x, "
+            "y, z of a key are the coordinates of this point.",
         )
         if self.in_part() is not None:
             here = translate("Panels", "In the coordinates of the part: {0}, {1}, {2}")

@@ -14,10 +14,10 @@ from .widgets import QtCore, QtWidgets
 
 #: What the part does: Now (where it stands), Place (a placement), Out (so many mm), Along (a direction).
 TEXTS = {
-    "Now": lambda: translate("Panels", "Where it stands now"),
-    "Place": lambda: translate("Panels", "A placement"),
-    "Out": lambda: translate("Panels", "Just out: by a distance"),
-    "Along": lambda: translate("Panels", "Just out: in a direction"),
+    "Now": lambda: translate("Panels", "Current placement"),
+    "Place": lambda: translate("Panels", "Given placement"),
+    "Out": lambda: translate("Panels", "Out by a distance"),
+    "Along": lambda: translate("Panels", "Out in a direction"),
 }
 
 
@@ -27,9 +27,9 @@ def numbers_from(text, units):
     parts = [part for part in re.split(r"\s*;\s*|\s+", text.strip()) if part]
     if len(parts) != len(units):
         raise InputProblem(
-            translate(
-                "Messages", '"{0}": {1} numbers are needed here, with blanks between.'
-            ).format(text, len(units))
+            translate("Messages", '"{0}": enter {1} numbers, separated by spaces.').format(
+                text, len(units)
+            )
         )
     return [number_from(part, unit) * one for part, (unit, one) in zip(parts, units)]
 
@@ -74,14 +74,14 @@ class PlaceField(QtWidgets.QWidget):
         if kind == "Place":
             tip = translate(
                 "Panels",
-                "x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take: where the "
-                "selected object stands, or else the part itself",
+                "x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take uses the "
+                "placement of the selected object, or of the part if nothing is selected",
             ).format(self.units[0][0])
         else:
             tip = translate(
                 "Panels",
-                "x, y, z of the direction in which the part leaves. Take: normal of the selected face, or "
-                "direction of the selected edge",
+                "Direction x, y, z in which the part leaves. Take uses the normal of the selected "
+                "face, or the direction of the selected edge",
             )
         for field in (self.numbers, self.take):
             field.setToolTip(tip)

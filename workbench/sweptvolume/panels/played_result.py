@@ -60,13 +60,18 @@ class PlayedPanel(check_result.ResultPanel):
         self.player.moved.connect(self._moved)
         self.section = widgets.hint(
             QtWidgets.QCheckBox(translate("Panels", "S&ection through the closest place")),
-            translate("Panels", "Hides what lies before the place; it follows rows and the player"),
+            translate(
+                "Panels",
+                "Hides everything in front of the closest place; follows the chosen row and the player",
+            ),
         )
         self.section.setObjectName("SweptVolumeSection")
         self.section.toggled.connect(lambda *ignored: self._cut_again())
         self.clash = widgets.hint(
             QtWidgets.QPushButton(translate("Panels", "Keep clas&h volume")),
-            translate("Panels", "Makes a body of what the two parts of the row share at its time"),
+            translate(
+                "Panels", "Makes a shared volume of the two parts of the chosen row, at its time"
+            ),
         )
         self.clash.setObjectName("SweptVolumeKeepClash")
         self.clash.setEnabled(False)
@@ -221,4 +226,6 @@ class PlayedPanel(check_result.ResultPanel):
 
 def gone():
     """A part that a row of the report names does not stand there any more."""
-    return InputProblem(translate("Messages", "a part of this row is there no more: check again."))
+    return InputProblem(
+        translate("Messages", "a part of this row was deleted: run the check again.")
+    )

@@ -73,11 +73,14 @@ class RulesTable(QtWidgets.QTableWidget):
         self.horizontalHeaderItem(LENGTH).setToolTip(
             translate(
                 "Panels",
-                "The distance that this one asks for; empty: the common one below. Where contact is "
-                "allowed: how deep the parts may overlap; empty: not measurably",
+                "The required distance for this row; empty: the common required distance below. If "
+                "contact is allowed: how deep the parts may overlap; empty: no measurable overlap",
             )
             if CONTACT in kinds
-            else translate("Panels", "What this one asks for; empty: the common clearance below")
+            else translate(
+                "Panels",
+                "The required distance for this row; empty: the common required distance below",
+            )
         )
         self.horizontalHeaderItem(KIND).setToolTip(
             translate("Panels", "Double-click a cell, or press F2, to choose another rule")
@@ -141,9 +144,9 @@ class RulesTable(QtWidgets.QTableWidget):
                 if rule.length < 0:
                     self.setCurrentCell(row, LENGTH)
                     raise InputProblem(
-                        translate("Messages", '"{0}": a clearance of {1} is not possible.').format(
-                            self.label(pair), text
-                        )
+                        translate(
+                            "Messages", '"{0}": the distance cannot be {1}; enter 0 or more.'
+                        ).format(self.label(pair), text)
                     )
             if rule.asks():
                 found[pair] = rule

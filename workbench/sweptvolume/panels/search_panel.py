@@ -35,19 +35,19 @@ class SearchPanel(StayingPanel):
     def _build_rules(self):
         rows = widgets.group(translate("Panels", "Rules"), self.layout)
         now = path_plan.DEFAULTS
-        self.required = widgets.length(now["Required"], 0.0, 0.5)
+        self.required = widgets.length(now["RequiredDistance"], 0.0, 0.5)
         self.required.setObjectName("SweptVolumePathClearance")
         self.release = widgets.hint(
-            widgets.length(now["Release"], 0.0, 5.0),
+            widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "Panels",
-                "Parts that touch, or are nearer than the clearance, where the way begins or ends may do "
-                "so until no point of the part is farther than this from there",
+                "A neighbour that is nearer than the required distance at the start or the end may "
+                "stay so until a point of the part has moved this far from there",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")
-        rows.addRow(translate("Panels", "Clearance"), self.required)
-        rows.addRow(translate("Panels", "Contact allowed for"), self.release)
+        rows.addRow(translate("Panels", "Required distance"), self.required)
+        rows.addRow(translate("Panels", "Release distance"), self.release)
         self.build_rules(rows)
         self.budget = QtWidgets.QDoubleSpinBox()
         self.budget.setObjectName("SweptVolumeBudget")
@@ -56,27 +56,30 @@ class SearchPanel(StayingPanel):
         self.budget.setSuffix(" s")
         self.budget.setValue(now["Budget"])
         self.seed = widgets.hint(
-            QtWidgets.QSpinBox(), translate("Panels", "Another number may find another path")
+            QtWidgets.QSpinBox(),
+            translate(
+                "Panels", "The search uses random numbers; another seed may find another path"
+            ),
         )
         self.seed.setObjectName("SweptVolumeSeed")
         self.seed.setRange(1, 1000000)
-        self.deflection = widgets.length(now["Deflection"], 1e-4, 0.01)
-        rows.addRow(translate("Panels", "Time at most"), self.budget)
+        self.deflection = widgets.length(now["MeshDeflection"], 1e-4, 0.01)
+        rows.addRow(translate("Panels", "Time limit"), self.budget)
         rows.addRow(translate("Panels", "Seed"), self.seed)
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
 
     def rules(self):
         """What the fields say that all searches have."""
         return {
-            "Required": float(self.required.property("rawValue")),
-            "Release": float(self.release.property("rawValue")),
+            "RequiredDistance": float(self.required.property("rawValue")),
+            "ReleaseDistance": float(self.release.property("rawValue")),
             "Budget": self.budget.value(),
             "Seed": self.seed.value(),
-            "Deflection": float(self.deflection.property("rawValue")),
+            "MeshDeflection": float(self.deflection.property("rawValue")),
         }
 
     def part_text(self):
-        none = translate("Panels", "none: select it, then press Pick")
+        none = translate("Panels", "none: select the part, then press Pick")
         return ", ".join(convert.label_of(*p) for p in self.pairs) or none
 
     @guard.told

@@ -79,8 +79,8 @@ def moved_part(obj):
     if chosen:
         return chosen[0]
     for user in obj.InList if obj else []:
-        if is_envelope(user) and user.Generators:
-            return pairs_of(user.Generators)[0]
+        if is_envelope(user) and user.MovingParts:
+            return pairs_of(user.MovingParts)[0]
     document = obj.Document if obj else App.ActiveDocument
     return next(iter(_only_part(document)), None)
 

@@ -33,7 +33,7 @@ class SequencePanel(SearchPanel):
         self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
         self.looked = -1
         # What an object has and no field shows stays: tolerance, and rules of the parts among each other.
-        self.tolerance, self.own_rules = path_plan.DEFAULTS["Tolerance"], {}
+        self.tolerance, self.own_rules = path_plan.DEFAULTS["Accuracy"], {}
         self.looks = QtCore.QTimer()
         self.looks.timeout.connect(self._look)
         plan = sequence.Plan.of(obj) if obj is not None else None
@@ -49,9 +49,7 @@ class SequencePanel(SearchPanel):
         self.finds.setObjectName("SweptVolumeFindOrder")
         widgets.hint(
             self.finds,
-            translate(
-                "Panels", "By taking apart: what can be taken out goes, and the order is turned"
-            ),
+            translate("Panels", "Finds an order of disassembly and reverses it"),
         )
         self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)
         self.finds.clicked.connect(lambda *ignored: self.start("find"))
@@ -60,7 +58,8 @@ class SequencePanel(SearchPanel):
         self.out = widgets.length(sequence_plan.SEARCH["Out"], 1.0, 10.0)
         self.out.setObjectName("SweptVolumeOut")
         widgets.hint(
-            self.out, translate("Panels", "A part is out when it is so far from where it belongs")
+            self.out,
+            translate("Panels", "Distance from its goal at which a part counts as removed"),
         )
         self.player = Player()
         self.player.hide()
@@ -70,22 +69,22 @@ class SequencePanel(SearchPanel):
     def build_rules(self, rows):
         self.straight = QtWidgets.QCheckBox(translate("Panels", "The parts never turn"))
         self.straight.setObjectName("SweptVolumeTranslationOnly")
-        rows.addRow(translate("Panels", "Parts come from"), self.out)
+        rows.addRow(translate("Panels", "Removal distance"), self.out)
         rows.addRow(self.straight)
 
     @guard.told
     def _show_plan(self, plan):
         states = [sequence.step_text(step) for step in plan.steps]
         self.rows.show_rows(plan.pairs, plan.motions, states)
-        self.tolerance = plan.values["Tolerance"]
+        self.tolerance = plan.values["Accuracy"]
         self.own_rules = {
             both: rule
             for both, rule in plan.pair_rules.items()
             if all(part in plan.pairs for part in both)
         }
-        self.required.setProperty("rawValue", plan.values["Required"])
-        self.release.setProperty("rawValue", plan.values["Release"])
-        self.deflection.setProperty("rawValue", plan.values["Deflection"])
+        self.required.setProperty("rawValue", plan.values["RequiredDistance"])
+        self.release.setProperty("rawValue", plan.values["ReleaseDistance"])
+        self.deflection.setProperty("rawValue", plan.values["MeshDeflection"])
         self.take_neighbours(plan.leaves() if plan.all_visible else plan.neighbours)
         kept = {
             pair: pair_rules.of(plan.pair_rules, plan.pairs[0], pair) for pair in self.beside.pairs
@@ -108,10 +107,10 @@ class SequencePanel(SearchPanel):
     def plan(self, order):
         """What is asked for. Raises InputProblem."""
         values = {
-            "Required": float(self.required.property("rawValue")),
-            "Release": float(self.release.property("rawValue")),
-            "Tolerance": self.tolerance,
-            "Deflection": float(self.deflection.property("rawValue")),
+            "RequiredDistance": float(self.required.property("rawValue")),
+            "ReleaseDistance": float(self.release.property("rawValue")),
+            "Accuracy": self.tolerance,
+            "MeshDeflection": float(self.deflection.property("rawValue")),
         }
         rules = dict(self.own_rules)
         rules.update(
@@ -169,7 +168,7 @@ class SequencePanel(SearchPanel):
                 self.rows.set_state(self.looked, "")
             self._forget_ghost()
             self.looked = row
-        text = translate("Panels", "is searched for ({0} of {1} found)")
+        text = translate("Panels", "searching ({0} of {1} found)")
         self.rows.set_state(row, text.format(found, len(self.rows.pairs)))
         searched = self.run.task.request.rows[row]
         if farthest is not None and searched.pivot is not None:

@@ -17,7 +17,7 @@ class SequenceRows(QtCore.QObject):
     def __init__(self, document, layout):
         super().__init__()
         self.document, self.pairs, self.motions, self.states = document, [], [], []
-        rows = widgets.group(translate("Panels", "Parts, the first one comes first"), layout)
+        rows = widgets.group(translate("Panels", "Moving parts, in order of installation"), layout)
         self.table = QtWidgets.QTableWidget(0, 3)
         self.table.setObjectName("SweptVolumeSequenceParts")
         self.table.setHorizontalHeaderLabels(
@@ -46,19 +46,19 @@ class SequenceRows(QtCore.QObject):
             (
                 "RemovePart",
                 translate("Panels", "Re&move"),
-                translate("Panels", "Takes the marked part out of the sequence"),
+                translate("Panels", "Removes the marked part from the sequence"),
                 self.remove,
             ),
             (
                 "PartUp",
                 translate("Panels", "&Up"),
-                translate("Panels", "The marked part comes one step earlier"),
+                translate("Panels", "Moves the marked part one step earlier"),
                 lambda: self.move(-1),
             ),
             (
                 "PartDown",
                 translate("Panels", "D&own"),
-                translate("Panels", "The marked part comes one step later"),
+                translate("Panels", "Moves the marked part one step later"),
                 lambda: self.move(1),
             ),
         ):
@@ -95,7 +95,7 @@ class SequenceRows(QtCore.QObject):
             for m in objects_of_kind(self.document, motion_feature.Motion.KIND)
             if pair in motion_feature.parts_of(m) or m is now
         ]
-        labels = [translate("Panels", "find")] + [m.Label for m in known]
+        labels = [translate("Panels", "find a path")] + [m.Label for m in known]
         names = [""] + [m.Name for m in known]
         box = widgets.choice(names, now.Name if now is not None else "", labels)
         box.setObjectName("SweptVolumeSequenceMotion{}".format(row))

@@ -47,14 +47,19 @@ class SolidPanel(StartPanel):
     def _build(self, values):
         rows = widgets.group(translate("Panels", "Solid"), self.layout)
         self.fields = rows.parentWidget()
-        self.merge = QtWidgets.QCheckBox(translate("Panels", "Flat regions become single faces"))
+        self.merge = QtWidgets.QCheckBox(translate("Panels", "Merge coplanar"))
         self.merge.setChecked(values["merge"])
+        widgets.hint(
+            self.merge, translate("Panels", "Merges coplanar triangles into single flat faces")
+        )
         self.tolerance = widgets.length(values["tolerance"])
         self.tolerance.setObjectName("SweptVolumeSolidTolerance")
         widgets.hint(
             self.tolerance,
             translate(
-                "Panels", "How far the solid may leave the mesh; 0: exact, if the budget allows"
+                "Panels",
+                "How far the solid may deviate from the mesh; 0: exact, unless Max faces forces a "
+                "tolerance",
             ),
         )
         self.faces = QtWidgets.QSpinBox()
@@ -65,21 +70,24 @@ class SolidPanel(StartPanel):
         self.faces.setValue(values["max_faces"])
         widgets.hint(
             self.faces,
-            translate("Panels", "Without a tolerance the smallest one is taken that does"),
+            translate(
+                "Panels",
+                "If the tolerance is 0, the smallest tolerance that stays within this limit is chosen",
+            ),
         )
         self.megabytes = QtWidgets.QDoubleSpinBox()
         self.megabytes.setObjectName("SweptVolumeMaxMegabytes")
         self.megabytes.setRange(0, 1e9)
         self.megabytes.setSuffix(" MB")
         self.megabytes.setSpecialValueText(translate("Panels", "no limit"))
-        self.tessellated = QtWidgets.QCheckBox(translate("Panels", "Triangles as they are (AP242)"))
+        self.tessellated = QtWidgets.QCheckBox(translate("Panels", "Tessellated (AP242)"))
         self.tessellated.setObjectName("SweptVolumeTessellated")
         widgets.hint(
             self.tessellated,
             translate(
                 "Panels",
-                "A tessellated solid instead of faces: exact, quick, of any size, for programs that read "
-                "tessellated STEP; FreeCAD 0.20 reads nothing from it",
+                "Writes the triangles themselves instead of faces: exact, fast and of any size. Only "
+                "programs that read tessellated STEP can open it; FreeCAD 0.20 cannot",
             ),
         )
         step = self.path.lower().endswith((".step", ".stp"))
@@ -87,9 +95,9 @@ class SolidPanel(StartPanel):
             rows.addRow(self.tessellated)
         rows.addRow(self.merge)
         rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
-        rows.addRow(translate("Panels", "Faces at most"), self.faces)
+        rows.addRow(translate("Panels", "Max faces"), self.faces)
         if self.path:
-            rows.addRow(translate("Panels", "File at most"), self.megabytes)
+            rows.addRow(translate("Panels", "Max file size"), self.megabytes)
             where = QtWidgets.QLabel(os.path.basename(self.path))
             widgets.hint(where, self.path)
             rows.addRow(translate("Panels", "File"), where)
@@ -122,7 +130,7 @@ class SolidPanel(StartPanel):
     def _changed(self, *ignored):
         """What was found is of other settings."""
         self.look.stop()
-        widgets.show_message(self.expected, translate("Panels", "The solid is being tried out ..."))
+        widgets.show_message(self.expected, translate("Panels", "Estimating the solid ..."))
         self.timer.start(ESTIMATE_DELAY)
 
     def estimate(self):
@@ -151,9 +159,9 @@ class SolidPanel(StartPanel):
             quantities.seconds(found["seconds"]),
         )
         if not found["tried"]:
-            text += "\n" + translate("Panels", "The solid is being tried out ...")
+            text += "\n" + translate("Panels", "Estimating the solid ...")
         elif found["tolerance"] > 0 and not self.settings()["tolerance"]:
-            asked = translate("Panels", "The limits ask for a tolerance of {0}")
+            asked = translate("Panels", "The limits need a tolerance of {0}")
             text += "\n" + asked.format(quantities.quantity(found["tolerance"]))
         widgets.show_message(self.expected, text)
 

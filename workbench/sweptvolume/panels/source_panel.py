@@ -23,7 +23,7 @@ class SourcePanel:
         self.given = dict(DEFAULTS.get(kind, {}))
         if obj is not None:
             self.given.update(motion.settings_of(obj).values)
-        self.title = translate("Panels", "Motion from path object")
+        self.title = translate("Panels", "Motion from object")
         icon_name = "SweptVolume_MotionFromSource"
         if kind == "Driven":
             self.title = translate("Panels", "Motion from driven value")
@@ -35,15 +35,15 @@ class SourcePanel:
         if build is not None:
             build(rows)
         self.told = ""  # what was said of the poses before they are taken
-        now = (obj.Interpolation, obj.Frame) if obj else (interpolation_of(kind), frame_of(kind))
+        now = (obj.Interpolation, obj.PoseType) if obj else (interpolation_of(kind), frame_of(kind))
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
-        rows.addRow(translate("Panels", "Between poses"), self.interpolation)
-        rows.addRow(translate("Panels", "A pose is"), self.frame)
+        rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
+        rows.addRow(translate("Panels", "Pose type"), self.frame)
         if self._all_parts():  # poses of joints are where the parts are
             self.frame.setEnabled(False)
-            text = translate("Panels", "Every part that moves gets a motion: no part is chosen.")
+            text = translate("Panels", "No part is selected: every part that moves gets a motion.")
             widgets.show_message(self.message, text)
         layout.addWidget(self.message)
         layout.addStretch(1)
@@ -57,7 +57,8 @@ class SourcePanel:
             accuracy,
             translate(
                 "Panels",
-                "How far the straight way between two poses may leave the path; corners are always poses",
+                "How far the straight line between two poses may deviate from the curve; corners "
+                "always get a pose",
             ),
         )
         rows.addRow(translate("Panels", "Accuracy"), accuracy)
@@ -69,8 +70,8 @@ class SourcePanel:
             names = [n for n in names if n != "SecondCurve"]
         texts = {
             "Fixed": translate("Panels", "Fixed"),
-            "Tangent": translate("Panels", "Along the path"),
-            "SecondCurve": translate("Panels", "Towards the second curve"),
+            "Tangent": translate("Panels", "Tangent"),
+            "SecondCurve": translate("Panels", "Second curve"),
         }
         orientation = widgets.choice(names, now, [texts[n] for n in names])
         orientation.setObjectName("SweptVolumeOrientation")
@@ -78,9 +79,9 @@ class SourcePanel:
             orientation,
             translate(
                 "Panels",
-                "Fixed: the part never turns. Along the path: x of the part stays on the tangent, with "
-                "the least turn. Towards the second curve: z points to it; select both curves, the path "
-                "first",
+                "Fixed: the part never turns. Tangent: the x axis of the part follows the tangent. "
+                "Second curve: the z axis points to the second curve; select both curves, the one to "
+                "follow first",
             ),
         )
         rows.addRow(translate("Panels", "Orientation"), orientation)
@@ -91,12 +92,12 @@ class SourcePanel:
         self._count(rows)
 
     def _build_array(self, rows):
-        self._seconds(rows, "step", translate("Panels", "Time a pose"), 1.0)
+        self._seconds(rows, "step", translate("Panels", "Step"), 1.0)
 
     _build_placements = _build_array
 
     def _build_cam(self, rows):
-        texts = [translate("Panels", "the tool head"), translate("Panels", "the table")]
+        texts = [translate("Panels", "Tool head"), translate("Panels", "Table")]
         now = self.given.get("convention", "Head")
         convention = widgets.choice(CONVENTIONS, now, texts)
         convention.setObjectName("SweptVolumeConvention")
@@ -104,18 +105,18 @@ class SourcePanel:
             convention,
             translate(
                 "Panels",
-                "Degrees about the fixed axes x, then y, then z. The tool head: X Y Z are in the "
-                "workpiece. The table: it turns the workpiece with its coordinates, X Y Z are in the "
-                "machine",
+                "What A, B and C rotate, in degrees about the fixed axes x, then y, then z. Tool head: "
+                "X Y Z are coordinates of the workpiece. Table: X Y Z are coordinates of the machine, "
+                "and the table turns the workpiece",
             ),
         )
-        rows.addRow(translate("Panels", "A B C turn"), convention)
+        rows.addRow(translate("Panels", "Rotary axes"), convention)
         self.values["convention"] = convention.currentData
         rapid = QtWidgets.QDoubleSpinBox()
         rapid.setRange(0, 1e12)
         rapid.setSuffix(" mm/s")
         rapid.setValue(self.given.get("rapid", 100.0))
-        rows.addRow(translate("Panels", "Speed of G0"), rapid)
+        rows.addRow(translate("Panels", "Rapid"), rapid)
         self.values["rapid"] = rapid.value
 
     def _build_driven(self, rows):
@@ -126,8 +127,8 @@ class SourcePanel:
         self.values["property"] = name.currentData
         fields = []
         for key, text in (
-            ("start", translate("Panels", "From")),
-            ("end", translate("Panels", "To")),
+            ("start", translate("Panels", "Start")),
+            ("end", translate("Panels", "End")),
         ):
             field = QtWidgets.QDoubleSpinBox()
             field.setObjectName("SweptVolume" + key.capitalize())
@@ -162,7 +163,7 @@ class SourcePanel:
         count.setRange(0, 999999999)
         count.setGroupSeparatorShown(True)
         count.setValue(self.given["count"])
-        rows.addRow(translate("Panels", "Poses"), count)
+        rows.addRow(translate("Panels", "Count"), count)
         self.values["count"] = count.value
 
     def _seconds(self, rows, name, title, value):
@@ -189,7 +190,7 @@ class SourcePanel:
         them is taken then."""
         if text != self.told:
             self.told = text
-            once_more = translate("Panels", "OK once more takes the motion as it is.")
+            once_more = translate("Panels", "Press OK again to use the motion as it is.")
             raise InputProblem("{} {}".format(text, once_more))
 
     def _all_parts(self):
@@ -223,7 +224,7 @@ class SourcePanel:
             self.document.recompute([obj])
             return obj
         motion.change_source(self.obj, values)
-        self.obj.Interpolation, self.obj.Frame = rules
+        self.obj.Interpolation, self.obj.PoseType = rules
         motion.reload_source(self.obj)
         self.document.recompute()
         return self.obj

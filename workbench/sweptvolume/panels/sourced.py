@@ -34,10 +34,10 @@ def may_cut(obj):
     """Asks whether the poses of a motion may become its own."""
     text = translate(
         "Panels",
-        'The poses of "{0}" come from {1} and follow it. To change a key, the link has to be cut: the '
-        "motion then keeps the poses as they are. Cut it?",
+        'The poses of "{0}" are linked to {1}. To edit a key, the link must be removed; the '
+        "motion then keeps its current poses. Remove the link?",
     ).format(obj.Label, name_of(obj))
     buttons = QtWidgets.QMessageBox.Yes | QtWidgets.QMessageBox.No
-    title = translate("Panels", "Path")
+    title = translate("Panels", "Motion")
     answer = QtWidgets.QMessageBox.question(Gui.getMainWindow(), title, text, buttons)
     return answer == QtWidgets.QMessageBox.Yes

@@ -122,7 +122,7 @@ class StudyPanel(StayingPanel):
             button.setObjectName(name)
             buttons.addWidget(button)
         widgets.hint(
-            self.page_button, translate("Panels", "The page of all runs, in the web browser")
+            self.page_button, translate("Panels", "Opens the page of all runs in the web browser")
         )
         for widget in (self.summary, self.table, self.about):
             rows.addWidget(widget)
@@ -216,7 +216,7 @@ class StudyPanel(StayingPanel):
         report = study.report_of(self.obj) if self.obj is not None else None
         self.result.setVisible(report is not None)
         left = report is not None and study_table.count(report["runs"], "not run")
-        go_on = translate("Panels", "Go on") if left else translate("Panels", "Run study")
+        go_on = translate("Panels", "Continue") if left else translate("Panels", "Run study")
         self.start_button.setText(go_on)
         if report is None:
             return
@@ -259,7 +259,7 @@ class StudyPanel(StayingPanel):
     def open_page(self):
         path = self._page()
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
-            text = translate("Messages", "no program was found that shows {0}.")
+            text = translate("Messages", "no program is installed that opens {0}.")
             raise InputProblem(text.format(path))
 
     @guard.told

@@ -27,8 +27,8 @@ class TangentBox(QtWidgets.QGroupBox):
         self.kind.setToolTip(
             translate(
                 "Panels",
-                "Automatic: from the neighbouring keys. Stop: the part rests for a moment. Corner: "
-                "straight on both sides. Given: as typed below",
+                "Automatic: from the neighbouring keys. Stop: the part comes to rest. Corner: straight "
+                "on both sides. Given velocity: as entered below",
             )
         )
         self.speeds = [QtWidgets.QDoubleSpinBox() for _ in range(3)]

@@ -34,7 +34,7 @@ def assembly_of(simulation):
     raise InputProblem(
         translate(
             "Messages",
-            '"{0}" belongs to no assembly that this FreeCAD can run: simulations need FreeCAD 1.1.',
+            '"{0}" cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.',
         ).format(simulation.Label)
     )
 
@@ -43,7 +43,7 @@ def pair(objects):
     """(the simulation, the part to watch). Raises InputProblem."""
     if len(objects) != 2 or not is_simulation(objects[0]):
         raise InputProblem(
-            translate("Messages", "choose a simulation of an assembly, then the part to watch.")
+            translate("Messages", "choose an assembly simulation, then the part to follow.")
         )
     return objects
 
@@ -83,8 +83,9 @@ def shortfall(label, start, end, step, frames):
         return ""
     return translate(
         "Messages",
-        'the simulation "{0}" stopped early: {1} of {2} frames, the last at {3} s of {4} s. Its solver '
-        "found no position there: look at its joints and formulas, or let it end sooner.",
+        'the simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames), because '
+        "its solver found no valid position: check the joints and formulas, or set an earlier "
+        "end time.",
     ).format(
         label, count(frames), count(expected), number(start + step * (frames - 1)), number(end)
     )

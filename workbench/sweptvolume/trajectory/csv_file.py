@@ -12,9 +12,9 @@ def read(path, unit):
     """CSV `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers a row, also .gz and .xz. Unit: mm|cm|m|in."""
     if not path or not os.path.isfile(path):
         raise InputProblem(
-            translate("Messages", 'the motion file "{0}" does not exist; choose another.').format(
-                path
-            )
+            translate(
+                "Messages", 'the motion file "{0}" does not exist: choose another file.'
+            ).format(path)
         )
     try:
         times, translations, rotations = core.read_motion(path, unit)

@@ -27,8 +27,8 @@ MAX_POSES = 20_000
 MAX_HALVINGS = 24
 #: Smaller turns (rad) between two edges are none: half a millimetre at a distance of 500 m.
 CORNER = 1e-6
-#: Where between two poses the curve is looked at: parts of a whole that no number of turns of a helix has in
-#: common, else a piece of four turns seems straight at its quarters.
+#: Fractions between two poses at which the deviation of the curve is measured. They are irrational: at
+#: simple fractions a helix of several turns looks straight.
 LOOK_AT = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
 #: A whole turn in place takes as long as this share of the path.
 TURN_SHARE = 0.25
@@ -47,7 +47,11 @@ def poses(objects, count, orientation, duration):
     objects: the path, then for SecondCurve the curve that orients."""
     edges = _path(objects, orientation)
     if count < 2:
-        raise InputProblem(translate("Messages", "a path needs at least two poses."))
+        raise InputProblem(
+            translate(
+                "Messages", "a curve needs at least two poses: set Count to 0, or to 2 or more."
+            )
+        )
     track = _Track(edges)
     samples = [track.sample(track.total * i / (count - 1)) for i in range(count)]
     shares = [i / (count - 1) for i in range(count)]
@@ -63,7 +67,7 @@ def poses_within(objects, accuracy, orientation, duration):
     edges = _path(objects, orientation)
     if not accuracy > 0:
         raise InputProblem(
-            translate("Messages", "an accuracy of {0}: it must be greater than 0.").format(
+            translate("Messages", "the accuracy is {0}, but must be greater than 0.").format(
                 quantity(accuracy)
             )
         )
@@ -80,9 +84,12 @@ def _path(objects, orientation):
     wanted = 2 if orientation == "SecondCurve" else 1
     if len(objects) < wanted or not all(is_curve(obj) for obj in objects[:wanted]):
         raise InputProblem(
-            translate("Messages", "choose two wires: the path, then the curve that orients.")
+            translate(
+                "Messages",
+                "choose two wires: the curve to follow, then the curve that sets the orientation.",
+            )
             if wanted == 2
-            else translate("Messages", "choose one wire, edge or sketch as the path.")
+            else translate("Messages", "choose one wire, edge or sketch to follow.")
         )
     return _edges(objects[0])
 
@@ -144,7 +151,8 @@ def _adaptive(track, accuracy, turning):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "an accuracy of {0} takes more than {1} poses along this path: allow more.",
+                    "an accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy "
+                    "value.",
                 ).format(quantity(accuracy), count(MAX_POSES))
             )
         samples.append(sample)
@@ -239,8 +247,8 @@ def _turns_by_second(samples, others, objects):
             raise InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" begins in the direction of the path "{1}": it does not say where up is. '
-                    "Move it sideways.",
+                    '"{0}" starts in the direction of the curve "{1}", so it does not define the z axis: '
+                    "move it sideways.",
                 ).format(objects[1].Label, objects[0].Label)
             )
         turns.append(turn)
@@ -255,9 +263,10 @@ def _edges(obj):
     groups = Part.sortEdges(shape.Edges)
     if len(groups) != 1:
         raise InputProblem(
-            translate("Messages", '"{0}" has {1} separate pieces; a path must be one.').format(
-                obj.Label, len(groups)
-            )
+            translate(
+                "Messages",
+                '"{0}" has {1} separate pieces: join them to one curve, or select one piece.',
+            ).format(obj.Label, len(groups))
         )
     return groups[0]
 

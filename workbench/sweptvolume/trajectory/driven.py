@@ -29,7 +29,7 @@ class Handle:
         if name not in names_of(driver):
             raise InputProblem(
                 translate(
-                    "Messages", '"{0}" has no value "{1}" that can be driven; it has: {2}'
+                    "Messages", '"{0}" has no value "{1}" that can be driven: choose one of {2}'
                 ).format(driver.Label, name, ", ".join(names_of(driver)[:12]) or "-")
             )
         for path, expression in getattr(driver, "ExpressionEngine", []):
@@ -37,7 +37,8 @@ class Handle:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        '"{0}" of "{1}" follows the expression {2}: drive what it reads.',
+                        '"{0}" of "{1}" is set by the expression {2}: drive a value in that expression '
+                        "instead.",
                     ).format(name, driver.Label, expression)
                 )
         self.before = self._raw()
@@ -149,7 +150,10 @@ def frames(driver, name, start, end, count, duration, watched):
             value = start + (end - start) * i / max(count - 1, 1)
             handle.set(value)
             document.recompute()
-            text = translate("Messages", '"{0}" = {1:g}: the document does not recompute.')
+            text = translate(
+                "Messages",
+                'the document cannot be recomputed with "{0}" = {1:g}: choose another start or end.',
+            )
             check_valid([driver, *watched], text.format(name, value))
             yield time
     finally:
@@ -162,7 +166,7 @@ def pair(objects):
     if len(objects) != 2:
         raise InputProblem(
             translate(
-                "Messages", "choose the object whose value is driven, then the part to watch."
+                "Messages", "choose the object whose value is driven, then the part to follow."
             )
         )
     return objects

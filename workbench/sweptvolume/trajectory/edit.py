@@ -72,7 +72,9 @@ class Keys:
         """A key at a time between two others, where the part then is."""
         index = bisect.bisect(self.times, time)
         if not 0 < index < len(self) or time in self.times:
-            raise InputProblem(translate("Messages", "there is a key at this time already."))
+            raise InputProblem(
+                translate("Messages", "there is already a key at this time: choose another time.")
+            )
         return self._put(index, time, at_time(self.poses(), interpolation, time))
 
     def duplicate(self, index):
@@ -128,7 +130,8 @@ class Keys:
         if (before is not None and time <= before) or (after is not None and time >= after):
             raise InputProblem(
                 translate(
-                    "Messages", "the time of key {0} must lie between those of its neighbours."
+                    "Messages",
+                    "the time of key {0} must lie between the times of the keys before and after it.",
                 ).format(index + 1)
             )
         self.times[index] = float(time)
@@ -174,14 +177,19 @@ def rows_from(text, units):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "row {0} of what is pasted has {1} columns: give t, x, y, z, or these and yaw, pitch, "
-                    "roll.",
+                    "row {0} of the pasted text has {1} columns: use t, x, y, z, or t, x, y, z, yaw, "
+                    "pitch, roll.",
                 ).format(number + 1, len(cells))
             )
         numbers = [number_from(c, unit) * one for c, (unit, one) in zip(cells, units)]
         rows.append(numbers + [0.0] * (7 - len(numbers)))
     if not rows:
-        raise InputProblem(translate("Messages", "the clipboard holds no rows of numbers."))
+        raise InputProblem(
+            translate(
+                "Messages",
+                "the clipboard has no rows of numbers: copy cells from a spreadsheet first.",
+            )
+        )
     return rows
 
 
@@ -206,5 +214,7 @@ def number_from(text, unit):
     if math.isfinite(number) and abs(number) <= LARGEST:
         return number
     raise InputProblem(
-        translate("Messages", '"{0}" is not a number or quantity in {1}.').format(text, unit)
+        translate(
+            "Messages", '"{0}" is not a number or quantity in {1}: correct the entry.'
+        ).format(text, unit)
     )

@@ -11,9 +11,10 @@ def placements(objects, step):
     for obj in objects:
         if not hasattr(obj, "Placement"):
             raise InputProblem(
-                translate("Messages", '"{0}" has no placement and cannot be a pose.').format(
-                    obj.Label
-                )
+                translate(
+                    "Messages",
+                    '"{0}" has no placement, so it cannot be a pose: choose another object.',
+                ).format(obj.Label)
             )
         found.append(global_placement(*root_path(obj)))
     if not found:

@@ -12,7 +12,7 @@ INTERPOLATIONS = {"None": "none", "Linear": "linear", "Screw": "screw", "Spline"
 #: A curved way is halved until its straight pieces are near enough, at most this often.
 MOST_HALVINGS = 10
 
-#: What a pose of the motion means for the part (property Frame).
+#: What a pose of the motion means for the part (property PoseType).
 FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
 FRAME_HELP = mark(
     "Properties",
@@ -42,22 +42,25 @@ class Poses:
         self._arrays = None
         if len(self.times) != len(self.placements):
             raise InputProblem(
-                translate("Messages", "the motion has {0} times and {1} placements.").format(
-                    len(self.times), len(self.placements)
-                )
+                translate(
+                    "Messages",
+                    "the motion has {0} times but {1} placements: their numbers must be equal.",
+                ).format(len(self.times), len(self.placements))
             )
         self._check_times()
 
     def _check_times(self):
         times = np.array(self.times)
         for i in np.flatnonzero(~np.isfinite(times))[:1]:
-            text = translate("Messages", "pose {0}: its time ({1:g}) is no moment.")
+            text = translate(
+                "Messages", "pose {0}: the time is {1:g}, but must be a finite number."
+            )
             raise InputProblem(text.format(i + 1, times[i]))
         for i in np.flatnonzero(times[1:] < times[:-1])[:1]:
             text = translate(
                 "Messages",
-                "pose {0}: its time {1:g} s comes before the {2:g} s of the pose before; times may "
-                "not go back.",
+                "pose {0}: the time {1:g} s is earlier than the {2:g} s of the pose before; times must "
+                "not decrease.",
             )
             raise InputProblem(text.format(i + 2, times[i + 1], times[i]))
 
@@ -81,8 +84,8 @@ class Poses:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "poses {0} and {1} have the same time ({2:g} s): a smooth motion, and one seen from "
-                        "a moving reference, need different ones.",
+                        "poses {0} and {1} have the same time ({2:g} s): a spline, or a motion with a "
+                        "reference part, needs different times.",
                     ).format(i, i + 1, self.times[i])
                 )
 
@@ -117,7 +120,7 @@ def base_of(poses, frame, standing, container=None):
     if frame == "RelativeToFirst":
         return App.Placement(poses.placements[0])
     raise InputProblem(
-        translate("Messages", 'the frame "{0}" is unknown; allowed: {1}.').format(
+        translate("Messages", 'the pose type "{0}" is unknown: use one of {1}.').format(
             frame, ", ".join(FRAMES)
         )
     )

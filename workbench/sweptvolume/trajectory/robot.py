@@ -17,9 +17,10 @@ def poses(objects, count):
     path = obj.Trajectory
     if len(path.Waypoints) < 2 or path.Duration <= 0:
         raise InputProblem(
-            translate("Messages", '"{0}" has {1} waypoints; a motion needs at least two.').format(
-                obj.Label, len(path.Waypoints)
-            )
+            translate(
+                "Messages",
+                '"{0}" has {1} waypoints, but a motion needs at least two: add waypoints.',
+            ).format(obj.Label, len(path.Waypoints))
         )
     times = [path.Duration * i / (count - 1) for i in range(count)]
     base = getattr(obj, "Base", None)

@@ -37,7 +37,7 @@ class Settings:
         value = int(self.get("count", default))
         if not least <= value <= MOST_POSES:
             raise InputProblem(
-                translate("Messages", "{0} poses: allowed are {1} to {2}.").format(
+                translate("Messages", "the number of poses is {0}, but must be {1} to {2}.").format(
                     value, least, MOST_POSES
                 )
             )
@@ -49,7 +49,7 @@ def damaged():
     return InputProblem(
         translate(
             "Messages",
-            "the settings of the motion's source are damaged: choose the source again, or keep the "
+            "the settings of the motion's source are damaged: create the motion again, or use its "
             "poses as they are.",
         )
     )
@@ -68,7 +68,10 @@ def values_from(text):
 
 def _stored(settings):
     raise InputProblem(
-        translate("Messages", "this motion keeps its own poses and has no source to read again.")
+        translate(
+            "Messages",
+            "this motion has no source to read again: its poses are stored in the document.",
+        )
     )
 
 

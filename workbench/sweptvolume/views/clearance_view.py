@@ -11,7 +11,7 @@ from ..features.clearance_plan import envelope_arrays
 from ..texts import translate
 from .base import View, verdict_icon
 
-#: Colours of the bands: clash, contact, too near, clear.
+#: Colours of the bands: clash, contact, below required, clear.
 BANDS = ((0.80, 0.05, 0.10), (0.98, 0.45, 0.05), (0.98, 0.85, 0.15), (0.20, 0.65, 0.35))
 GHOST, LINE = (0.20, 0.70, 0.30), (0.85, 0.0, 0.6)
 
@@ -54,7 +54,7 @@ class ClearanceView(View):
     def getIcon(self):
         verdict = self.Object.Verdict
         if not verdict:  # computed before there were rules
-            near = self.Object.Smallest.Value < self.Object.Required.Value
+            near = self.Object.Smallest.Value < self.Object.RequiredDistance.Value
             verdict = "below" if near else "clear"
             verdict = "clash" if self.Object.Smallest.Value <= 0 else verdict
         return verdict_icon("SweptVolume_Clearance", self.Object, verdict)

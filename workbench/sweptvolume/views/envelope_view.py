@@ -77,13 +77,16 @@ class EnvelopeView(View):
     def attach(self, view):
         super().attach(view)
         if "DrawnTriangles" not in view.PropertiesList:
-            text = mark("Properties", "About so many triangles are drawn of a heavy mesh; 0: all")
+            text = mark(
+                "Properties",
+                "Number of triangles to which a large mesh is reduced on screen; 0: all are drawn",
+            )
             view.addProperty(
                 "App::PropertyInteger", "DrawnTriangles", "Display", translate("Properties", text)
             )
             view.DrawnTriangles = surface.MOST
         if "ColourBy" not in view.PropertiesList:
-            text = mark("Properties", "What the colours tell, where it is remembered what made it")
+            text = mark("Properties", "What the colours show, if Made by was recorded")
             view.addProperty(
                 "App::PropertyEnumeration", "ColourBy", "Display", translate("Properties", text)
             )

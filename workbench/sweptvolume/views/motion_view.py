@@ -25,7 +25,7 @@ class MotionView(View):
                 "App::PropertyFloat", "FrameSize", "Path", translate("Properties", text)
             )
         if "PathWidth" not in view.PropertiesList:
-            text = mark("Properties", "Width of the path line (pixels)")
+            text = mark("Properties", "Width of the line of the motion (pixels)")
             view.addProperty(
                 "App::PropertyFloat", "PathWidth", "Path", translate("Properties", text)
             )

@@ -102,7 +102,7 @@ class KeptElements {
   }
 
  private:
-  /// s: the cluster on the left, or one without a first face that shows all.
+  /// `s`: the cluster on the left of the border. With kAll, every face is shown.
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {

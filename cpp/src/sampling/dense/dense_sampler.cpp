@@ -117,8 +117,8 @@ class DenseRun {
         leaks.covered, " are still covered by more than ", margin, " mm");
     if (leaks.covered > 0) text += textOf(3, ", by at most ", leaks.deepest, " mm");
     text += textOf(3, "; linear form good to ", space_.remainder(),
-                   " mm. The result can only be too small by this, never hold too much; switch "
-                   "culling off for all copies");
+                   " mm. There the envelope may be too small by this, but never too large; switch "
+                   "culling off to sample all copies");
     return {"DensePruned", leaks.covered, {}, std::move(text)};
   }
 

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
 /// Of a patch, the middle: what a rim lacks of its surroundings does not reach it.
 constexpr std::size_t kPartOfPatch = 6;
-/// Faces round a vertex: the hub of a fan touches faces far apart, and passes on what they find.
+/// Most faces at one vertex that are followed. The hub of a fan touches faces that are far apart.
 constexpr std::size_t kMostOfStar = 48;
 /// Points that are tested exactly, and such tests while what is open round a point is followed.
 constexpr std::size_t kTests = 500;

@@ -140,7 +140,7 @@ SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool
     out.notes.push_back({"DeviceReopened",
                          sampler.reopened(),
                          {},
-                         "the GPU was lost once; a new context did the brick anew"});
+                         "the GPU was lost once; part of the grid was sampled again"});
   }
   return out;
 }

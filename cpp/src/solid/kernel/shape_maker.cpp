@@ -23,8 +23,9 @@
 namespace swept::step {
 namespace {
 
-// Fractions of the tolerance, for surfaces and for facets. Where facets and the thinning before
-// them add up to more than the tolerance, the mesh gets more corners at the end.
+// Fractions of the tolerance that recognised surfaces and facets may use. If facets and the
+// simplification before them exceed the tolerance together, vertices are added to the mesh at the
+// end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
 // Of the tolerance, for thinning open ground: bunny over 16 keys, without any patch, had 500,000
 // triangles of it, and their collapse took two thirds of the time.
@@ -282,7 +283,8 @@ class ShapeMaker {
       if (bad.empty()) return true;
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
-      // Facets that meet one another where nothing is left to withdraw stay: each of them is sound.
+      // If only facets intersect and no recognised surface is left to withdraw, they stay: each
+      // facet is valid by itself.
       if (!changed || trial + 1 == kTrials) return sound;
     }
     return false;

@@ -19,8 +19,8 @@ namespace swept::step {
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
-/// Name of the product that a solid belongs to, the innermost in an assembly, by what all places of
-/// the solid share.
+/// Name of the product that a solid belongs to (the innermost one in an assembly). The key is the
+/// shape without its location, which all instances of the solid have in common.
 using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
 /// The shape as the kernel reads it by default: it computes parameter curves and tolerances by
 /// itself. `names`: of the solids, where asked for.

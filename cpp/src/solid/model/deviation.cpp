@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr std::size_t kBlock = 2048;
 constexpr double kCommonFraction =
     0.6;  // of the limit: nearly every mesh has a vertex at this distance
-/// Of the height: a point this near to an edge is moved onto the edge.
+/// A point that is nearer to an edge than this fraction of the height is moved onto the edge.
 constexpr double kMaxEdgeFraction = 0.1;
 
 struct Beyond {

@@ -69,7 +69,7 @@ class Writer {
     }
     lines_.raw(")").end();
     const Id id = lines_.begin("TRIANGULATED_FACE");
-    // No normals, no surface, no selection of the points.
+    // The empty attributes: normals, surface, and the list that selects some of the points.
     lines_.raw("'',").id(list).raw(",").integer(count);
     lines_.raw(",(),$,()");
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -206,7 +206,8 @@ class Reader {
       std::array<std::int32_t, 3> triangle{};
       for (int k = 0; k < 3; ++k) {
         const std::int64_t number = integer();
-        if (number < 1 || number > list.count) fail("a triangle with a point that is not there");
+        if (number < 1 || number > list.count)
+          fail("a triangle refers to a point that does not exist");
         triangle[k] = static_cast<std::int32_t>(list.first + number - 1);
         expect(k < 2 ? "," : ")");
       }

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One word for one thing: fields of panels are labelled with the words of their properties, and verdicts have
+the same words everywhere (docs/handbook/glossary.md)."""
+import os
+import re
+import sys
+import unittest
+
+from conftest import ROOT
+from sweptvolume.features import (
+    clearance,
+    clearance_properties,
+    clearance_table,
+    envelope_properties,
+    mechanism_properties,
+    motion_properties,
+    sequence_properties,
+    solid_properties,
+)
+from sweptvolume.features.renamed import RENAMED
+
+#: Input properties that no panel shows under a label: what shows them instead.
+NO_LABEL = {
+    "CellSize": "its label is there, but the choice before it names it too",
+    "Motions": "a column of the table of parts",
+    "Times": "the table of keys",
+    "Placements": "the table of keys",
+    "Tangents": "the box for the tangent of a key",
+    "Velocities": "the box for the tangent of a key",
+    "Parts": "the field Part",
+    "SourceType": "the title of the panel",
+    "SourceObjects": "the selection",
+    "SourceSettings": "hidden",
+    "RuleParts": "the table of rules",
+    "RuleKinds": "the table of rules",
+    "RuleLengths": "the table of rules",
+}
+
+
+def words(name):
+    """A property as FreeCAD's property editor shows it, in sentence case; SourceX belongs to the group
+    Source and is X in the panel of the source."""
+    name = re.sub("^Source(?=[A-Z])", "", name)
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).capitalize()
+
+
+def inputs():
+    """Names of the properties that people set."""
+    found = [row[1] for row in envelope_properties.INPUT + envelope_properties.ACCURACY]
+    for module in (clearance_properties, mechanism_properties, sequence_properties):
+        found += [row[1] for row in module.INPUT]
+    found += [row[1] for row in solid_properties.PROPERTIES if row[2] == "Solid"]
+    found += [row[1] for row in motion_properties.PROPERTIES if row[2] != "Result"]
+    found += list(motion_properties.NAMES.values())
+    return sorted(set(found) - {"SourceHash", "MovedToo", "Missing"})
+
+
+class Words(unittest.TestCase):
+    def setUp(self):
+        folder = os.path.join(ROOT, "resources", "translations")
+        if not os.path.isdir(folder):
+            self.skipTest("the translations are not here")
+        sys.path.insert(0, folder)
+        try:
+            import update
+        finally:
+            sys.path.remove(folder)
+        self.texts = {text.replace("&", "") for text in update.texts()["SweptVolume_Panels"]}
+
+    def test_labels_are_the_words_of_their_properties(self):
+        wrong = [n for n in inputs() if words(n) not in self.texts and n not in NO_LABEL]
+        self.assertEqual(wrong, [])
+
+    def test_words_of_before_are_gone(self):
+        before = (
+            "Between poses|A pose is|Simplification|Contain the sweep|Faces at most|[Tt]oo near"
+        )
+        before += "|List pairs|Path editor|path editor"
+        self.assertEqual([text for text in self.texts if re.search(before, text)], [])
+
+    def test_nothing_has_an_old_name(self):
+        old = {name for names in RENAMED.values() for name in names} - {"Tolerance"}
+        self.assertEqual(old & set(inputs()), set())
+
+    def test_verdicts_are_those_of_the_glossary(self):
+        with open(os.path.join(ROOT, "docs", "handbook", "glossary.md"), encoding="utf-8") as file:
+            page = file.read().split("## Verdicts")[1].split("##")[0]
+        rows = re.findall(r"^\| \*\*(.*?)\*\* \|.*\| (.*?) \| `(.*?)` \|$", page, re.M)
+        self.assertEqual({code: name for name, _, code in rows}, clearance.VERDICTS)
+        for name, _, code in rows:
+            self.assertEqual(clearance_table.verdict_word(code), name.lower())
+        path = os.path.join(ROOT, "cpp", "src", "page", "words.cpp")
+        if os.path.isfile(path):
+            with open(path, encoding="utf-8") as file:
+                source = file.read()
+            for name, german, code in rows:
+                self.assertIn('Word{{"{}", "{}", "{}"}}'.format(code, name.lower(), german), source)
+
+    def test_every_code_of_the_core_is_in_the_page_for_troubleshooting(self):
+        from sweptvolume import core_texts
+
+        path = os.path.join(ROOT, "docs", "handbook", "troubleshooting.md")
+        with open(path, encoding="utf-8") as file:
+            told = set(re.findall(r"`([A-Z][A-Za-z]+)`", file.read()))
+        self.assertEqual(set(core_texts._TEXTS) - told, set())
+        if not os.path.isdir(os.path.join(ROOT, "cpp", "src")):
+            return
+        found = set()
+        for folder in ("cpp/src", "cpp/tools"):
+            for base, _, names in os.walk(os.path.join(ROOT, folder)):
+                for name in names:
+                    if name.endswith((".cpp", ".h")):
+                        with open(os.path.join(base, name), encoding="utf-8") as file:
+                            text = file.read()
+                        found.update(
+                            re.findall(r'(?:Status::[A-Za-z]+,|refuse\()\s*"([A-Z]\w+)"', text)
+                        )
+                        found.update(re.findall(r'\{\s*"([A-Z][a-z]+[A-Z]\w+)",\s*[\w(]', text))
+        self.assertEqual(sorted(found - told - {"Ok"}), [])
