@@ -206,15 +206,4 @@ void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double
   }
 }
 
-Contact Scene::contactAt(const State& state, std::size_t i, double within, Memory& memory) const {
-  const PairSearch pair(part_, neighbours_[i]);
-  ++memory.steps;
-  const clearance::PairDistance near = pair.distanceAt(
-      state.pose.rotation.toRotationMatrix(), state.pose.translation, within, memory.pairs[i]);
-  if (near.pair.body < 0 || !(near.distance > 0)) return {};
-  memory.pairs[i] = near.pair;
-  return {static_cast<int>(i), near.distance, near.onBody,
-          (near.onBody - near.onNeighbour) / near.distance};
-}
-
 }  // namespace swept::path

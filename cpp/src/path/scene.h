@@ -106,8 +106,6 @@ class Scene {
   /// `finest`: fraction of the move in which something may be called in the way without being sure.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
-  /// The nearest pair, if nearer than `within`.
-  Contact contactAt(const State& state, std::size_t neighbour, double within, Memory& memory) const;
 
  private:
   void followOne(const clearance::MotionTree& motion, std::size_t neighbour, double apart,
