@@ -1,7 +1,8 @@
 // Many problems for the search for paths: each path that is called found is checked again from its
 // keys by checkClearance(), each verdict against what is known of the problem.
-// Usage: swept_path_campaign FIRST LAST [BUDGET_S [THREADS [KIND [MOVES]]]]; ends with 1 if
-// anything fails.
+// Usage: swept_path_campaign FIRST LAST [BUDGET_S [THREADS [KIND [MOVES]]]]; KIND
+// "hard": the other kinds of hardPathCase(). MOVES: limit in place of the clock, none: 0. Ends with
+// 1 if anything fails.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <cstdlib>
@@ -28,8 +29,9 @@ int main(int argc, char** argv) {
   std::map<std::string, Tally> tallies;
   int failures = 0;
   for (unsigned number = first; number <= last; ++number) {
-    const test::PathCase c = test::pathCase(number);
-    if (!kind.empty() && c.name != kind) continue;
+    const bool hard = kind == "hard";
+    const test::PathCase c = hard ? test::hardPathCase(number) : test::pathCase(number);
+    if (!kind.empty() && !hard && c.name != kind) continue;
     RunContext run;
     run.threads = static_cast<int>(argument(4, 1));
     PathOptions options = test::optionsOf(c);

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr int kStart = 0, kGoal = 1;
 constexpr int kSlides = 5, kPushes = 60;  // moves of one extension, of one push
-constexpr double kPushed = 0.2;           // of the rounds
+constexpr double kPushed = 0.5;           // of the rounds
 constexpr double kPush = 3;               // radii of the part, or rad, at most
 constexpr double kLost = 1e-9;            // of a move, by rounding
 constexpr double kOnward = 0.05;          // of a wanted move, or it leads nowhere
