@@ -7,7 +7,6 @@
 
 #include "clearance/pair_check.h"
 #include "path/main_axes.h"
-#include "path/thin.h"
 
 namespace swept::path {
 namespace {
@@ -62,23 +61,6 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
     for (const Vector3d& x : part_.corners(place))
       radius_ = std::max(radius_, (x - middle_).norm());
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
-}
-
-Scene::Scene(const Scene& whole, double skin, RunContext& run)
-    : world_(whole.world_),
-      own_(whole.own_),
-      part_(thinned(whole.part_, skin), "the part"),
-      mended_(whole.mended_),
-      box_(whole.box_),
-      partBox_(whole.partBox_),
-      middle_(whole.middle_),
-      radius_(whole.radius_),
-      resolution_(whole.resolution_),
-      interpolation_(whole.interpolation_) {
-  for (const clearance::Part& neighbour : whole.neighbours_) {
-    run.checkpoint(Phase::Turns);
-    neighbours_.emplace_back(thinned(neighbour, skin), "a neighbour");
-  }
 }
 
 // x_world = R x + t with both frames turned: W (R (own^T x')) + W t.

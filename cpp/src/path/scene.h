@@ -66,9 +66,6 @@ class Scene {
   Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
         const PathOptions& options, RunContext& run);
 
-  /// The same places with a skin taken off the part and off the neighbours, to guide a search.
-  Scene(const Scene& whole, double skin, RunContext& run);
-
   const clearance::Part& part() const { return part_; }
   bool partMended() const { return partMended_; }
   const clearance::Part& neighbour(std::size_t i) const { return neighbours_[i]; }

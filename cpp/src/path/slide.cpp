@@ -15,8 +15,8 @@ constexpr int kRounds = 40;
 
 /// row . v >= least
 struct Limit {
-  Vector6d row;
-  double least, size, weight;
+  Vector6d row = Vector6d::Zero();
+  double least = 0, size = 0, weight = 0;
 };
 
 // Of the move nearest to `wanted` that keeps all limits; false if they are not kept yet.

@@ -43,7 +43,7 @@ int TwoTrees::add(int tree, int parent, const State& state) {
   const auto [cell, isNew] = cells_[tree].try_emplace(key, std::ssize(cellNodes_[tree]));
   if (isNew) cellNodes_[tree].push_back(0);
   ++cellNodes_[tree][static_cast<std::size_t>(cell->second)];
-  trees_[tree].push_back({state, parent, cell->second});
+  trees_[tree].push_back({state, parent, cell->second, 0, {}});
   const int index = static_cast<int>(trees_[tree].size()) - 1;
   if (tree == kGoal) {
     const Vector3d& root = trees_[tree].front().state.middle;
@@ -236,15 +236,6 @@ void TwoTrees::finish(int startNode, int goalNode) {
   }
 }
 
-State TwoTrees::sampleGuide() {
-  const State& guide = space_.guides[random_.index(space_.guides.size())];
-  const double scale = scene_.radius() * std::pow(10.0, random_.between(-2.5, -0.3));
-  Twist twist{scale * random_.fraction() * random_.direction(), Vector3d::Zero()};
-  if (space_.turns())
-    twist.turn = scale / scene_.radius() * random_.fraction() * random_.direction();
-  return limited(guide, scene_.moved(guide, twist));
-}
-
 // The harder end gets more of the work: there most moves are blocked.
 int TwoTrees::chooseTree() {
   if (trees_[kStart].empty()) return kGoal;
@@ -263,9 +254,6 @@ bool TwoTrees::grow(int rounds) {
       from = nearest(tree, to);
     } else if (kind < 0.3) {
       to = sample();
-      from = nearest(tree, to);
-    } else if (kind < 0.75 && !space_.guides.empty()) {
-      to = sampleGuide();
       from = nearest(tree, to);
     } else {
       from = sparse(tree);

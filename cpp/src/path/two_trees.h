@@ -33,8 +33,6 @@ struct SearchSpace {
   bool turns() const { return largestTurn > 0; }
   /// A tree from the goal that reaches such a state needs no other one.
   std::function<bool(const State&)> isOut;
-  /// Places near which the way is likely to lie, in order; may be empty.
-  std::vector<State> guides;
 };
 
 class TwoTrees {
@@ -58,7 +56,7 @@ class TwoTrees {
     State state;
     int parent;
     int cell;
-    int tries = 0;
+    int tries;
     Touches touches;  ///< that limit moves from here
   };
   /// A state to go to, or a twist that stays the same; the longest move, of all moves together.
@@ -76,7 +74,6 @@ class TwoTrees {
   int sparse(int tree);
   State sample();
   State sampleNear(int tree, int node);
-  State sampleGuide();
   int chooseTree();
   State limited(const State& from, const State& to) const;
   /// Moves from a node towards a state and slides on where it is blocked; the last node added.
