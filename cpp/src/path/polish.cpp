@@ -6,7 +6,7 @@
 namespace swept::path {
 namespace {
 
-constexpr int kTrialsToGiveUp = 100;
+constexpr int kTrialsToGiveUp = 40;
 constexpr int kPasses = 3;  // shortcuts, then fewer keys
 
 class Shortener {
