@@ -1471,6 +1471,10 @@ Versucht:
    <translation>Der Dateityp „{0}“ wird nicht unterstützt: Verwenden Sie einen von {1}.</translation>
   </message>
   <message>
+   <source>"{0}" is the document "{1}": choose another file.</source>
+   <translation>„{0}“ ist das Dokument „{1}“: Wählen Sie eine andere Datei.</translation>
+  </message>
+  <message>
    <source>the folder "{0}" does not exist: create it, or choose another one.</source>
    <translation>Der Ordner „{0}“ existiert nicht: Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
   </message>
@@ -1481,6 +1485,10 @@ Versucht:
   <message>
    <source>"{0}" is write-protected: choose another name, or change its permissions.</source>
    <translation>„{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
+  </message>
+  <message>
+   <source>"{0}" is read by "{1}": choose another file.</source>
+   <translation>„{0}“ wird von „{1}“ gelesen: Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>en</source>
@@ -2664,6 +2672,10 @@ Versucht:
   <message>
    <source>Removal distance</source>
    <translation>Ausbauabstand</translation>
+  </message>
+  <message>
+   <source>{0} (stale: check again)</source>
+   <translation>{0} (veraltet: neu prüfen)</translation>
   </message>
   <message>
    <source>Moving parts, in order of installation</source>

@@ -248,12 +248,198 @@ PathCase scatteredCase(unsigned seed) {
   return inFrames(c, random);
 }
 
+PathCase keyCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "key";
+  // An L whose foot lies under the lips of a groove that is open at one end; the stem stands in it.
+  const double w = random.number(2, 3), gap = random.number(0.5, 1), foot = random.number(5, 7);
+  append(c.part, boxAt(-8, 8, -w, w, 4, 20));
+  append(c.part, boxAt(-8, 8, -foot, foot, 0, 4));
+  const double s = w + gap, f = foot + gap;
+  TriMesh groove = boxAt(-30, 30, -f - 5, f + 5, -gap - 5, -gap);
+  append(groove, boxAt(-30, 30, f, f + 5, -gap, 4 + gap));
+  append(groove, boxAt(-30, 30, -f - 5, -f, -gap, 4 + gap));
+  append(groove, boxAt(-30, 30, s, f + 5, 4 + gap, 9));
+  append(groove, boxAt(-30, 30, -f - 5, -s, 4 + gap, 9));
+  append(groove, boxAt(-35, -30, -f - 5, f + 5, -gap - 5, 9));
+  c.neighbours = {groove};
+  c.goal = shifted({0, 0, 0});
+  c.start = shifted({random.number(-10, 10), random.number(-10, 10), 60});
+  c.clearance = 0.4 * gap;
+  return inFrames(c, random);
+}
+
+PathCase ringCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "ring";
+  const double r = random.number(1.5, 2), hole = r + random.number(1.5, 2.5);
+  c.part = makeSquareRing(hole + 3, hole, -2, 2);
+  // A rod that stands on a plate, bent to the side, then up again.
+  TriMesh rod = boxAt(-20, 20, -20, 20, -10, -5);
+  append(rod, boxAt(-r, r, -r, r, -5, 15));
+  append(rod, boxAt(-r, 15, -r, r, 15, 15 + 2 * r));
+  append(rod, boxAt(15, 15 + 2 * r, -r, r, 15, 35));
+  c.neighbours = {rod};
+  c.goal = shifted({0, 0, 0});
+  c.start = shifted({random.number(-10, 10), random.number(-10, 10), 60});
+  c.clearance = 0.3;
+  c.needsTurn = true;
+  return inFrames(c, random);
+}
+
+PathCase handleCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "handle";
+  // A U with long legs through a window in a wall: first one leg, then the bridge, then the other.
+  const double a = random.number(1, 1.5), half = random.number(7, 9), leg = random.number(14, 18);
+  append(c.part, boxAt(-a, a, -half, half, -a, a));
+  append(c.part, boxAt(-a, leg, half - 2 * a, half, -a, a));
+  append(c.part, boxAt(-a, leg, -half, -half + 2 * a, -a, a));
+  const double w = random.number(5, 6);
+  TriMesh wall = boxAt(-2, 2, w, 40, -40, 40);
+  append(wall, boxAt(-2, 2, -40, -w, -40, 40));
+  append(wall, boxAt(-2, 2, -w, w, w, 40));
+  append(wall, boxAt(-2, 2, -w, w, -40, -w));
+  const TriMesh room = transformed(channelWalls(40, 60, 3), placement({0, 0, 1}, 0, {-62, 0, 0}));
+  c.neighbours = {wall, room};
+  c.goal = shifted({-35, 0, 0});
+  c.start = shifted({40, 0, 0});
+  c.clearance = 0.3;
+  c.needsTurn = true;
+  return inFrames(c, random);
+}
+
+PathCase keyholeCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "keyhole";
+  // A pin with a head behind a plate; only the wide end of the hole lets the head pass.
+  const double r = random.number(2, 3), head = r + random.number(1.5, 3);
+  const double gap = random.number(0.4, 0.8);
+  append(c.part, boxAt(-8, 8, -r, r, -r, r));
+  append(c.part, boxAt(-11, -8, -head, head, -head, head));
+  const double s = r + gap, w = head + gap, top = 20;
+  TriMesh plate = boxAt(-3, 3, w, 40, -40, 40);
+  append(plate, boxAt(-3, 3, -40, -w, -40, 40));
+  append(plate, boxAt(-3, 3, -w, -s, -40, top - w));
+  append(plate, boxAt(-3, 3, s, w, -40, top - w));
+  append(plate, boxAt(-3, 3, -s, s, -40, -s));
+  append(plate, boxAt(-3, 3, -w, w, top + w, 40));
+  const TriMesh room = transformed(channelWalls(40, 30, 3), placement({0, 0, 1}, 0, {-33, 0, 0}));
+  c.neighbours = {plate, room};
+  c.goal = shifted({0, 0, 0});
+  c.start = shifted({50, 0, random.number(-20, 20)});
+  c.clearance = 0.4 * gap;
+  return inFrames(c, random);
+}
+
+PathCase hooksCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "hooks";
+  // Two open hooks that hang in each other; the other one is held by a plate.
+  const double r = random.number(1.5, 2), inner = random.number(5, 6), mouth = 2 * r + 1.5;
+  const auto hook = [&] {
+    TriMesh mesh = boxAt(-inner - 2 * r, inner + 2 * r, -r, r, -inner - 2 * r, -inner);
+    append(mesh, boxAt(-inner - 2 * r, -inner, -r, r, -inner, inner + 2 * r));
+    append(mesh, boxAt(inner, inner + 2 * r, -r, r, -inner, inner + 2 * r));
+    append(mesh, boxAt(-inner, inner - mouth, -r, r, inner, inner + 2 * r));
+    return mesh;
+  };
+  c.part = hook();
+  TriMesh other = transformed(hook(), placement({0, 0, 1}, 90, {0, 0, -inner - r}));
+  append(other, boxAt(-20, 20, -20, 20, -2 * inner - 6 * r - 5, -2 * inner - 3 * r));
+  c.neighbours = {other};
+  c.goal = shifted({0, 0, 0});
+  c.start = shifted({random.number(-10, 10), random.number(-10, 10), 50});
+  c.clearance = 0.2;
+  return inFrames(c, random);
+}
+
+PathCase nutCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "nut";
+  // A round ring on a round shaft of three pieces with bends of some thirty degrees.
+  const double r = random.number(1.5, 2.5), hole = r + random.number(1, 1.5);
+  c.part = makeTorus(hole + 1.5, 1.5, 32, 12);
+  const double bend = random.number(25, 40);
+  TriMesh shaft = makeCylinder(8, -16, -8, 24);
+  append(shaft, makeCylinder(r, -8, 10, 24));
+  const Eigen::Isometry3d second = placement({1, 0, 0}, bend, {0, 0, 10});
+  append(shaft, transformed(makeCylinder(r, -1, 18, 24), second));
+  append(shaft, transformed(makeCylinder(r, -1, 18, 24),
+                            second * placement({0, 1, 0}, -bend, {0, 0, 18})));
+  c.neighbours = {shaft};
+  c.goal = shifted({0, 0, -2});
+  c.start = shifted({random.number(-20, 20), random.number(-20, 20), 80});
+  c.clearance = 0.2;
+  c.needsTurn = true;
+  return inFrames(c, random);
+}
+
+PathCase drawerCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "drawer";
+  // A drawer with a stop at its back: it has to be lifted at the end of its way to come out.
+  const double w = random.number(8, 12), gap = random.number(0.5, 1), stop = random.number(2, 3);
+  const double length = 24, height = 8;
+  append(c.part, boxAt(0, length, -w, w, 0, height));
+  append(c.part, boxAt(0, 3, -w, w, -stop, 0));
+  const double s = w + gap, low = stop + gap, high = height + stop + 2 * gap;
+  TriMesh cabinet = boxAt(-10, length + 4, -s - 4, s + 4, -low - 4, -low);
+  append(cabinet, boxAt(-10, length + 4, -s - 4, s + 4, high, high + 4));
+  append(cabinet, boxAt(-10, length + 4, s, s + 4, -low, high));
+  append(cabinet, boxAt(-10, length + 4, -s - 4, -s, -low, high));
+  append(cabinet, boxAt(-14, -10, -s - 4, s + 4, -low - 4, high + 4));
+  append(cabinet, boxAt(length, length + 4, -s, s, -low, -gap));
+  c.neighbours = {cabinet};
+  c.goal = shifted({-2, 0, 0});
+  c.start = shifted({3 * length, 0, random.number(-10, 10)});
+  c.clearance = 0.4 * gap;
+  return inFrames(c, random);
+}
+
+PathCase engineCase(unsigned seed) {
+  Random random(seed);
+  PathCase c;
+  c.name = "engine";
+  // A tall block in a bay under a beam: along under the beam, and tilted past it.
+  const double a = random.number(8, 10), h = random.number(10, 12), gap = random.number(1.5, 2.5);
+  append(c.part, boxAt(-a, a, -a, a, -h, h));
+  append(c.part, boxAt(a, a + 8, -3, 3, -h, -h + 6));
+  const double x0 = -a - gap, x1 = a + 8 + 2 * gap + 14, y = a + gap, top = h + gap;
+  TriMesh bay = boxAt(x0 - 4, x1 + 4, -y - 4, y + 4, -h - gap - 4, -h - gap);
+  append(bay, boxAt(x0 - 4, x0, -y - 4, y + 4, -h - gap, top));
+  append(bay, boxAt(x1, x1 + 4, -y - 4, y + 4, -h - gap, top));
+  append(bay, boxAt(x0, x1, y, y + 4, -h - gap, top));
+  append(bay, boxAt(x0, x1, -y - 4, -y, -h - gap, top));
+  append(bay, boxAt(x0 + 3, x0 + 9, -y - 4, y + 4, top, top + 5));
+  c.neighbours = {bay};
+  c.goal = shifted({0, 0, 0});
+  c.start = shifted({random.number(-10, 10), random.number(-10, 10), 80});
+  c.clearance = 0.5;
+  return inFrames(c, random);
+}
+
 PathCase pathCase(unsigned number) {
   using Make = PathCase (*)(unsigned seed);
   constexpr unsigned kCount = 9;
   constexpr std::array<Make, kCount> kKinds{channelCase, cornerCase,   slotCase,
                                             hookCase,    elbowCase,    sealedCase,
                                             narrowCase,  touchingCase, scatteredCase};
+  return kKinds[number % kCount](number / kCount + 1);
+}
+
+PathCase hardPathCase(unsigned number) {
+  using Make = PathCase (*)(unsigned seed);
+  constexpr unsigned kCount = 8;
+  constexpr std::array<Make, kCount> kKinds{keyCase,   ringCase, handleCase, keyholeCase,
+                                            hooksCase, nutCase,  drawerCase, engineCase};
   return kKinds[number % kCount](number / kCount + 1);
 }
 

@@ -44,4 +44,24 @@ PathCase scatteredCase(unsigned seed);
 /// One of the above kinds, all of them in turn.
 PathCase pathCase(unsigned number);
 
+/// An L-shaped key in a T-slot that is open at one end.
+PathCase keyCase(unsigned seed);
+/// A square ring over a rod with two right bends.
+PathCase ringCase(unsigned seed);
+/// A handle (U) that has to be threaded through a window.
+PathCase handleCase(unsigned seed);
+/// A pin with a head in a keyhole.
+PathCase keyholeCase(unsigned seed);
+/// Two open hooks that hang in each other.
+PathCase hooksCase(unsigned seed);
+/// A round ring on a round shaft with two bends.
+PathCase nutCase(unsigned seed);
+/// A drawer with a stop that has to be lifted over an edge.
+PathCase drawerCase(unsigned seed);
+/// A block in a bay, under a beam.
+PathCase engineCase(unsigned seed);
+
+/// One of the kinds from the key on, all of them in turn.
+PathCase hardPathCase(unsigned number);
+
 }  // namespace swept::test

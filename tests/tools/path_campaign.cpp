@@ -1,6 +1,8 @@
 // Many problems for the search for paths: each path that is called found is checked again from its
 // keys by checkClearance(), each verdict against what is known of the problem.
-// Usage: swept_path_campaign FIRST LAST [BUDGET_S [THREADS [KIND]]]; ends with 1 if anything fails.
+// Usage: swept_path_campaign FIRST LAST [BUDGET_S [THREADS [KIND [MOVES]]]]; KIND
+// "hard": the other kinds of hardPathCase(). MOVES: limit in place of the clock, none: 0. Ends with
+// 1 if anything fails.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <cstdlib>
@@ -27,12 +29,15 @@ int main(int argc, char** argv) {
   std::map<std::string, Tally> tallies;
   int failures = 0;
   for (unsigned number = first; number <= last; ++number) {
-    const test::PathCase c = test::pathCase(number);
-    if (!kind.empty() && c.name != kind) continue;
+    const bool hard = kind == "hard";
+    const test::PathCase c = hard ? test::hardPathCase(number) : test::pathCase(number);
+    if (!kind.empty() && !hard && c.name != kind) continue;
     RunContext run;
     run.threads = static_cast<int>(argument(4, 1));
     PathOptions options = test::optionsOf(c);
     options.budgetSeconds = argument(3, 10);
+    options.mostSteps = static_cast<std::int64_t>(argument(6, 0));
+    options.askLess = options.mostSteps == 0;
     const std::clock_t start = std::clock();
     const PathReport report =
         findPath(c.part, test::taskOf(c), test::neighboursOf(c), options, run);
@@ -47,7 +52,7 @@ int main(int argc, char** argv) {
       ++failures;
       ++tally.failed;
     }
-    if (argc > 6 || !wrong.empty())
+    if (argc > 7 || !wrong.empty())
       std::printf("%u %s: %.2f CPU s, %lld steps, %s%s%s %s\n", number, c.name.c_str(), seconds,
                   static_cast<long long>(report.steps), pathVerdictName(report.verdict),
                   wrong.empty() ? "" : "; WRONG: ", wrong.c_str(), report.summary.c_str());

@@ -21,12 +21,6 @@ Vector6d opening(const Scene& scene, const State& state, const Contact& contact)
   return row;
 }
 
-Vector6d scaled(const Scene& scene, const Twist& twist) {
-  Vector6d v;
-  v << twist.shift, twist.turn * scene.radius();
-  return v;
-}
-
 Twist unscaled(const Scene& scene, const Vector6d& v) {
   return {v.head<3>(), v.tail<3>() / scene.radius()};
 }
@@ -144,24 +138,6 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
       for (const double sign : {1.0, -1.0}) list.add(sign * all.eigenvectors().col(k));
   }
   return list.moves();
-}
-
-Twist alongContacts(const Scene& scene, const State& state, const std::vector<Contact>& contacts,
-                    Twist twist) {
-  Vector6d v = scaled(scene, twist);
-  // Each round takes out what approaches; contacts that oppose each other need some rounds.
-  for (int round = 0; round < 8; ++round) {
-    bool approached = false;
-    for (const Contact& contact : contacts) {
-      const Vector6d row = opening(scene, state, contact);
-      const double speed = row.dot(v);
-      if (speed >= -1e-9 * v.norm()) continue;
-      v -= row * (speed / row.squaredNorm());
-      approached = true;
-    }
-    if (!approached) break;
-  }
-  return unscaled(scene, v);
 }
 
 }  // namespace swept::path

@@ -22,8 +22,4 @@ std::vector<Contact> contactsOf(const Scene& scene, const State& state, const Ru
 std::vector<Twist> freeMoves(const Scene& scene, const State& state,
                              const std::vector<Contact>& contacts, bool turns);
 
-/// What is left of a twist that no longer approaches any of the contacts.
-Twist alongContacts(const Scene& scene, const State& state, const std::vector<Contact>& contacts,
-                    Twist twist);
-
 }  // namespace swept::path

@@ -140,14 +140,13 @@ class PathFinder {
     // the proof covers.
     task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
                     (task_.start || task_.extraction->direction);
-    const Rule loose(scene_.count(), 0.1 * o_.tolerance);
     // Part of the time is kept to find the largest clearance for which there is a path.
     const bool mayAskLess =
         o_.askLess &&
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
     Limits limits = limits_;
     limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
-    LegResult found = solveLeg(scenes_, demand_.apart, loose, task, limits, run_);
+    LegResult found = solveLeg(scene_, demand_.apart, task, limits, run_);
     if (!found.keys.empty() || found.noTranslation || !mayAskLess) return found;
     task.provable = false;
     for (const double fraction : {0.5, 0.25, 0.0}) {
@@ -156,7 +155,7 @@ class PathFinder {
       for (std::size_t i = 0; i < less.size(); ++i)
         less[i] += std::max(fraction * demand_.required[i], demand_.tolerance) -
                    std::max(demand_.required[i], demand_.tolerance);
-      const LegResult other = solveLeg(scenes_, less, loose, task, limits, run_);
+      const LegResult other = solveLeg(scene_, less, task, limits, run_);
       found.steps += other.steps;
       if (other.keys.empty()) continue;
       report_.possibleClearance = fraction * o_.clearance;
@@ -283,7 +282,6 @@ class PathFinder {
   PathReport& report_;
   Timer timer_;
   Scene scene_;
-  ThinnedScenes scenes_{scene_};
   Limits limits_;
   Demand demand_;
   SearchSpace space_;

@@ -185,8 +185,7 @@ class Improver {
     leg.far = (space_.high - space_.low).norm();
     const double until = std::min(o_.budgetSeconds, timer_.seconds() + kShare * o_.budgetSeconds);
     const Limits limits{timer_, until, o_.seed, nullptr, o_.mostSteps};
-    const Rule loose(scene_.count(), 0.1 * o_.tolerance);
-    const LegResult found = solveLeg(scenes_, rule, loose, leg, limits, run_);
+    const LegResult found = solveLeg(scene_, rule, leg, limits, run_);
     report_.steps += found.steps;
     if (found.keys.empty()) return;
     piece = {found.keys, true};
@@ -329,7 +328,6 @@ class Improver {
   PathReport& report_;
   Timer timer_;
   Scene scene_;
-  ThinnedScenes scenes_{scene_};
   Demand demand_;
   Memory memory_;
   SearchSpace space_;

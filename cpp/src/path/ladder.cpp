@@ -2,7 +2,6 @@
 #include "path/ladder.h"
 
 #include <algorithm>
-#include <array>
 #include <deque>
 #include <memory>
 #include <numbers>
@@ -16,93 +15,52 @@ namespace {
 
 // Searches side by side, for as many threads; luck differs, and the first one counts.
 constexpr std::size_t kSearches = 2;
-constexpr int kRounds = 20;                  // of one search before the others are asked
-constexpr std::size_t kNodesAtFirst = 3000;  // of both trees, before a search begins anew
-// Skins that are taken off, in radii of the part, from the first search of a chain to the last.
-constexpr std::array<double, 3> kSkins{0.08, 0.04, 0.015};
+constexpr int kRounds = 20;                           // of one search before the others are asked
+constexpr std::size_t kNodesAtFirst = 3000;           // of both trees, before a search begins anew
 constexpr std::size_t kMostStarts = 8;                // that are looked for on grids, one by one
 constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // of one grid
-constexpr std::int64_t kMostTriangles = 200000;       // of scenes that are thinned
 
-/// Scenes from the loosest to the true one, and what to keep from the neighbours in each.
-struct Stage {
-  const Scene* scene;
-  Rule rule;
-};
-
-// One search: in the true scene, or in a chain of scenes that get tighter, where the path of each
-// guides the next. Begins anew, with other numbers, when its trees have grown too large.
-class Chain {
+// One search. Begins anew, with other numbers, when its trees have grown too large.
+class Search {
  public:
-  Chain(const std::vector<Stage>& stages, const Leg& leg, std::uint64_t seed)
-      : stages_(stages), leg_(leg), seed_(seed) {}
+  Search(const Scene& scene, const Rule& rule, const Leg& leg, std::uint64_t seed)
+      : scene_(scene), rule_(rule), leg_(leg), seed_(seed) {
+    begin();
+  }
 
   bool round() {
-    if (!trees_) begin();
-    if (!trees_->grow(1)) {
-      if (trees_->nodes() > most_) restart();
-      return false;
-    }
-    if (at_ + 1 == stages_.size()) return true;
-    guides_ = guidesFrom(trees_->path());
-    ++at_;
-    leave();
+    if (trees_->grow(1)) return true;
+    if (trees_->nodes() <= most_) return false;
+    steps_ += trees_->steps();
+    most_ += most_ / 4;
+    begin();
     return false;
   }
-  const TwoTrees* trees() const { return trees_.get(); }
-  bool inTrueScene() const { return at_ + 1 == stages_.size(); }
-  std::int64_t steps() const { return steps_ + (trees_ ? trees_->steps() : 0); }
+  const TwoTrees& trees() const { return *trees_; }
+  std::int64_t steps() const { return steps_ + trees_->steps(); }
 
  private:
   void begin() {
-    SearchSpace space = leg_.space;
-    space.guides = guides_;
-    trees_ = std::make_unique<TwoTrees>(*stages_[at_].scene, stages_[at_].rule, space, leg_.starts,
-                                        leg_.goals, seed_ + 7919 * ++begun_);
-  }
-  void leave() {
-    steps_ += trees_->steps();
-    trees_.reset();
-  }
-  void restart() {
-    leave();
-    at_ = 0;
-    guides_.clear();
-    most_ += most_ / 4;
-  }
-  // So many that a guide stands everywhere along the way.
-  std::vector<State> guidesFrom(const std::vector<State>& keys) const {
-    const Scene& scene = *stages_[at_].scene;
-    std::vector<State> guides;
-    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-      const int pieces =
-          1 + static_cast<int>(scene.distance(keys[i], keys[i + 1]) / (0.1 * scene.radius()));
-      for (int k = 0; k < pieces; ++k)
-        guides.push_back(scene.stateBetween(keys[i], keys[i + 1], double(k) / pieces));
-    }
-    guides.push_back(keys.back());
-    return guides;
+    trees_ = std::make_unique<TwoTrees>(scene_, rule_, leg_.space, leg_.starts, leg_.goals,
+                                        seed_ + 7919 * ++begun_);
   }
 
-  const std::vector<Stage>& stages_;
+  const Scene& scene_;
+  const Rule& rule_;
   const Leg& leg_;
   std::uint64_t seed_, begun_ = 0;
-  std::size_t at_ = 0, most_ = kNodesAtFirst;
+  std::size_t most_ = kNodesAtFirst;
   std::int64_t steps_ = 0;
-  std::vector<State> guides_;
   std::unique_ptr<TwoTrees> trees_;
 };
 
 class SixDimensions {
  public:
-  SixDimensions(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, const Leg& leg,
-                const Limits& limits, RunContext& run)
-      : scene_(scenes.whole()), leg_(leg), limits_(limits), run_(run), plain_{{&scene_, rule}} {
-    for (const auto& thin : scenes.thinned(run)) chain_.push_back({thin.get(), loose});
-    chain_.push_back({&scene_, loose});
-    chain_.push_back({&scene_, rule});
+  SixDimensions(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
+                RunContext& run)
+      : scene_(scene), leg_(leg), limits_(limits), run_(run) {
     for (std::size_t i = 0; i < kSearches; ++i)
-      searches_.emplace_back(i == 0 ? chain_ : plain_, leg, limits.seed * 1000003 + i * 65537);
+      searches_.emplace_back(scene, rule, leg, limits.seed * 1000003 + i * 65537);
   }
 
   LegResult search() {
@@ -118,17 +76,16 @@ class SixDimensions {
                       static_cast<std::uint64_t>(1000 * limits_.seconds) + 1);
       for (std::size_t i = 0; i < kSearches; ++i) {
         note(searches_[i], result);
-        if (done[i] && result.keys.empty()) result.keys = searches_[i].trees()->path();
+        if (done[i] && result.keys.empty()) result.keys = searches_[i].trees().path();
       }
       if (limits_.watch != nullptr) limits_.watch->show(scene_.outside(result.farthest));
     }
     result.method = leg_.space.turns() ? "six dimensions" : "no turning";
     result.blocked.assign(scene_.count(), 0);
-    for (const Chain& search : searches_) {
+    for (const Search& search : searches_) {
       result.steps += search.steps();
-      if (!search.inTrueScene() || search.trees() == nullptr) continue;
       for (std::size_t i = 0; i < scene_.count(); ++i)
-        result.blocked[i] += search.trees()->blocked()[i];
+        result.blocked[i] += search.trees().blocked()[i];
     }
     return result;
   }
@@ -138,13 +95,12 @@ class SixDimensions {
   bool stepsOver() const {
     if (limits_.mostSteps == 0) return false;
     std::int64_t steps = 0;
-    for (const Chain& search : searches_) steps += search.steps();
+    for (const Search& search : searches_) steps += search.steps();
     return steps >= limits_.mostSteps;
   }
-  void note(const Chain& search, LegResult& result) const {
-    if (!search.inTrueScene() || search.trees() == nullptr) return;
+  void note(const Search& search, LegResult& result) const {
     const Eigen::Vector3d& root = leg_.goals.front().middle;
-    const State& state = search.trees()->farthest();
+    const State& state = search.trees().farthest();
     if ((state.middle - root).norm() > (result.farthest.middle - root).norm())
       result.farthest = state;
   }
@@ -153,23 +109,10 @@ class SixDimensions {
   const Leg& leg_;
   const Limits& limits_;
   RunContext& run_;
-  std::vector<Stage> plain_, chain_;
-  std::deque<Chain> searches_;
+  std::deque<Search> searches_;
 };
 
 }  // namespace
-
-const std::vector<std::unique_ptr<Scene>>& ThinnedScenes::thinned(RunContext& run) {
-  if (thinned_) return *thinned_;
-  thinned_.emplace();
-  auto triangles = static_cast<std::int64_t>(whole_.part().tree().size());
-  for (std::size_t i = 0; i < whole_.count(); ++i)
-    triangles += static_cast<std::int64_t>(whole_.neighbour(i).tree().size());
-  if (triangles > kMostTriangles) return *thinned_;
-  for (const double skin : kSkins)
-    thinned_->push_back(std::make_unique<Scene>(whole_, skin * whole_.radius(), run));
-  return *thinned_;
-}
 
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
   return [&scene, &space](const State& a, const State& b) {
@@ -186,9 +129,8 @@ MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
   };
 }
 
-LegResult solveLeg(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, const Leg& leg,
-                   const Limits& limits, RunContext& run) {
-  const Scene& scene = scenes.whole();
+LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
+                   RunContext& run) {
   LegResult result;
   Memory memory = scene.memory();
   const MoveAllowed allowed = turnLimit(scene, leg.space);
@@ -226,7 +168,7 @@ LegResult solveLeg(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, c
     result.farthest = leg.goals.front();
     result.blocked.assign(scene.count(), 0);
   } else {
-    result = SixDimensions(scenes, rule, loose, leg, limits, run).search();
+    result = SixDimensions(scene, rule, leg, limits, run).search();
   }
   result.noTranslation = proven;
   for (std::size_t i = 0; i < scene.count(); ++i) result.blocked[i] += memory.blocked[i];

@@ -36,20 +36,6 @@ struct LegResult {
   std::int64_t steps = 0;
 };
 
-/// A scene, and the same with skins taken off all parts, thinner from one to the next. Those are
-/// made when they are first asked for.
-class ThinnedScenes {
- public:
-  explicit ThinnedScenes(const Scene& whole) : whole_(whole) {}
-  const Scene& whole() const { return whole_; }
-  /// None where the parts have too many triangles to thin them.
-  const std::vector<std::unique_ptr<Scene>>& thinned(RunContext& run);
-
- private:
-  const Scene& whole_;
-  std::optional<std::vector<std::unique_ptr<Scene>>> thinned_;
-};
-
 struct Limits {
   const Timer& timer;
   double seconds = 0;
@@ -62,8 +48,7 @@ struct Limits {
 /// Whether a move keeps the largest turn from how the part stands at the goal.
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space);
 
-/// `loose`: the least that has to be kept from the neighbours on ways that only guide the search.
-LegResult solveLeg(ThinnedScenes& scenes, const Rule& rule, const Rule& loose, const Leg& leg,
-                   const Limits& limits, RunContext& run);
+LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
+                   RunContext& run);
 
 }  // namespace swept::path

@@ -7,6 +7,7 @@ namespace swept::path {
 namespace {
 
 constexpr int kTrialsToGiveUp = 40;
+constexpr int kPasses = 3;  // shortcuts, then fewer keys
 
 class Shortener {
  public:
@@ -40,6 +41,19 @@ class Shortener {
       else
         ++i;
     }
+  }
+
+  // One key in place of two neighbouring ones, between them; true if one could be spared.
+  bool mergeKeys() {
+    for (std::size_t i = 1; i + 2 < keys_.size(); ++i)
+      for (const double at : {0.5, 0.2, 0.8}) {
+        const State middle = scene_.stateBetween(keys_[i], keys_[i + 1], at);
+        if (!isFree(keys_[i - 1], middle) || !isFree(middle, keys_[i + 2])) continue;
+        keys_[i] = middle;
+        keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        return true;
+      }
+    return false;
   }
 
   // One shortcut between two places of the path; true if it is shorter.
@@ -104,18 +118,22 @@ void shorten(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, i
              RandomNumbers& random, std::vector<State>& keys, RunContext& run) {
   Shortener shortener(scene, rule, allowed, random, keys);
   shortener.dropKeys();
-  int failed = 0;
-  for (int trial = 0; trial < trials && failed < kTrialsToGiveUp && keys.size() > 2; ++trial) {
-    run.checkpoint(Phase::Polish, static_cast<std::uint64_t>(trial),
-                   static_cast<std::uint64_t>(trials));
-    if (shortener.cut()) {
-      failed = 0;
-      if (trial % 8 == 0) shortener.dropKeys();
-    } else {
-      ++failed;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    int failed = 0;
+    for (int trial = 0; trial < trials && failed < kTrialsToGiveUp && keys.size() > 2; ++trial) {
+      run.checkpoint(Phase::Polish, static_cast<std::uint64_t>(pass * trials + trial),
+                     static_cast<std::uint64_t>(kPasses * trials));
+      if (shortener.cut()) {
+        failed = 0;
+        if (trial % 8 == 0) shortener.dropKeys();
+      } else {
+        ++failed;
+      }
     }
+    shortener.dropKeys();
+    while (shortener.mergeKeys()) run.checkpoint(Phase::Polish);
+    shortener.dropKeys();
   }
-  shortener.dropKeys();
 }
 
 }  // namespace swept::path

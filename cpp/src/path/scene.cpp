@@ -7,7 +7,6 @@
 
 #include "clearance/pair_check.h"
 #include "path/main_axes.h"
-#include "path/thin.h"
 
 namespace swept::path {
 namespace {
@@ -62,23 +61,6 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
     for (const Vector3d& x : part_.corners(place))
       radius_ = std::max(radius_, (x - middle_).norm());
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
-}
-
-Scene::Scene(const Scene& whole, double skin, RunContext& run)
-    : world_(whole.world_),
-      own_(whole.own_),
-      part_(thinned(whole.part_, skin), "the part"),
-      mended_(whole.mended_),
-      box_(whole.box_),
-      partBox_(whole.partBox_),
-      middle_(whole.middle_),
-      radius_(whole.radius_),
-      resolution_(whole.resolution_),
-      interpolation_(whole.interpolation_) {
-  for (const clearance::Part& neighbour : whole.neighbours_) {
-    run.checkpoint(Phase::Turns);
-    neighbours_.emplace_back(thinned(neighbour, skin), "a neighbour");
-  }
 }
 
 // x_world = R x + t with both frames turned: W (R (own^T x')) + W t.
@@ -204,17 +186,6 @@ void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double
     }
     spans.push_back({span.from, middle, span.level + 1});
   }
-}
-
-Contact Scene::contactAt(const State& state, std::size_t i, double within, Memory& memory) const {
-  const PairSearch pair(part_, neighbours_[i]);
-  ++memory.steps;
-  const clearance::PairDistance near = pair.distanceAt(
-      state.pose.rotation.toRotationMatrix(), state.pose.translation, within, memory.pairs[i]);
-  if (near.pair.body < 0 || !(near.distance > 0)) return {};
-  memory.pairs[i] = near.pair;
-  return {static_cast<int>(i), near.distance, near.onBody,
-          (near.onBody - near.onNeighbour) / near.distance};
 }
 
 }  // namespace swept::path

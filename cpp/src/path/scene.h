@@ -66,9 +66,6 @@ class Scene {
   Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
         const PathOptions& options, RunContext& run);
 
-  /// The same places with a skin taken off the part and off the neighbours, to guide a search.
-  Scene(const Scene& whole, double skin, RunContext& run);
-
   const clearance::Part& part() const { return part_; }
   bool partMended() const { return partMended_; }
   const clearance::Part& neighbour(std::size_t i) const { return neighbours_[i]; }
@@ -107,8 +104,6 @@ class Scene {
   /// counts as blocked.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
-  /// The nearest pair, if nearer than `within`.
-  Contact contactAt(const State& state, std::size_t neighbour, double within, Memory& memory) const;
 
  private:
   void followOne(const clearance::MotionTree& motion, std::size_t neighbour, double apart,

@@ -11,7 +11,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kStart = 0, kGoal = 1;
-constexpr int kSlides = 3;
+constexpr int kSlides = 5, kPushes = 60;  // moves of one extension, of one push
+constexpr double kPushed = 0.5;           // of the rounds
+constexpr double kPush = 3;               // radii of the part, or rad, at most
+constexpr double kLost = 1e-9;            // of a move, by rounding
+constexpr double kOnward = 0.05;          // of a wanted move, or it leads nowhere
 // Of a move: how exactly the tree finds out where it is blocked.
 constexpr double kFinest = 1.0 / 16;
 
@@ -39,7 +43,7 @@ int TwoTrees::add(int tree, int parent, const State& state) {
   const auto [cell, isNew] = cells_[tree].try_emplace(key, std::ssize(cellNodes_[tree]));
   if (isNew) cellNodes_[tree].push_back(0);
   ++cellNodes_[tree][static_cast<std::size_t>(cell->second)];
-  trees_[tree].push_back({state, parent, cell->second});
+  trees_[tree].push_back({state, parent, cell->second, 0, {}});
   const int index = static_cast<int>(trees_[tree].size()) - 1;
   if (tree == kGoal) {
     const Vector3d& root = trees_[tree].front().state.middle;
@@ -128,40 +132,75 @@ State TwoTrees::limited(const State& from, const State& to) const {
 }
 
 int TwoTrees::extend(int tree, int from, const State& to, double most, bool& reached) {
-  reached = false;
-  State at = trees_[tree][static_cast<std::size_t>(from)].state;
-  Twist twist = Scene::between(at, to);
-  const double whole = scene_.length(twist);
-  if (!(whole > 0)) {
-    reached = true;
-    return from;
+  const double whole = scene_.distance(trees_[tree][static_cast<std::size_t>(from)].state, to);
+  reached = !(whole > 0);
+  if (reached) return from;
+  const double step = std::min(most, whole);
+  return slide(tree, from, {&to, {}, step, step, kSlides}, reached);
+}
+
+int TwoTrees::push(int tree, int from) {
+  const Twist drive = randomDrive(trees_[tree][static_cast<std::size_t>(from)].state);
+  const double step = scene_.radius() * std::pow(10.0, random_.between(-1.5, -0.5));
+  bool reached = false;
+  return slide(tree, from, {nullptr, drive, step, kPush * scene_.radius(), kPushes}, reached);
+}
+
+// Along an axis of the world or of the part, or any; farther than any push goes.
+Twist TwoTrees::randomDrive(const State& at) {
+  const double kind = random_.fraction();
+  Vector3d d = random_.direction();
+  if (kind < 0.8) {
+    d = Vector3d::Unit(static_cast<int>(random_.index(3)));
+    if (kind < 0.4) d = at.pose.rotation * d;
+    if (random_.fraction() < 0.5) d = -d;
   }
-  const double fraction = std::min(1.0, most / whole);
-  twist = twist * fraction;
-  std::vector<Contact> contacts;
+  const double far = 2 * kPush;
+  if (space_.turns() && random_.fraction() < 0.5) return {Vector3d::Zero(), far * d};
+  return {far * scene_.radius() * d, Vector3d::Zero()};
+}
+
+int TwoTrees::slide(int tree, int from, const Drive& drive, bool& reached) {
+  State at = trees_[tree][static_cast<std::size_t>(from)].state;
+  Touches touches = trees_[tree][static_cast<std::size_t>(from)].touches;
+  const double radius = scene_.radius();
+  double step = drive.step, left = drive.most;
   int node = from;
-  for (int slide = 0; slide <= kSlides; ++slide) {
-    const State next = slide == 0 && fraction >= 1 ? to : limited(at, scene_.moved(at, twist));
+  for (int k = 0; k < drive.moves && left > 0; ++k) {
+    const Twist whole = drive.to != nullptr ? Scene::between(at, *drive.to) : drive.twist;
+    const double wanted = scene_.length(whole);
+    const double length = (1 + 1e-6) * std::min(step, left);
+    const Twist asked = wanted <= length ? whole : whole * (length / wanted);
+    const Twist allowed = allowedMove(scene_, at, rule_, touches, asked);
+    // What the contacts leave of it has to lead on.
+    const double onward =
+        allowed.shift.dot(asked.shift) + radius * radius * allowed.turn.dot(asked.turn);
+    const double most = scene_.length(asked);
+    if (!(onward >= kOnward * most * most) || scene_.length(allowed) > 3 * most) break;
+    const Twist lost{allowed.shift - asked.shift, allowed.turn - asked.turn};
+    const bool last =
+        drive.to != nullptr && wanted <= length && scene_.length(lost) <= kLost * most;
+    const State next = last ? *drive.to : limited(at, scene_.moved(at, allowed));
     const Follow follow = scene_.follow(at, next, rule_, memory_, kFinest);
-    const double length = scene_.distance(at, next);
-    if (follow.fraction * length > shortest_) {
+    const double came = follow.fraction * scene_.distance(at, next);
+    if (came > shortest_) {
       at = follow.fraction >= 1 ? next : scene_.stateBetween(at, next, follow.fraction);
+      left -= came;
+      dropFar(scene_, at, rule_, drive.step, touches);
       node = add(tree, node, at);
-      contacts.clear();
-      if (!path_.empty()) return node;
+      trees_[tree][static_cast<std::size_t>(node)].touches = touches;
+      reached = last && follow.fraction >= 1;
+      if (reached || !path_.empty()) break;
     }
     if (follow.fraction >= 1) {
-      reached = slide == 0 && fraction >= 1;
-      return node;
+      step = std::min(drive.step, 2 * step);
+    } else {
+      if (follow.neighbour < 0) break;
+      const bool isNew = addTouch(memory_, follow.neighbour, touches);
+      if (isNew || follow.fraction > 0.3) continue;
+      step *= 0.5;
+      if (step < kOnward * drive.step) break;
     }
-    if (follow.neighbour < 0) return node;
-    const auto i = static_cast<std::size_t>(follow.neighbour);
-    const Contact contact = scene_.contactAt(at, i, rule_[i] + 0.1 * scene_.radius(), memory_);
-    if (contact.neighbour < 0) return node;
-    contacts.push_back(contact);
-    const Twist rest = twist * (1 - follow.fraction);
-    twist = alongContacts(scene_, at, contacts, rest);
-    if (scene_.length(twist) < 0.05 * std::min(most, whole)) return node;
   }
   return node;
 }
@@ -197,15 +236,6 @@ void TwoTrees::finish(int startNode, int goalNode) {
   }
 }
 
-State TwoTrees::sampleGuide() {
-  const State& guide = space_.guides[random_.index(space_.guides.size())];
-  const double scale = scene_.radius() * std::pow(10.0, random_.between(-2.5, -0.3));
-  Twist twist{scale * random_.fraction() * random_.direction(), Vector3d::Zero()};
-  if (space_.turns())
-    twist.turn = scale / scene_.radius() * random_.fraction() * random_.direction();
-  return limited(guide, scene_.moved(guide, twist));
-}
-
 // The harder end gets more of the work: there most moves are blocked.
 int TwoTrees::chooseTree() {
   if (trees_[kStart].empty()) return kGoal;
@@ -225,12 +255,15 @@ bool TwoTrees::grow(int rounds) {
     } else if (kind < 0.3) {
       to = sample();
       from = nearest(tree, to);
-    } else if (kind < 0.75 && !space_.guides.empty()) {
-      to = sampleGuide();
-      from = nearest(tree, to);
     } else {
       from = sparse(tree);
       to = sampleNear(tree, from);
+    }
+    if (random_.fraction() < kPushed) {
+      const int end = push(tree, sparse(tree));
+      if (!path_.empty()) break;
+      if (!trees_[1 - tree].empty() && connect(tree, end)) break;
+      continue;
     }
     bool reached = false;
     const auto before = trees_[tree][static_cast<std::size_t>(from)].state;

@@ -4,11 +4,12 @@
 // Units: mm, rad. Cost: some tens of microseconds a question; linear in nodes for the nearest one.
 // Promise: depends on the seed and the number of rounds alone.
 // Sources: J. Kuffner, S. LaValle, RRT-Connect (2000); a blocked extension keeps its last free
-// state
-//        and slides on along what blocks it, after L. Zhang, D. Manocha, An efficient retraction-
-//        based RRT planner (2008); nodes in sparse cells are grown first, I. Sucan, L. Kavraki,
-//        KPIECE (2009); the direction that led to a node is tried again, after S. Dalibard,
-//        J.-P. Laumond, Linear dimensionality reduction in random motion planning (2011).
+//        state and slides on along what blocks it (slide.h), after L. Zhang, D. Manocha, An
+//        efficient retraction-based RRT planner (2008); pushes in fixed directions along contacts,
+//        after Y. Tian et al., Assemble them all (2022); nodes in sparse cells are grown first, I.
+//        Sucan, L. Kavraki, KPIECE (2009); the direction that led to a node is tried again, after
+//        S. Dalibard, J.-P. Laumond, Linear dimensionality reduction in random motion planning
+//        (2011).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,6 +21,7 @@
 #include "path/contacts.h"
 #include "path/random_numbers.h"
 #include "path/scene.h"
+#include "path/slide.h"
 
 namespace swept::path {
 
@@ -31,8 +33,6 @@ struct SearchSpace {
   bool turns() const { return largestTurn > 0; }
   /// A tree from the goal that reaches such a state needs no other one.
   std::function<bool(const State&)> isOut;
-  /// Places near which the way is likely to lie, in order; may be empty.
-  std::vector<State> guides;
 };
 
 class TwoTrees {
@@ -56,7 +56,15 @@ class TwoTrees {
     State state;
     int parent;
     int cell;
-    int tries = 0;
+    int tries;
+    Touches touches;  ///< that limit moves from here
+  };
+  /// A state to go to, or a twist that stays the same; the longest move, of all moves together.
+  struct Drive {
+    const State* to;
+    Twist twist;
+    double step, most;
+    int moves;
   };
   using Tree = std::vector<Node>;
   using CellKey = std::array<int, 6>;
@@ -66,11 +74,14 @@ class TwoTrees {
   int sparse(int tree);
   State sample();
   State sampleNear(int tree, int node);
-  State sampleGuide();
   int chooseTree();
   State limited(const State& from, const State& to) const;
   /// Moves from a node towards a state and slides on where it is blocked; the last node added.
   int extend(int tree, int from, const State& to, double most, bool& reached);
+  /// Pushes a node one way, along all that it meets, as far as it goes; the last node added.
+  int push(int tree, int from);
+  Twist randomDrive(const State& at);
+  int slide(int tree, int from, const Drive& drive, bool& reached);
   bool connect(int tree, int node);
   void finish(int startNode, int goalNode);
 

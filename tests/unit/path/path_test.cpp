@@ -76,6 +76,22 @@ TEST(FindPath, PartsThatHaveToTurnFindTheirWay) {
   }
 }
 
+// No clock and no other machine decides: each within a number of moves (about a second).
+TEST(FindPath, TurnsInNarrowPlacesAreFoundWithinFewMoves) {
+  int found = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    for (const PathCase& c : {slotCase(seed), hookCase(seed), elbowCase(seed), keyholeCase(seed),
+                              keyCase(seed), hooksCase(seed)}) {
+      PathOptions options = patient(c);
+      options.mostSteps = 600000;
+      options.askLess = false;
+      const PathReport report = solve(c, options);
+      EXPECT_EQ(wrongWith(c, report), "") << c.name << " " << seed;
+      found += report.verdict == PathVerdict::Found;
+    }
+  EXPECT_EQ(found, 18);
+}
+
 TEST(FindPath, TheCheckOfTheTestsSeesPlantedFaults) {
   const PathCase c = channelCase(4);
   const PathReport good = solve(c, optionsOf(c));
