@@ -46,7 +46,7 @@ def test_pairs_are_ignored_and_bad_input_is_named():
     assert pair["required"] == 4 and not pair["clearance"]["meets_rule"]
     with pytest.raises(sv.InvalidInput, match="contradict"):
         sv.mechanism(PASSING, ignored=[("left", "right")], rules=[("left", "right", "contact")])
-    with pytest.raises(sv.InvalidInput, match="'left' is there twice"):
+    with pytest.raises(sv.InvalidInput, match="'left' is given twice"):
         sv.mechanism([PASSING[0], PASSING[0]])
     late = ("late", CUBE, slide((0, 0, 0), (9, 0, 0), times=(5.0, 6.0)))
     with pytest.raises(sv.InvalidInput, match="'late' begins at t = 5 s") as error:
@@ -109,7 +109,7 @@ def test_the_program_writes_a_table(call, inputs):  # noqa: F811
     assert call(*words, "--rule", "right", "left", "2.5").returncode == 0
     for extra, named in (
         (["--ignore", "left", "boom"], "'boom'"),
-        ([inputs / "left.ply"], "'left' is there twice"),
+        ([inputs / "left.ply"], "'left' is given twice"),
         (["--moving", inputs / "left.ply"], "--moving needs a value"),
     ):
         done = call(*words, *extra)
@@ -127,7 +127,7 @@ def test_bad_input_of_the_programs_is_named(call, inputs):  # noqa: F811
     ), "a copy may stand there"
     moving = ["--moving", "box.ply", "slide.csv"]
     for words, status, text in (
-        ([*moving, "box.ply"], 1, "PartTwice: part 'box' is there twice"),
+        ([*moving, "box.ply"], 1, "PartTwice: part 'box' is given twice"),
         ([*moving, "--moving", "twin.ply", "gone.csv"], 1, "'gone.csv' does not exist"),
         ([*moving, "--moving", "twin.ply"], 2, "--moving"),
     ):

@@ -8,6 +8,8 @@ namespace {
 
 constexpr int kTrialsToGiveUp = 40;
 constexpr int kPasses = 3;  // shortcuts, then fewer keys
+constexpr int kTrialsToMerge = 24;
+constexpr double kAside = 0.7;  ///< of the way between two keys: how far beside it they are merged
 
 class Shortener {
  public:
@@ -43,16 +45,24 @@ class Shortener {
     }
   }
 
-  // One key in place of two neighbouring ones, between them; true if one could be spared.
+  // One key in place of two neighbouring ones, between them or beside; true if one could be spared.
   bool mergeKeys() {
-    for (std::size_t i = 1; i + 2 < keys_.size(); ++i)
-      for (const double at : {0.5, 0.2, 0.8}) {
-        const State middle = scene_.stateBetween(keys_[i], keys_[i + 1], at);
-        if (!isFree(keys_[i - 1], middle) || !isFree(middle, keys_[i + 2])) continue;
-        keys_[i] = middle;
+    for (std::size_t i = 1; i + 2 < keys_.size(); ++i) {
+      const double length = scene_.distance(keys_[i], keys_[i + 1]);
+      for (int trial = 0; trial < kTrialsToMerge; ++trial) {
+        State one =
+            scene_.stateBetween(keys_[i], keys_[i + 1], trial == 0 ? 0.5 : random_.fraction());
+        // The first ones lie between the keys.
+        const double aside = kAside * length * trial / kTrialsToMerge;
+        if (trial > 2)
+          one = scene_.moved(
+              one, {aside * random_.direction(), aside / scene_.radius() * random_.direction()});
+        if (!isFree(keys_[i - 1], one) || !isFree(one, keys_[i + 2])) continue;
+        keys_[i] = one;
         keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         return true;
       }
+    }
     return false;
   }
 

@@ -14,6 +14,7 @@
 #include "pipeline/plan.h"
 #include "pipeline/rough_surface.h"
 #include "pipeline/sampling_trial.h"
+#include "sampling/cpu/deep_inside.h"
 #include "sampling/cpu/work_items.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/culling/kept_elements.h"
@@ -165,8 +166,10 @@ TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   for (const Interpolation way : {Interpolation::None, Interpolation::Linear}) {
     path.interpolation = way;
     Planned planned(body, path, 24);
-    const SamplerInput input = planned.input();
+    SamplerInput input = planned.input();
     const SamplingTrial trial(input, planned.run);
+    const auto inside = findDeepInside(input, planned.run);
+    input.inside = inside ? &*inside : nullptr;
     const double items = static_cast<double>(workItems(input).size());
     const double most = items * kMinThinRecords, surface = 1e4;
     const bool many = items > 1.2 * kMotionItems;
