@@ -16,6 +16,7 @@
 #include "source_bindings.h"
 #include "swept/check_text.h"
 #include "swept/compute.h"
+#include "swept/inaccuracy.h"
 #include "swept/preview.h"
 #include "values.h"
 #include "warm_memory.h"
@@ -260,6 +261,10 @@ void bindFunctions(py::module_& module) {
   module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("trial") = false,
              py::arg("run") = py::none());
+  module.def(
+      "costs_accuracy", &costsAccuracy, py::arg("code"),
+      "costs_accuracy(code: str) -> bool\n\nWhether a finding of this code says that a result "
+      "is less accurate than it was asked for.");
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
 }

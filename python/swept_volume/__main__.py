@@ -50,6 +50,7 @@ def _parser() -> argparse.ArgumentParser:
     study.add_argument("--page", action="store_true", help="also write study.html, for people")
     study.add_argument("--rows", action="store_true", help="rows of runs as JSON, as they end")
     study.add_argument("--no-clobber", action="store_true", help="replace nothing that is there")
+    study.add_argument("--strict", action="store_true", help="what costs accuracy is a failure")
     study.add_argument("--report", metavar="FILE", help="write the report of the study")
     study.add_argument("-q", "--quiet", action="store_true", help="no progress, no summary")
     return parser
@@ -120,6 +121,7 @@ def _study(options: argparse.Namespace) -> int:
         send_files=options.send_files,
         again=options.again,
         page=options.page,
+        strict=options.strict,
         progress=_tell if options.rows else None if options.quiet else _show,
         kept=_tell_kept if options.rows else None,
         run=context,

@@ -9,6 +9,7 @@ import math
 import time
 from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
+from . import _core
 from ._calls import RunContext, logger
 from ._study_file import Run, Study, read_study
 from ._study_folder import STUDY_PAGE, STUDY_REPORT, TABLE, Folder
@@ -61,7 +62,8 @@ def _worst_neighbour(report: Report) -> Optional[Row]:
     return min(rows, key=order) if rows else None
 
 
-def _row(run: Run, report: Optional[Report]) -> Row:
+def _row(run: Run, report: Optional[Report], strict: bool = False) -> Row:
+    """strict: a finding that costs accuracy is a failure."""
     row: Row = {"run": run.name, "state": NOT_RUN}
     if report is None:
         return row
@@ -79,9 +81,12 @@ def _row(run: Run, report: Optional[Report]) -> Row:
     row.update((key, envelope[key]) for key in ("volume", "triangles") if key in envelope)
     row.update((key, solid[key]) for key in ("faces", "deviation") if key in solid)
     stages = [report, *(report[stage] for stage in run.compute if stage in report)]
-    codes = [finding["code"] for stage in stages for finding in stage.get("warnings", [])]
-    if codes:
-        row["findings"] = " ".join(dict.fromkeys(codes))
+    findings = [finding for stage in stages for finding in stage.get("warnings", [])]
+    if findings:
+        row["findings"] = " ".join(dict.fromkeys(finding["code"] for finding in findings))
+    costly = [finding["text"] for finding in findings if _core.costs_accuracy(finding["code"])]
+    if strict and costly and row["state"] != FAILED:
+        row.update(state=FAILED, message=f"strict: {costly[0]}")
     return row
 
 
@@ -147,7 +152,8 @@ def _reports(
 class _Looked:
     """A study file that was read, with the hashes of its files and what its folder holds of its runs."""
 
-    def __init__(self, path: Path, output: Optional[Path]) -> None:
+    def __init__(self, path: Path, output: Optional[Path], strict: bool = False) -> None:
+        self.strict = strict
         self.study = read_study(path, output)
         files = dict.fromkeys(file for one in self.study.runs for file in one.files())
         self.hashes = {file: file_hash(file) for file in [str(self.study.file), *files]}
@@ -164,7 +170,7 @@ class _Looked:
     def take(self, number: int, report: Optional[Report]) -> None:
         """Keeps the report of a run (None: there is none yet), and its row."""
         self.reports[number] = report
-        self.rows[number] = _row(self.study.runs[number], report)
+        self.rows[number] = _row(self.study.runs[number], report, self.strict)
 
     def tasks(self) -> List[Task]:
         """What is left."""
@@ -193,6 +199,7 @@ def run_study(
     send_files: bool = False,
     again: bool = False,
     page: bool = False,
+    strict: bool = False,
     progress: Optional[Progress] = None,
     kept: Optional[Callable[[Sequence[Row]], None]] = None,
     run: Optional[RunContext] = None,
@@ -205,6 +212,8 @@ def run_study(
     send_files      files travel through the scheduler; else all machines see the same folders
     again           compute runs again whose results are there, with the same input and options
     page            also write study.html, a page for people, as where the file says so
+    strict          a run with a finding that costs accuracy (docs/command_line.md, "--strict") counts as failed;
+                    its results are there and are kept
     progress        called with the number of runs that have ended, of all runs, and the row of the last
     kept            called with the rows of the runs that are there already, before others are computed
     run             cancels
@@ -218,7 +227,7 @@ def run_study(
         raise bad_option(f"jobs is {jobs}; it must be 1 or more")
     if send_files and scheduler is None:
         raise bad_option("send_files is for a scheduler; name its address")
-    looked, context, began = _Looked(path, output), run or RunContext(), time.monotonic()
+    looked, context, began = _Looked(path, output, strict), run or RunContext(), time.monotonic()
     study, folder = looked.study, looked.folder
     if page or study.page:
         page_date()  # says what is wrong with it before anything is computed

@@ -177,6 +177,31 @@ LONG = '[[run]]\nname = "long"\nmotion = "by30.csv"\ncompute = ["envelope"]\n' +
 )
 
 
+def test_what_costs_accuracy_is_a_failure_with_strict(run, study):
+    """The turned box has more faces than its solid may have: a simpler solid is made, which is said."""
+    if "solid" not in STAGES:
+        pytest.skip("built without OpenCASCADE")
+    (study / "turn.csv").write_text("0,0,0,0,0,0,0,1\n1,5,0,0,0.5,0.5,0.5,0.5\n")
+    (study / "study.toml").write_text(
+        '[defaults]\npart = "box.ply"\ncompute = ["solid"]\nenvelope = { resolution = 24 }\n'
+        '[[run]]\nname = "turned"\nmotion = "turn.csv"\nsolid = { max_faces = 250 }\n'
+        '[[run]]\nname = "straight"\nmotion = "by30.csv"\n'
+    )
+    done = run("--strict")
+    assert done.returncode == 1, done.stderr
+    report = json.loads((study / "results" / "study.json").read_text())
+    states = {row["run"]: row["state"] for row in report["runs"]}
+    assert states == {"turned": "failed", "straight": "done"} and report["failed"] == 1
+    row = next(row for row in report["runs"] if row["run"] == "turned")
+    assert row["message"].startswith("strict: ") and "SolidSimplified" in row["findings"]
+    written = (study / "results" / "turned" / "solid.step").read_bytes()
+    done = run()
+    assert done.returncode == 0, done.stderr
+    report = json.loads((study / "results" / "study.json").read_text())
+    assert report["done"] == 2
+    assert (study / "results" / "turned" / "solid.step").read_bytes() == written
+
+
 def test_a_process_that_dies_is_one_failed_run(program, study):
     (study / "study.toml").write_text(HEAD + LONG + '[[run]]\nname = "b"\nmotion = "by40.csv"\n')
     command = [program, "study", str(study / "study.toml"), "--jobs", "1"]

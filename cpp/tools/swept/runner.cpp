@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstdio>
 #include <future>
-#include <set>
 
 namespace swept::cli {
 namespace {
@@ -102,17 +101,9 @@ void printError(Status status, const std::string& code, const std::string& messa
   std::fprintf(stderr, "swept: %s%s: %s\n", statusName(status), slash.c_str(), line.c_str());
 }
 
-const Finding* inaccuracyOf(const std::vector<Finding>& findings) {
-  static const std::set<std::string> codes{"ChordCapped", "SolidSimplified", "SolidInaccurate",
-                                           "SelfIntersections", "SinglePrecision"};
-  for (const Finding& finding : findings)
-    if (codes.count(finding.code) != 0) return &finding;
-  return nullptr;
-}
-
 void printFindings(const std::vector<Finding>& findings, bool quiet) {
   for (const Finding& finding : findings) {
-    if (quiet && inaccuracyOf({finding}) == nullptr) continue;
+    if (quiet && !costsAccuracy(finding.code)) continue;
     std::fprintf(stderr, "swept: note %s: %s\n", finding.code.c_str(), finding.text.c_str());
   }
 }

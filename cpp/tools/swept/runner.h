@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "swept/inaccuracy.h"
 #include "swept/report.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -44,8 +45,6 @@ void takeError(AnyReport& report, Status status, const std::string& code, const 
   report.code = code;
   report.message = text;
 }
-/// The first finding that says the result is less accurate than asked, if any.
-const Finding* inaccuracyOf(const std::vector<Finding>& findings);
 /// With --strict, a finding that costs accuracy is how an otherwise good run ended.
 template <class AnyReport>
 void takeStrict(AnyReport& report, bool strict) {

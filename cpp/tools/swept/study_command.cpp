@@ -97,6 +97,7 @@ Run addStudyCommand(CLI::App& program) {
        "also write study.html into the folder for results: one page for people, of all runs");
   flag("--rows", "write the row of each run that has ended as a line of JSON to standard output");
   flag("--no-clobber", "refuse to replace a report or results that are there");
+  flag("--strict", "a finding that costs accuracy is a failure of its run, whose results are kept");
   value("--report", "FILE", "write the report of the study as JSON; - for standard output");
   flag("-q,--quiet", "no progress, no summary");
   app.footer(
