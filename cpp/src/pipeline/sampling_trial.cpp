@@ -73,14 +73,13 @@ SamplingTrial::Whole SamplingTrial::whole() const {
     all.marked = sampleCounted(input(motion), all.cost, run_);
     return all;
   }
-  if (!motion.continuous) return {bySomeCopies(count, parts.steps), std::nullopt};
+  if (!byClusters()) return {bySomeCopies(count, parts.steps), std::nullopt};
   return {parts.all ? byAllSteps(count, parts) : byWindows(count, parts), std::nullopt};
 }
 
 SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const double faces = static_cast<double>(whole_.body.triangles.size());
-  // A union has no clusters.
-  const std::size_t most = whole_.motion.continuous ? mostClusterParts() : 1;
+  const std::size_t most = byClusters() ? mostClusterParts() : 1;
   const std::size_t lookParts =
       std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
   // Crossings that lie deep inside are left out with groups and without.
@@ -109,7 +108,7 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
       (count <= 2 * kFewest || (count <= kMost && affordable(count / most)))) {
     return {count, partsOf(count), true};
   }
-  const std::size_t fewest = whole_.motion.continuous ? kFewest : std::min(kFewestCopies, count);
+  const std::size_t fewest = byClusters() ? kFewest : std::min(kFewestCopies, count);
   const std::size_t steps = std::clamp(static_cast<std::size_t>(kTrialWork / step), fewest, cap);
   return {steps, partsOf(steps), false};
 }

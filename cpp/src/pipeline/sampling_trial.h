@@ -43,6 +43,9 @@ class SamplingTrial {
     bool all = false;              ///< all steps
   };
 
+  /// Whether the sampler looks at clusters of faces: not at a union of which nothing is known to
+  /// lie inside.
+  bool byClusters() const { return whole_.motion.continuous || inside_.has_value(); }
   Parts partsFor(std::size_t count) const;
   SamplingCost bySomeCopies(std::size_t count, std::size_t wanted) const;
   SamplingCost byWindows(std::size_t count, const Parts& parts) const;
