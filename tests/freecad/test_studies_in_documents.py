@@ -233,7 +233,7 @@ class Studies(Slide):
             with self.assertRaises(core.CoreError):
                 study.compute(obj, control)
         self.assertEqual(obj.Status, CANCELLED)
-        self.assertIn("1 of 3 runs are left", obj.Message)
+        self.assertIn("1 of 3 runs are not done", obj.Message)
         states = {row["run"]: row["state"] for row in study.report_of(obj)["runs"]}
         self.assertEqual(states, {"near": "done", "into": "not clear", "long": "not run"})
         self.doc.recompute()

@@ -111,7 +111,7 @@ def scenario():
                        path.Placements[:1]] + path.Placements[1:]  # fmt: skip
     doc.commitTransaction()
     # What a script may set, and no field shows.
-    made[0].AllVisible, made[0].Neighbours, made[0].Tolerance = True, [], 0.02
+    made[0].AllVisible, made[0].Neighbours, made[0].Accuracy = True, [], 0.02
     made[0].RuleParts, made[0].RuleKinds = [(block, ""), (lid, "")], ["Required"]
     made[0].RuleLengths = [0.5]
     doc.recompute()
@@ -128,7 +128,7 @@ def scenario():
     yield lambda: panel.run is None
     assert made[0].Status == UP_TO_DATE and len(ours(doc, "Motion")) == 2, panel.message.text()
     assert [o.Name for o, _ in made[0].Neighbours] == ["Case"], made[0].Neighbours
-    assert made[0].Tolerance.Value == 0.02 and list(made[0].RuleLengths) == [0.5]
+    assert made[0].Accuracy.Value == 0.02 and list(made[0].RuleLengths) == [0.5]
 
     choose("SweptVolumeSequenceMotion0", "")
     table = find(QtWidgets.QTableWidget, "SweptVolumeSequenceParts")
