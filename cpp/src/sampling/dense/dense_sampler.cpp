@@ -20,29 +20,6 @@ double bodyRadius(const TriMesh& body) {
   return box.diagonal().norm() / 2;
 }
 
-/// The placement nearest to the mean, and those farthest along fixed directions in the six
-/// coordinates.
-std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t placements,
-                                       int count) {
-  std::vector<std::uint32_t> chosen;
-  std::uint32_t nearest = 0;
-  for (std::uint32_t k = 0; k < placements; ++k) {
-    if (dot(space.point(k), space.point(k)) < dot(space.point(nearest), space.point(nearest))) {
-      nearest = k;
-    }
-  }
-  chosen.push_back(nearest);
-  for (int axis = 0; axis < 6 && static_cast<int>(chosen.size()) < count; ++axis) {
-    for (const float direction : {-1.0f, 1.0f}) {
-      Point6 g{};
-      g[static_cast<std::size_t>(axis)] = direction;
-      chosen.push_back(space.support(g, nearest).placement);
-    }
-  }
-  sortUnique(chosen);
-  return chosen;
-}
-
 class DenseRun {
  public:
   DenseRun(const SamplerInput& input, const PlacementSpace& space, const DenseSettings& settings,
@@ -131,6 +108,27 @@ class DenseRun {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t placements,
+                                       int count) {
+  std::vector<std::uint32_t> chosen;
+  std::uint32_t nearest = 0;
+  for (std::uint32_t k = 0; k < placements; ++k) {
+    if (dot(space.point(k), space.point(k)) < dot(space.point(nearest), space.point(nearest))) {
+      nearest = k;
+    }
+  }
+  chosen.push_back(nearest);
+  for (int axis = 0; axis < 6 && static_cast<int>(chosen.size()) < count; ++axis) {
+    for (const float direction : {-1.0f, 1.0f}) {
+      Point6 g{};
+      g[static_cast<std::size_t>(axis)] = direction;
+      chosen.push_back(space.support(g, nearest).placement);
+    }
+  }
+  sortUnique(chosen);
+  return chosen;
+}
 
 bool suits(const TriMesh& body, const Motion& motion, double cell, bool cull, bool orientable,
            const DenseSettings& settings) {

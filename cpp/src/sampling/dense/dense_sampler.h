@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "sampling/dense/placement_space.h"
 #include "sampling/sampler.h"
 #include "signs/signs.h"
 #include "swept/report.h"
@@ -55,6 +56,11 @@ struct DenseSurface {
 /// affordable.
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
+
+/// The placement nearest to the mean, and those farthest along fixed directions in the six
+/// coordinates, each once: they are sampled whole.
+std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t placements,
+                                       int count);
 
 /// Whether sampleDense() is suitable; O(placements), without building anything.
 bool suits(const TriMesh& body, const Motion& motion, double cell, bool cull, bool orientable,

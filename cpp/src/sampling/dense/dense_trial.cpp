@@ -160,7 +160,8 @@ DenseCost tryDense(const SamplerInput& input, double surface, RunContext& run) {
       surface * (leaks.seconds + leaks.open * kFollowed * secondsOfTest(input.body, tests));
   const PairSampler whole(input, run);
   for (std::uint32_t f = 0; f < input.body.triangles.size(); ++f) work.body += whole.workOf(f);
-  const double all = work.body * (work.pairs / work.inner + settings.wholeCopies);
+  const auto copies = wholeCopies(space, input.motion.placements.size(), settings.wholeCopies);
+  const double all = work.body * (work.pairs / work.inner + static_cast<double>(copies.size()));
   const double times = all / work.pairs;
   cost.pairs = faces / count * static_cast<double>(sampler.pairs());
   cost.seconds += times * sampled;
