@@ -1587,6 +1587,10 @@ Versucht:
    <translation>Zeile {0} des eingefügten Texts hat {1} Spalten: Verwenden Sie t, x, y, z oder t, x, y, z, Gier, Nick, Roll.</translation>
   </message>
   <message>
+   <source>"{0}" stands still in all {1} frames: choose a part that is moved, or check the joints and formulas.</source>
+   <translation>„{0}“ steht in allen {1} Bildern still: Wählen Sie ein Teil, das bewegt wird, oder prüfen Sie Gelenke und Formeln.</translation>
+  </message>
+  <message>
    <source>"{0}" gave no frames: check that it runs in its own panel.</source>
    <translation>„{0}“ ergab keine Bilder: Prüfen Sie, ob sie in ihrem eigenen Panel läuft.</translation>
   </message>

@@ -6,7 +6,7 @@ import FreeCAD as App
 
 from case import Case, V, shift
 from sweptvolume.features import clearance, envelope, motion
-from sweptvolume.trajectory import assembly
+from sweptvolume.trajectory import assembly, frames
 from sweptvolume.trajectory.poses import Poses
 
 
@@ -78,3 +78,18 @@ class Frames(Case):
         envelope.compute(obj)
         self.assertEqual(path.Message, text)
         self.assertIn(text, obj.Message)
+
+    def test_a_part_that_no_frame_moves_is_said(self):
+        still, moving = self.box("Still"), self.box("Moving")
+
+        def run():
+            for k in range(3):
+                moving.Placement = shift(10 * k)
+                yield k
+            return "stopped early"
+
+        recording = frames.Recording(run(), [(still, ""), (moving, "")]).run()
+        said = recording.poses(0).note
+        for word in ("stopped early", '"Still" stands still in all 3 frames'):
+            self.assertIn(word, said)
+        self.assertEqual(recording.poses(1).note, "stopped early")

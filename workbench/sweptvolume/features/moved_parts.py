@@ -5,11 +5,8 @@ import numpy as np
 
 from .. import convert
 from ..trajectory import sources
-from ..trajectory.frames import Recording
+from ..trajectory.frames import STILL, Recording, change
 from . import containers
-
-#: A part moves where its placement changes by more than this (mm, or of a matrix).
-STILL = 1e-6
 
 
 def _leaves(document):
@@ -46,13 +43,13 @@ class Run(Recording):
         }
 
         def moves(place):
-            return _change(found[place]) > STILL
+            return change(found[place]) > STILL
 
         def carries(place):
             root, sub = place
             back = np.linalg.inv(found[place])
             below = [p for p in self.leaves if p[0] is root and p[1].startswith(sub)]
-            return all(_change(back @ found[p]) <= STILL for p in below)
+            return all(change(back @ found[p]) <= STILL for p in below)
 
         parts = []
         for root, sub in self.leaves:
@@ -64,11 +61,6 @@ class Run(Recording):
                 ]
                 parts.append((whole or [(root, sub)])[0])
         return list(dict.fromkeys(parts))
-
-
-def _change(matrices):
-    """How far 4x4 matrices (k, 4, 4) are from the first of them."""
-    return float(abs(matrices - matrices[0]).max()) if len(matrices) else 0.0
 
 
 def read(document, settings):

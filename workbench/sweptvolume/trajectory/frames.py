@@ -4,9 +4,20 @@
 Whatever runs gives its frames as a generator: it brings the document into a frame and yields the time (s);
 it puts the document back when it ends or is closed, and returns what is to be said of the run.
 """
-from ..convert import InputProblem, global_placement, root_path
+import numpy as np
+
+from ..convert import InputProblem, global_placement, label_of, matrix_of, root_path
+from ..quantities import count
 from ..texts import translate
 from .poses import Poses
+
+#: A part moves where its placement changes by more than this (mm, or of a matrix).
+STILL = 1e-6
+
+
+def change(matrices):
+    """How far 4x4 matrices (k, 4, 4) are from the first of them."""
+    return float(abs(matrices - matrices[0]).max()) if len(matrices) else 0.0
 
 
 class Recording:
@@ -45,7 +56,15 @@ class Recording:
 
     def poses(self, k):
         """Of one place, as they stand in the document."""
-        return Poses(self.times, self.placements[k], note=self.note)
+        notes = [self.note] if self.note else []
+        if change(np.array([matrix_of(p) for p in self.placements[k]])) <= STILL:
+            text = translate(
+                "Messages",
+                '"{0}" stands still in all {1} frames: choose a part that is moved, or check the '
+                "joints and formulas.",
+            )
+            notes.append(text.format(label_of(*self.places[k]), count(len(self.times))))
+        return Poses(self.times, self.placements[k], note=" ".join(notes))
 
 
 def poses_of(frames, part):
