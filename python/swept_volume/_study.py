@@ -212,8 +212,8 @@ def run_study(
     send_files      files travel through the scheduler; else all machines see the same folders
     again           compute runs again whose results are there, with the same input and options
     page            also write study.html, a page for people, as where the file says so
-    strict          a run with a finding that costs accuracy (docs/command_line.md, "--strict") counts as failed;
-                    its results are there and are kept
+    strict          a run with a finding that costs accuracy (docs/command_line.md, "--strict") counts as
+                    failed; its results are there and are kept
     progress        called with the number of runs that have ended, of all runs, and the row of the last
     kept            called with the rows of the runs that are there already, before others are computed
     run             cancels
