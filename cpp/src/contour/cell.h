@@ -1,9 +1,11 @@
-// One leaf cell: its crossings, and the numbering of its corners, edges and faces.
+// A leaf cell (a cell with crossings), and the numbering of its corners, edges, slots and faces.
 //
-// Edge number a * 4 + ob + 2 * oc runs along axis a; ob and oc (0 or 1) say on which side of the
-// cell it lies along the next two axes, b = a + 1 and c = a + 2 (mod 3). Slot number edge * 2 +
-// side holds the crossing seen from the edge's low (0) or high (1) end. Face number a * 2 + s is
-// perpendicular to axis a and lies at its side s.
+// Edge number a * 4 + ob + 2 * oc runs along axis a. ob and oc (0 or 1) say on which side of the
+// cell the edge lies along the axes b = a + 1 and c = a + 2 (mod 3).
+// Slot number edge * 2 + side holds the crossing that is seen from the low (0) or high (1) end of
+// the edge.
+// Face number a * 2 + s is perpendicular to axis a and lies at the low (s = 0) or high (s = 1) side
+// of the cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -79,15 +81,16 @@ constexpr int cornerOf(int edge, int end) {
   return end << a | (edge & 1) << b | (edge >> 1 & 1) << c;
 }
 
-/// Four cells surround a lattice edge of axis a. This is the number of the cell that sees the edge
-/// at (ob, oc); the cells are counted counter-clockwise about +a, starting with the cell at (-b,
-/// -c).
+/// Four cells surround a lattice edge of axis a; their vertices are the corners of its quad.
+/// Returns the corner that belongs to the cell in which the lattice edge has number `edge`. Corners
+/// are counted counter-clockwise about +a, starting with the cell at (-b, -c).
 constexpr int quadCorner(int edge) {
   const int ob = edge & 1, oc = edge >> 1 & 1;
   return oc == 1 ? (ob == 1 ? 0 : 1) : (ob == 1 ? 3 : 2);
 }
 
-/// The side of that quad (side n joins corners n and n + 1) which passes through the given face.
+/// Returns the side of that quad that passes through the given face of the cell. Side n joins the
+/// corners n and n + 1.
 constexpr int quadSide(int edge, int face) {
   const int a = edge >> 2, b = (a + 1) % 3;
   const int ob = edge & 1, oc = edge >> 1 & 1;

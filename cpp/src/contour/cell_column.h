@@ -15,7 +15,7 @@ class CellColumn {
  public:
   explicit CellColumn(const HermiteGrid& grid) : grid_(grid), cellAt_(grid.plan.points[2], -1) {}
 
-  /// Valid until the next call.
+  /// Returns the cells of column (i, j) that have crossings. They are valid until the next call.
   std::vector<Cell>& gather(std::int32_t i, std::int32_t j) {
     for (const Cell& cell : cells_) cellAt_[cell.k] = -1;
     cells_.clear();
@@ -31,8 +31,8 @@ class CellColumn {
   }
 
  private:
-  /// here: number of the edge in the cell at the edge's own k. below: its number in the cell at k -
-  /// 1, or -1 if that cell does not contain it.
+  /// `here` is the number of the edge in the cell at the edge's own k. `below` is its number in the
+  /// cell at k - 1, or -1 if that cell does not contain the edge.
   void addEdges(int axis, std::int32_t i, std::int32_t j, int here, int below) {
     const HermiteLayer& layer = grid_.layers[i];
     const auto& start = layer.columnStart[axis];

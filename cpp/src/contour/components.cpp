@@ -62,9 +62,9 @@ float pairCost(const Stop& p, const Stop& q, int a) {
          std::abs(n[b] * dx + n[c] * dy);
 }
 
-/// A perfect matching of n points on a circle without crossing chords: the partner of every point.
-/// The first matching in a list joins each entering crossing to the leaving one that follows it,
-/// because the caller numbers the points so that point 0 enters.
+/// A perfect matching of n points on a circle without crossing chords; stores the partner of every
+/// point. The caller numbers the points so that point 0 enters the inside. The first matching of a
+/// list therefore joins each entering crossing to the leaving crossing that follows it.
 using Matching = std::array<std::int8_t, 8>;
 void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& count) {
   int p = 0;

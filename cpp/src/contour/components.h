@@ -2,20 +2,20 @@
 //
 // In: one cell and the crossings of the grid. Out: a component number per slot. Units: cells. Cost:
 // O(crossings of the cell).
-// Promise: the dual surface is closed, and the polygons round every component form one closed ring;
-// tests/unit/contour enumerates all configurations. (Only for the consistent method;
-// docs/contouring.md lists what the others lose.)
-// Source: METHOD.md section 3, number 5. The other methods are in methods/methods.h with their
-// papers.
+// Promise (consistent method only): the dual surface is closed, and the polygons round every
+// component form one closed ring. tests/unit/contour enumerates all configurations;
+// docs/contouring.md lists the faults of the other methods.
+// Source: own method; docs/contouring.md, "Why the consistent rule holds". The other methods are in
+// methods/methods.h with their papers.
 //
-// The consistent method (the default) decides on faces. Going round a face, the crossings alternate
-// between entering and leaving the inside. They are joined in pairs whose connecting lines do not
-// cross, by a rule that uses nothing but this face (its crossings and their normals), so both cells
-// of the face decide alike. Every crossing lies on two faces of its cell, so the pairs form closed
-// loops; each loop is a component.
-// Of all pairings the one with the smallest sum of costs is taken:
-//   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
-// Among equal sums the pairing that separates the inside corners is taken.
+// The consistent method (the default) decides on faces. On the way round a face, crossings that
+// enter the inside alternate with crossings that leave it. The method joins the crossings in pairs
+// whose connecting lines do not cross. Its rule uses only the crossings of this face and their
+// normals, so that both cells of the face decide alike. Every crossing lies on two faces of its
+// cell, so the pairs form closed loops; each loop is a component.
+// Of all pairings, the method takes the one with the smallest sum of costs:
+// cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
+// If sums are equal, it takes the pairing that separates the inside corners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,7 +29,7 @@ namespace swept {
 
 struct Components {
   int count = 0;
-  /// Per slot; -1: no crossing, or a crossing that the method drops.
+  /// Component of each slot; -1 for a slot without a crossing, or whose crossing the method drops.
   std::array<std::int8_t, kSlots> of;
 };
 
@@ -39,11 +39,12 @@ struct FacePairs {
   std::array<std::array<std::int8_t, 2>, 4> slots;
 };
 
-/// Pairs the crossings of one face by the consistent rule. `crossings` is the grid's whole array,
-/// which the cell's indices refer to.
+/// Pairs the crossings of one face by the consistent rule. `crossings` is the array of the whole
+/// grid, to which the cell's indices refer.
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings);
 
-/// The partners of every slot on the two faces that its crossing lies on. They form closed rings.
+/// For every slot, its partners on the two faces that contain its crossing. The links form closed
+/// rings.
 class SlotLinks {
  public:
   void join(int p, int q) {
@@ -51,7 +52,8 @@ class SlotLinks {
     link_[q][count_[q]++] = static_cast<std::int8_t>(p);
   }
   bool has(int slot) const { return count_[slot] != 0; }
-  /// The slot that follows in a ring, coming from another one (-1: none).
+  /// Returns the slot that follows `slot` in its ring; `from` is the slot before it (-1 at the
+  /// start).
   int after(int slot, int from) const {
     return link_[slot][0] != from ? link_[slot][0] : link_[slot][1];
   }
@@ -63,7 +65,7 @@ class SlotLinks {
   std::array<std::int8_t, kSlots> count_{};
 };
 
-/// The pairs of all faces of a cell by the consistent rule.
+/// Links the pairs of all faces of a cell by the consistent rule.
 SlotLinks linkSlots(const Cell& cell, const Crossing* crossings);
 
 /// Number of crossings on a face, from the cell's mask alone.
@@ -78,8 +80,8 @@ class ComponentFinder {
 
  private:
   ComponentMethod method_;
-  // Cells in which no face has a choice are decided by their mask alone; the latest results are
-  // kept.
+  // If no face has a choice of pairs, the mask alone decides the components. The latest results are
+  // cached by mask.
   struct Known {
     std::uint32_t mask = 0;
     Components components;

@@ -18,31 +18,32 @@
 namespace swept {
 namespace {
 
-/// A vertex stays in its cell if its planes miss the best point in the cell by less than this (root
-/// mean square, in cells). Most creases that seem to lead out of the cell only pass it beside the
-/// mass point; a vertex that follows such a crease meets other vertices outside. Following all of
-/// them gave 1,484 intersecting pairs on fandisk_keys16 at 256 cells instead of 62
-/// (docs/contouring.md).
+/// A vertex stays in its cell if the root mean square distance of its planes from the best point in
+/// the cell is below this (in cells). Most creases that seem to lead out of the cell only pass it
+/// beside the mass point. A vertex that follows such a crease intersects the surface of its
+/// neighbours: following all creases gave 1,484 intersecting pairs on fandisk_keys16 at 256 cells,
+/// this limit gives 62.
 constexpr double kMinEscapeMiss = 0.03;
 
-/// Where the planes of a component put its vertex.
+/// Fits the vertex of a component to the planes of its crossings.
 struct VertexFit {
   explicit VertexFit(const Qef& planes) : qef(planes), best(qef.solve(kCellMargin, free)) {
     out = std::max((-free).maxCoeff(), (free.array() - 1).maxCoeff());
     meanSquaredMiss = qef.error(best) / qef.count();
   }
-  /// The planes meet outside the cell (but in a neighbouring one), and miss every point in the
+  /// Whether the planes meet outside the cell, less than a cell away, and miss every point in the
   /// cell.
   bool mayEscape() const {
     return out > kCellMargin && out < 1 - kCellMargin &&
            meanSquaredMiss > kMinEscapeMiss * kMinEscapeMiss;
   }
-  /// The planes clearly have no common point in the cell: a side may be hidden (hidden_side.h).
+  /// Whether the planes clearly have no common point in the cell: a side may be hidden
+  /// (hidden_side.h).
   bool missesCell() const {
-    constexpr double kMinMiss = 0.1;  // cells; docs/contouring.md, Known sides
+    constexpr double kMinMiss = 0.1;  // cells; docs/contouring.md, "Known sides"
     return meanSquaredMiss > kMinMiss * kMinMiss;
   }
-  /// Two clearly different planes meet outside the cell and miss it by a little.
+  /// Whether clearly different planes meet outside the cell and miss it by a little.
   bool mayHideSide() const {
     // Cells; 679 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
@@ -50,15 +51,16 @@ struct VertexFit {
            qef.sharpness() > kMinSharpness;
   }
 
-  /// Planes that differ by a few degrees only have no reliable point in common. If they still do
-  /// not coincide, the crossings are inexact by about the distance between the planes, and the
-  /// point where they seem to meet means nothing: a vertex placed there would slide along the
-  /// surface and through the other side of a thin wall. The minimiser is therefore damped towards
-  /// the mass point, by the square of what the planes miss (docs/contouring.md, Sides of thin
-  /// walls: 32,585 pairs without, 25,177 with it).
+  /// Planes that differ by a few degrees only have no reliable point in common. If they do not
+  /// coincide either, the crossings are inexact by about the distance between the planes. A vertex
+  /// at the point where the planes seem to meet would slide along the surface and through the other
+  /// side of a thin wall. The minimiser is therefore damped towards the mass point, by the mean
+  /// squared distance to the planes (docs/contouring.md, "Sides of thin walls": 32,585 intersecting
+  /// pairs without damping, 25,177 with it).
   void keepNear() {
     constexpr double kMaxSharpness = 0.002;  // sharpness of two planes that differ by 5 degrees
-    // Cells: planes that miss by this much are damped as strongly as they are counted.
+    // Distance of the planes from the best point (cells) at which the damping weighs as much as all
+    // planes.
     constexpr double kFullDamping = 0.3;
     const double damping = meanSquaredMiss / (kFullDamping * kFullDamping);
     if (damping < 2 * Qef::kDamping || qef.sharpness() > kMaxSharpness) return;
@@ -69,10 +71,10 @@ struct VertexFit {
   const Qef& qef;
   Eigen::Vector3d free, best;  // minimisers without and with the walls of the cell as limits
   double out;              // cells: distance of the free minimiser from the cell, negative inside
-  double meanSquaredMiss;  // mean squared distance of the planes from the best point
+  double meanSquaredMiss;  // mean squared distance of the planes from `best`
 };
 
-/// What the cells of a layer hand on to the steps that follow.
+/// Results of a layer's cells for the steps that follow.
 struct LayerNotes {
   std::vector<FaceSegment> ambiguous;
   std::vector<Escape> escapes;
@@ -101,7 +103,7 @@ class LayerBuilder {
     }
     vertices.shrink_to_fit();
   }
-  /// Of one cell alone, at the origin.
+  /// Contours one cell alone, as if it lay at the origin.
   void build(const Cell& cell, LayerNotes& notes) {
     notes_ = &notes;
     addCell(cell, 0, 0, out_.vertices[0]);
@@ -153,7 +155,7 @@ class LayerBuilder {
     vertices.insert(vertices.end(), twins_.begin(), twins_.end());
   }
 
-  /// `at`: the index that the vertex is going to have in its layer.
+  /// `at` is the index that the vertex will have in its layer.
   void setPosition(const VertexFit& fit, DualVertex& vertex, std::size_t at) {
     vertex.local = fit.best.cast<float>();
     if (!fit.mayEscape()) return;
@@ -162,8 +164,8 @@ class LayerBuilder {
                                qef.error(fit.free) / qef.count()});
   }
 
-  /// Adds one vertex for each part of the component, each fitted to the planes of its part and of
-  /// the side between them; a single vertex where the component cannot be split.
+  /// Adds one vertex for each part of the component, fitted to the planes of its part and of the
+  /// side between the parts. Adds a single vertex if the component cannot be split.
   void addSplit(const Cell& cell, int component, const VertexSplit& split, DualVertex vertex,
                 std::size_t firstTwin, std::vector<DualVertex>& vertices) {
     const bool splits = !split.folds.empty();
@@ -211,7 +213,7 @@ class LayerBuilder {
     }
   }
 
-  /// Each face is added once, by the cell that has it on its low side.
+  /// Adds the segments of ambiguous faces. Each face is added once, by the cell on its high side.
   void addSegments(const Cell& cell, std::vector<FaceSegment>& ambiguous) {
     for (int axis = 0; axis < 3; ++axis) {
       const int face = 2 * axis;
@@ -237,7 +239,7 @@ class LayerBuilder {
   Components components_;
   LayerNotes* notes_ = nullptr;
   std::array<Qef, kSlots / 2> qefs_;  // of the current cell
-  std::vector<DualVertex> twins_;     // of the current cell, numbered after its components
+  std::vector<DualVertex> twins_;     // its second vertices of split components
   bool segments_;
   const SurfaceProbe* probe_;
 };
@@ -270,7 +272,7 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
     out.ambiguous.insert(out.ambiguous.end(), notes[i].ambiguous.begin(), notes[i].ambiguous.end());
     out.rims.insert(out.rims.end(), notes[i].rims.begin(), notes[i].rims.end());
   }
-  // Both cells of a face may have added the same rim segment: sort, and keep one of each.
+  // Both cells of a face may have added the same rim polygon: sort, and keep one of each.
   const auto key = [](const RimSegment& rim) { return std::tie(rim.crossing, rim.side); };
   std::sort(out.rims.begin(), out.rims.end(),
             [&](const RimSegment& x, const RimSegment& y) { return key(x) < key(y); });

@@ -1,11 +1,12 @@
-// The dual surface: leaf cells with their components and vertices, and for every crossing the four
-// components round its lattice edge.
+// The dual surface: a vertex for each component of the leaf cells, and for every crossing a quad of
+// the four components round its lattice edge.
 //
-// In: Hermite grid. Out: vertices by cell layer, quads by crossing. Units: cells. Cost:
+// In: Hermite grid. Out: vertices by layer of cells, quads by crossing. Units: cells. Cost:
 // O(crossings).
 // Promise: the same bytes for any number of threads.
 // Source: dual contouring (Ju, Losasso, Schaefer and Warren 2002); several vertices per cell
-// (Nielson 2004; Schaefer, Ju and Warren 2007, "Manifold dual contouring"); thesis section 4.2.
+// (Nielson 2004; Schaefer, Ju and Warren 2007, "Manifold dual contouring"; J. Brummer, bachelor's
+// thesis, Mainz 2017, section 4.2).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,16 +24,17 @@
 
 namespace swept {
 
-/// A segment on an ambiguous face: its two crossings and, for each, which side of the crossing's
-/// quad passes through the face.
+/// A segment on an ambiguous face (a face whose crossings can be paired in several ways). It joins
+/// two crossings; `side` says which side of each crossing's quad passes through the face.
 struct FaceSegment {
   std::array<std::uint32_t, 2> crossing;
   std::array<std::uint8_t, 2> side;
   bool firstOfFace = false;
 };
 
-/// A side of the strip that joins the two vertices of a split wall end to those of the next cell:
-/// the two crossings on the face between the cells, and the sides of their quads there.
+/// A polygon that joins the two vertices of a split component to those of the next cell. It passes
+/// through the face between the two cells. `crossing` lists the two crossings on that face, and
+/// `side` says which side of each crossing's quad passes through the face.
 struct RimSegment {
   std::array<std::uint32_t, 2> crossing;
   std::array<std::uint8_t, 2> side;
@@ -47,12 +49,13 @@ struct DualVertex {
 
 struct DualSurface {
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::vector<std::vector<DualVertex>> vertices;  ///< per layer of cells
-  std::vector<std::uint32_t> firstVertex;  ///< per layer of cells, and one entry behind the last
-  /// Per crossing: the vertices (indices within their layer of cells) of the cells round its edge,
-  /// in the order of quadCorner(); kNone where a component method dropped the crossing.
+  std::vector<std::vector<DualVertex>> vertices;  ///< by layer of cells
+  std::vector<std::uint32_t> firstVertex;  ///< by layer of cells, with one more entry at the end
+  /// Per crossing: the vertices of the four cells round its edge, in the order of quadCorner().
+  /// They are indices within their layer of cells, or kNone if the component method dropped the
+  /// crossing.
   std::vector<std::array<std::uint32_t, 4>> quads;
-  std::vector<FaceSegment> ambiguous;  ///< faces with more than one segment, by layer
+  std::vector<FaceSegment> ambiguous;  ///< the segments on ambiguous faces, by layer
   std::vector<RimSegment> rims;        ///< each segment once, ordered by its first crossing
 
   /// Global index of the vertex at a quad's corner; i is the layer of the quad's lattice edge.
@@ -63,25 +66,26 @@ struct DualSurface {
     return firstVertex[lower ? i - 1 : i] + quads[crossing][corner];
   }
 
-  /// Of the vertex with this global index in a layer of cells, in grid coordinates.
+  /// Returns the position, in grid coordinates, of the vertex with this global index; `layer` is
+  /// its layer of cells.
   Eigen::Vector3d position(std::uint32_t global, std::int32_t layer) const {
     const DualVertex& v = vertices[layer][global - firstVertex[layer]];
     return v.local.cast<double>() + Eigen::Vector3d(v.i, v.j, v.k);
   }
-  /// Whether the crossing has all four vertices of its polygon.
+  /// Returns whether the quad of the crossing has all four vertices.
   bool isComplete(std::uint32_t crossing) const {
     return std::find(quads[crossing].begin(), quads[crossing].end(), kNone) ==
            quads[crossing].end();
   }
 };
 
-/// `probe` looks for the ends of thin walls and for hidden sides; with nullptr a wall ends at its
-/// last crossing.
+/// `probe` finds the ends of thin walls and hidden sides. With nullptr, a wall ends at its last
+/// crossing.
 DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                              const SurfaceProbe* probe, RunContext& run);
 
-/// Casts what contouring asks of the probe in one cell, in the cell's own coordinates, and drops
-/// what it makes of the answers. `crossings`: those that the cell refers to.
+/// Contours one cell to find out what its probe lines cost (pipeline/probe_trial.cpp), and drops
+/// the result. The cell lies at the origin; `crossings` are those to which it refers.
 void probeCell(const Cell& cell, const std::vector<Crossing>& crossings, ComponentMethod method,
                const SurfaceProbe& probe);
 

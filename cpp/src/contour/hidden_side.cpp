@@ -13,25 +13,26 @@ namespace swept {
 namespace {
 
 constexpr double kMaxFlatUnevenness =
-    2e-3;  ///< unevenness up to which two arcs count as two planes
-/// Cells: lines start this far outside the surface and end as far inside.
+    2e-3;  ///< up to this unevenness, two arcs count as two planes
+/// Lines start this far outside the surface and end as far inside (cells).
 constexpr double kLineOvershoot = 0.02;
-/// Cosine (20 degrees) from which a hit counts as a side that is known already.
+/// If a hit and a crossing differ by less than this cosine (20 degrees), the hit shows a known
+/// side.
 constexpr double kMinKnownCosine = 0.94;
-/// Half the length, in cells, of the line that checks whether a vertex lies on the surface.
+/// Half the length (cells) of the line that checks whether a vertex lies on the surface.
 constexpr double kCheckReach = 0.1;
-/// Corners of the surface up to this far outside the cell, in cells, are considered.
+/// Corners of the surface up to this far outside the cell (cells) are considered.
 constexpr double kCornerReach = 1;
-/// The check succeeds if the line hits the surface within this distance of the vertex, in cells.
+/// The check succeeds if the line hits the surface within this distance of the vertex (cells).
 constexpr double kMaxCheckMiss = 0.06;
-/// Cells: planes that miss a point by less than this are taken to meet in it.
+/// Planes meet in a point if their root mean square distance from it is below this (cells).
 constexpr double kMaxPlaneMiss = 0.03;
 
 using Point = CrossingPoint;
 using Points = std::vector<Point>;
 
-/// The crossings of the component in the order of its ring: two that follow each other share a
-/// polygon edge.
+/// Returns the crossings of the component in the order of its ring: the polygons of two successive
+/// crossings share an edge.
 Points ringOf(const Cell& cell, const Components& components, int component,
               const Crossing* crossings) {
   const SlotLinks links = linkSlots(cell, crossings);
@@ -54,7 +55,7 @@ Qef planesOf(const Points& points) {
   return planes;
 }
 
-/// Whether both sides of a thin wall are in the ring: then it is no ledge, see wall_end.h.
+/// Whether the ring has both sides of a thin wall. Such a ring shows no ledge; see wall_end.h.
 bool hasOpposed(const Points& ring) {
   for (const Point& p : ring) {
     for (const Point& q : ring) {
@@ -64,7 +65,7 @@ bool hasOpposed(const Points& ring) {
   return false;
 }
 
-/// Mean of `count` points of the ring, starting with number `begin`.
+/// Mean of `count` crossings of the ring, starting with number `begin`.
 Point mean(const Points& ring, std::size_t begin, std::size_t count) {
   Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t n = begin; n < begin + count; ++n) {
@@ -76,7 +77,7 @@ Point mean(const Points& ring, std::size_t begin, std::size_t count) {
 }
 Point mean(const Points& points) { return mean(points, 0, points.size()); }
 
-/// How far these points are from lying on one plane: normals and offsets, squared and summed.
+/// How far these crossings are from one plane: squared differences of normals and heights, summed.
 double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   const Point m = mean(ring, begin, count);
   double sum = 0;
@@ -88,7 +89,7 @@ double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   return sum;
 }
 
-/// Cuts the ring into two arcs.
+/// Cuts the ring into two arcs. The first has `count` crossings and starts with number `begin`.
 std::array<Points, 2> arcsOf(const Points& ring, std::size_t begin, std::size_t count) {
   std::array<Points, 2> arcs;
   for (std::size_t n = 0; n < ring.size(); ++n) {
@@ -97,7 +98,7 @@ std::array<Points, 2> arcsOf(const Points& ring, std::size_t begin, std::size_t 
   return arcs;
 }
 
-/// The two arcs of the ring that are flattest, and their unevenness.
+/// Returns the two arcs of the ring that are flattest; `least` receives their unevenness.
 std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   std::size_t bestBegin = 0, bestCount = 1;
   least = std::numeric_limits<double>::max();
@@ -114,7 +115,7 @@ std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   return arcsOf(ring, bestBegin, bestCount);
 }
 
-/// Whether the crossing before the given one lies on another plane.
+/// Whether the crossing before number `at` lies on another plane.
 bool beginsArc(const Points& ring, std::size_t at) {
   constexpr double kMinAlikeCosine = 0.98, kMaxLevelOffset = 0.05;  // cosine; cells
   const Point &p = ring[(at + ring.size() - 1) % ring.size()], &q = ring[at % ring.size()];
@@ -124,9 +125,9 @@ bool beginsArc(const Points& ring, std::size_t at) {
          std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// Looks for a cut of the ring into two arcs, and a side at the end of one of them, such that the
-/// planes of each arc and of that side meet in a feature of the cell. The best one is returned;
-/// nothing if no two features explain all planes.
+/// Cuts the ring into two arcs such that the planes of each arc meet the plane of one more crossing
+/// in a feature of the cell. That crossing, at an end of an arc, shows the side between the arcs.
+/// Returns the best such crossing and its `arcs`; nothing if no two features explain all planes.
 std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMaxPlaneMiss * kMaxPlaneMiss;
@@ -157,12 +158,12 @@ std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& ar
   return found;
 }
 
-/// The largest group of similar hits that show a side unlike all crossings.
+/// Returns the largest group of similar hits on a side that no crossing shows.
 std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
   std::vector<ProbeLine> fresh, best;
   for (const ProbeLine& line : lines) {
-    // Lines that start inside hit the back of a known side, so the sign of the normal does not
-    // count.
+    // A line that starts inside hits the back of a known side, so the sign of the normal does not
+    // matter.
     const auto isKnown = [&](const Point& p) {
       return std::abs(p.normal.dot(line.normal)) > kMinKnownCosine;
     };
@@ -187,7 +188,7 @@ class Search {
     }
   }
 
-  /// Casts lines between the arcs in both directions; each gets its first hit with the surface.
+  /// Casts lines between the arcs in both directions. Returns the lines, each with its first hit.
   std::vector<ProbeLine> between(const std::array<Points, 2>& arcs) const {
     std::vector<ProbeLine> lines;
     const auto add = [&](const Point& p, const Point& q) {
@@ -196,8 +197,8 @@ class Search {
       lines.push_back(
           line(q.position + kLineOvershoot * q.normal, p.position - kLineOvershoot * p.normal));
     };
-    // The mean of an arc that bends lies beside the surface, perhaps inside the solid; a line from
-    // there proves nothing, so that only flat arcs are joined by their means.
+    // The mean of a bent arc lies beside the surface, perhaps inside the solid. A line from there
+    // proves nothing, so only the means of flat arcs are joined.
     constexpr double kMaxBent = 0.02;
     if (unevenness(arcs[0], 0, arcs[0].size()) < kMaxBent &&
         unevenness(arcs[1], 0, arcs[1].size()) < kMaxBent) {
@@ -209,8 +210,8 @@ class Search {
     return lines;
   }
 
-  /// Whether the planes of the points and of the side between meet in one point of the cell (or at
-  /// most `outside` cells from it), and whether that point lies on the surface.
+  /// Whether the planes of the points and of the hits meet in one point on the surface. The point
+  /// must lie in the cell, or at most `outside` cells away from it.
   bool meets(const Points& points, const std::vector<ProbeLine>& hits, double outside = 0) const {
     Qef planes = planesOf(points);
     Eigen::Vector3d direction = mean(points).normal, free;
@@ -269,7 +270,8 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   const Search search(cell, at, ring, probe);
   std::array<Points, 2> knownArcs;
   const auto known = betweenPlanes ? std::nullopt : findKnownSide(ring, knownArcs);
-  // A corner is preferred to two edges: all planes meet in it, even if it lies in the next cell.
+  // A corner, in which all planes meet, is preferred to two edges, even if it lies in the next
+  // cell.
   if (known && !search.meets(ring, {}, kCornerReach)) {
     ProbeLine side;
     side.from = side.to = side.point = at.cast<double>() + known->position;

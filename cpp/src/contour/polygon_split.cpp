@@ -10,15 +10,16 @@ using Vec2 = Eigen::Vector2d;
 
 double cross2(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// How good one diagonal of a quad is: whether it stays between the other two corners as seen along
-/// the lattice edge, how far from the crossing its triangle meets the edge, and how long it is.
+/// How good a diagonal of a quad is. `valid`: seen along the lattice edge, it lies between the
+/// other two corners. `miss`: distance from the crossing to the point where its triangle meets the
+/// lattice edge. `length2`: its squared length.
 struct Diagonal {
   bool valid = false;
   double miss = 0, length2 = 0;
 };
 
-/// v[n]: the corners relative to the crossing in ring order, as (b, c, a) with a along the lattice
-/// edge.
+/// Rates the diagonal from corner `from`. v holds the corners relative to the crossing, in ring
+/// order, with the coordinates (b, c, a); a runs along the lattice edge.
 Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
   const Eigen::Vector3d &p = v[from], &q = v[from + 2], &r = v[(from + 1) & 3],
                         &s = v[(from + 3) & 3];
@@ -28,15 +29,17 @@ Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
   Diagonal out;
   out.valid = sideR < 0 && sideS > 0;
   out.length2 = (q - p).squaredNorm();
-  // The triangle that the lattice edge passes through, and where it does.
+  // The lattice edge passes through one of the two triangles: find the point where it does.
   const Eigen::Vector3d& third = sideEdge < 0 ? r : s;
   const Eigen::Vector3d n = (q - p).cross(third - p);
   out.miss = std::abs(n[2]) > 1e-12 ? std::abs(n.dot(p) / n[2]) : 1e3;
   return out;
 }
 
-constexpr double kEquallyGood = 2e-3;  ///< cells: misses that differ by less count as equal
-constexpr double kFanMiss = 0.05;  ///< cells: a quad that misses its crossing by more becomes a fan
+/// Misses that differ by less (cells) count as equal.
+constexpr double kEquallyGood = 2e-3;
+/// If even the best diagonal misses by more (cells), the quad becomes a fan.
+constexpr double kFanMiss = 0.05;
 
 }  // namespace
 

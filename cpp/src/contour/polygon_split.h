@@ -1,6 +1,7 @@
-// How the polygon of a crossing, the four vertices round its lattice edge, is cut into triangles.
+// Cuts the polygon of a crossing (the four vertices round its lattice edge) into triangles.
+//
 // In: dual surface. Out: the cut of each quad. Units: cells. Cost: O(1) per crossing.
-// Source: Ju and Udeshi 2006: a diagonal is used only if both triangles stay between the
+// Source: Ju and Udeshi 2006: a diagonal is valid only if both triangles stay between the
 // neighbouring cells.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -11,7 +12,7 @@ namespace swept {
 
 enum class Split : std::uint8_t { Diagonal02, Diagonal13, Fan };
 
-/// For the crossing at `point` on a lattice edge of this axis in layer i.
+/// Chooses the cut for the crossing at `point`, on a lattice edge along `axis` in layer i.
 Split chooseSplit(const DualSurface& dual, int axis, std::int32_t i, const Eigen::Vector3d& point,
                   std::uint32_t crossing);
 

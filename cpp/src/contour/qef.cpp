@@ -11,8 +11,8 @@ Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free)
   Eigen::Matrix3d a = matrix();
   const Eigen::Vector3d g = planes_.b - a * m;
   a.diagonal().array() += damping * count_;
-  // Inverse of a symmetric 3x3 matrix by cofactors; its condition (1e5 by the damping) leaves
-  // enough digits of a double.
+  // Inverse of a symmetric 3x3 matrix by cofactors. The damping limits its condition number to 1e5,
+  // which leaves enough digits of a double.
   const double c00 = a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
   const double c01 = a(0, 2) * a(1, 2) - a(0, 1) * a(2, 2);
   const double c02 = a(0, 1) * a(1, 2) - a(0, 2) * a(1, 1);
@@ -30,10 +30,10 @@ Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free)
 
 Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
                                 double high, const Eigen::Vector3d& unbounded) const {
-  // y = x - m minimises y^T a y / 2 - g y; each coordinate is free (0), fixed at low (1) or at high
-  // (2).
+  // y = x - m minimises y^T a y / 2 - g y. The state of each coordinate is 0 (free), 1 (fixed at
+  // low) or 2 (fixed at high).
   const Eigen::Vector3d m = massPoint();
-  // Returns false if the free coordinates leave the box.
+  // Solves for the free coordinates. Returns false if they leave the box.
   const auto solveFor = [&](const std::array<int, 3>& state, Eigen::Vector3d& y) {
     y.setZero();
     int free[3], n = 0;
@@ -64,7 +64,7 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
     }
     return true;
   };
-  // Usually the coordinates that lie outside without the box are those that end on its wall. No
+  // Usually the coordinates that leave the box in `unbounded` are those that end on its walls. No
   // other point is better if the error grows from each of these walls into the box.
   Eigen::Vector3d y;
   std::array<int, 3> out;

@@ -4,13 +4,14 @@
 // In: planes (position, normal). Out: minimiser. Units: the cell's own coordinates. Cost: O(1) per
 // plane and solution.
 // Source: Garland and Heckbert 1997 (quadrics); Ju et al. 2002 and Kobbelt et al. 2001 (vertex
-// placement); METHOD.md section 4.
+// placement).
 //
-// Solved about the mass point m as (A + mu I)(x - m) = b - A m, with a damping mu far below what a
-// real crease contributes; directions about which the planes say nothing keep the mass point. The
-// papers truncate small eigenvalues instead. Damping has no threshold at which the vertex jumps,
-// and solving by cofactors is some twenty times faster than an eigen-decomposition. A minimiser
-// outside the cell is replaced by the best point of the cell's faces, edges and corners.
+// The solution is taken about the mass point m: (A + mu I)(x - m) = b - A m. The damping mu is far
+// below what a real crease contributes; in directions about which the planes say nothing, it keeps
+// the mass point. The papers truncate small eigenvalues instead. Damping has no threshold at which
+// the vertex jumps, and a solution by cofactors is some twenty times faster than an
+// eigen-decomposition. A minimiser outside the cell is replaced by the best point of the cell's
+// faces, edges and corners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,7 +21,7 @@
 
 namespace swept {
 
-/// Sharpness (see below) of two planes that differ by 20 degrees.
+/// Sharpness (see Qef::sharpness()) of two planes that differ by 20 degrees.
 constexpr double kMinSharpness = 0.03;
 
 /// Accumulates planes in the coordinates of the cell, [0, 1]^3.
@@ -43,7 +44,8 @@ class Qef {
   }
   double error(const Eigen::Vector3d& x) const { return planes_.error(x); }
 
-  /// Minimiser in the box [margin, 1 - margin]^3. `free` receives the minimiser without the box.
+  /// Returns the minimiser in the box [margin, 1 - margin]^3. `free` receives the unbounded
+  /// minimiser.
   Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const {
     return solve(margin, kDamping, free);
   }

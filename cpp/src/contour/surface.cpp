@@ -132,8 +132,8 @@ class LayerEmitter {
       const auto point = facePoints_.at.find(sideKey(crossing, corner));
       if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
     }
-    // A ring counter-clockwise about +axis faces the high end; the outside is where the crossing is
-    // seen from.
+    // A counter-clockwise ring about +axis faces the high end. The polygon must face the end from
+    // which the crossing is seen.
     const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
       if (seenFromLow) std::swap(b, c);
       out.triangles.push_back({a, b, c});
@@ -160,8 +160,9 @@ class LayerEmitter {
   std::int32_t firstFacePoint_;
 };
 
-/// Adds the polygon between the two sides of a split wall end: a quad, or a triangle where the wall
-/// continues with one vertex. It runs against the polygons of the two sides.
+/// Adds the polygon between the two vertices of a split component and those of the next cell. It is
+/// a quad, or a triangle if the next cell has one vertex for both sides. Its edges run against
+/// those of the polygons of the two sides.
 void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
             std::vector<Triangle>& triangles) {
   struct Corner {
@@ -172,7 +173,7 @@ void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& d
   for (int n = 0; n < 2; ++n) {
     const CrossingEdge edge = edgeOfCrossing(grid, rim.crossing[n]);
     for (int end = 0; end < 2; ++end) {
-      // Seen from the high end, the quad runs from the first corner of its side to the second.
+      // Seen from the high end, the quad's side runs from its first corner to its second.
       const int corner = (rim.side[n] + end) & 3;
       Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
       to.vertex = dual.vertex(edge.axis, edge.i, rim.crossing[n], corner);
@@ -208,14 +209,15 @@ std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& d
   });
 }
 
-/// Resizes with room for what mending adds, so that nothing has to be moved then.
+/// Resizes the list, with spare capacity for the elements that mending adds later.
 template <class T>
 void resizeWithRoom(std::vector<T>& list, std::size_t size, const T& value) {
   list.reserve(size + size / 32);
   list.resize(size, value);
 }
 
-/// Joins the vertices and polygons of all layers into one surface: count, scan, fill.
+/// Joins the vertices and polygons of all layers into one surface, in three passes: count, reserve,
+/// fill.
 class SurfaceAssembler {
  public:
   SurfaceAssembler(const HermiteGrid& grid, const DualSurface& dual,
@@ -260,7 +262,7 @@ class SurfaceAssembler {
     }
   }
 
-  /// The operating system clears fresh memory page by page; do it on all cores.
+  /// The operating system clears fresh memory page by page, so all cores share this work.
   void allocate(std::size_t triangles) {
     parallelActions(
         [&] {
@@ -278,7 +280,7 @@ class SurfaceAssembler {
   }
 
   void fillDualVertices(std::size_t i) {
-    constexpr float kInsideMargin = 1e-5f;  // a tenth of kCellMargin: escaped vertices are beyond
+    constexpr float kInsideMargin = 1e-5f;  // a tenth of kCellMargin, to tell escaped vertices
     const auto& layer = dual_.vertices[i];
     const auto sameCell = [&](std::size_t v, std::size_t w) {
       return layer[v].k == layer[w].k && layer[v].j == layer[w].j;
@@ -296,7 +298,7 @@ class SurfaceAssembler {
     }
   }
 
-  /// Writes the extra vertices and the triangles of a layer, and frees the layer.
+  /// Writes the extra vertices and the triangles of a layer, then frees the layer.
   void fillPolygons(std::size_t i) {
     LayerPolygons& part = parts_[i];
     for (std::size_t e = 0; e < part.extra.size(); ++e) {

@@ -1,14 +1,15 @@
-// Hermite grid -> closed triangle mesh: one vertex per component, one polygon per crossing.
+// Turns a Hermite grid into a closed triangle mesh: one vertex per component, one polygon per
+// crossing.
 //
 // In: Hermite grid. Out: mesh in mm, and the time of contact per vertex. Cost: O(crossings).
 // Promise (consistent components): closed, edge- and vertex-manifold, oriented outward. The
-// polygons of the dual surface are closed by construction. Two things could still make it
-// non-manifold as a set of triangles, and both are mended where they occur: two segments of one
-// face that join the same two components (the second segment gets a vertex on the face), and the
-// two quads of one lattice edge with the same diagonal (both become fans about their crossing).
-// Source: dual contouring (Ju et al. 2002), several vertices per cell (Nielson 2004; Schaefer, Ju
-// and Warren 2007, "Manifold dual contouring"), polygons through edge and face points where a
-// diagonal would not do (Ju and Udeshi 2006).
+// polygons of the dual surface are closed by construction. Two things could still make its
+// triangles non-manifold, and each is resolved where it occurs. If two segments of one face join
+// the same two components, the second segment gets a vertex on the face. If the two quads of one
+// lattice edge have the same diagonal, both become fans about their crossings.
+// Source: dual contouring (Ju et al. 2002); several vertices per cell (Nielson 2004; Schaefer, Ju
+// and Warren 2007, "Manifold dual contouring"); polygons through points on edges and faces where no
+// diagonal is valid (Ju and Udeshi 2006).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,45 +21,46 @@
 namespace swept {
 
 struct Surface {
-  /// Value in crossingOf for a triangle of the strip that closes the end of a thin wall.
+  /// Entry of crossingOf for a triangle of the strip that closes the end of a thin wall.
   static constexpr std::uint32_t kNoCrossing = 0xffffffffu;
 
   TriMesh mesh;
   std::vector<double> contactTime;
-  /// Per triangle: the crossing whose polygon it belongs to, or kNoCrossing.
+  /// Per triangle: the crossing to whose polygon the triangle belongs, or kNoCrossing.
   std::vector<std::uint32_t> crossingOf;
-  std::size_t dualVertices =
-      0;  ///< the first so many vertices are those of components, then extra ones
-  /// Per component vertex, as bits: whether it lies in its cell and shares that cell.
+  /// Number of component vertices; they come first, before all extra vertices.
+  std::size_t dualVertices = 0;
+  /// Bits per component vertex: whether it lies in its own cell, and whether it shares the cell.
   std::vector<std::uint8_t> cellFlags;
-  static constexpr std::uint8_t kInsideCell = 1;  ///< it lies inside its own cell
-  static constexpr std::uint8_t kSharedWithPrevious =
-      2;  ///< the vertex before it belongs to the same cell
-  static constexpr std::uint8_t kSharedWithNext =
-      4;  ///< the vertex after it belongs to the same cell
+  /// The vertex lies inside its own cell.
+  static constexpr std::uint8_t kInsideCell = 1;
+  /// The vertex before it belongs to the same cell.
+  static constexpr std::uint8_t kSharedWithPrevious = 2;
+  /// The vertex after it belongs to the same cell.
+  static constexpr std::uint8_t kSharedWithNext = 4;
   static constexpr std::uint8_t kShared = kSharedWithPrevious | kSharedWithNext;
-  /// These bits for any vertex; 0 for a vertex that is no component's.
+  /// Returns the bits of any vertex; 0 for a vertex that does not belong to a component.
   std::uint8_t cellFlagsOf(std::int32_t v) const {
     return static_cast<std::size_t>(v) < cellFlags.size() ? cellFlags[v] : std::uint8_t{0};
   }
-  /// Vertices that mending has moved or added, in rising order.
+  /// The vertices that mending has moved or added, in rising order.
   std::vector<std::int32_t> mended;
   std::int64_t fans = 0;         ///< quads cut into fans about their crossing
   std::int64_t facePoints = 0;   ///< vertices added on cell faces
   std::int64_t rimPolygons = 0;  ///< polygons that close the ends of thin walls
 };
 
-/// The grid is not changed. `probe`: see buildDualSurface().
+/// Contours the grid without changing it. For `probe`, see buildDualSurface().
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
                        const SurfaceProbe* probe = nullptr);
 
-/// The lattice edge of a crossing, found from its index alone in O(log crossings).
+/// Finds the lattice edge of a crossing from its index alone, in O(log crossings).
 struct CrossingEdge {
   int axis = 0;
   std::int32_t i = 0, j = 0, k = 0;
 };
 CrossingEdge edgeOfCrossing(const HermiteGrid& grid, std::uint32_t index);
-/// Where a crossing lies, in cells from the grid's origin.
+/// Returns the position of a crossing, in cells from the grid's origin.
 Eigen::Vector3d positionOfCrossing(const HermiteGrid& grid, const CrossingEdge& edge,
                                    std::uint32_t index);
 

@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-/// Collects any single cell of the grid by binary search in the edge lists.
+/// Collects any cell of the grid by binary search in the edge lists.
 Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -60,7 +60,7 @@ class TipMover {
       if (x.corner != y.corner) return x.corner;
       return x.error < y.error;
     });
-    // First the vertices whose own planes meet outside their cell, then those that take over a
+    // First come the vertices whose own planes meet outside their cell, then those that take over a
     // neighbour's point.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
@@ -96,8 +96,8 @@ class TipMover {
     v.local = (claim.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
   }
 
-  static constexpr double kMinDistance =
-      0.1;  // cells: smallest distance of two vertices on one crease
+  /// Smallest distance (cells) between two vertices on one crease.
+  static constexpr double kMinDistance = 0.1;
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
              std::vector<Claim>& out) {
@@ -123,13 +123,14 @@ class TipMover {
         out.push_back({target, direction.norm(), static_cast<std::uint32_t>(target[0]), vertex,
                        point, false, corner});
       } else if ((there - point).norm() > kMinDistance) {
-        // The neighbour's vertex stands on the same crease, so this vertex may follow the crease as
+        // The neighbour's vertex lies on the same crease, so this vertex may follow the crease as
         // well.
         out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
       }
       return;
     }
-    // Path steps; a shorter cut through the corner of a cell does no harm.
+    // Checks sampled points of the way. A missed shortcut through the corner of a cell does no
+    // harm.
     constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);
@@ -144,9 +145,10 @@ class TipMover {
     out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
   }
 
-  /// Vertex of the first component of a leaf cell whose planes agree with the point, or kNone. They
-  /// agree if all of them pass through the point; or if at least two of them do and form a crease,
-  /// and the point is behind the others (the crease then ends in a corner that this cell contains).
+  /// Finds the first component of a leaf cell whose planes agree with the point; `vertex` is kNone
+  /// if there is none. The planes agree if all of them pass through the point. They also agree if
+  /// at least two of them pass through it and form a crease, and the point lies behind the others:
+  /// then the crease ends in a corner inside this cell.
   struct Agreement {
     std::uint32_t vertex = DualSurface::kNone;
     bool wholly = false;  // all planes of the component pass through the point
@@ -184,7 +186,7 @@ class TipMover {
   static constexpr double kMinTipSharpness = 0.05;  // two planes that differ by 26 degrees
   /// Determinant of the mean normal tensor; 0.037 for the corner of a cube.
   static constexpr double kMinCornerDeterminant = 1e-3;
-  /// Cells^2: mean squared distance of the planes, 0.01 of a cell.
+  /// Cells^2: limit of the mean squared distance of planes from a point, 0.01 of a cell.
   static constexpr double kMaxPlaneError = 1e-4;
 
   const HermiteGrid& grid_;

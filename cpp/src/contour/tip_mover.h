@@ -1,18 +1,16 @@
-// Vertices whose planes meet outside their cell: whether the vertex, or another one, moves to that
-// point.
+// Moves vertices to the points outside their cell in which their planes meet.
 //
-// In: the escapes of each layer. Out: moved vertices of the dual surface. Units: cells. Cost: a few
-// cell look-ups per escape.
-// Promise: the result does not depend on the order of the escapes. At most one point is granted per
-// cell (or several at least kMinDistance apart on one crease); intersections that remain are mended
-// later.
+// In: the escapes of each layer (vertices whose planes meet outside their cell). Out: moved
+// vertices of the dual surface. Units: cells. Cost: a few cell look-ups per escape.
+// Promise: the result does not depend on the order of the escapes. Each cell grants one point, or
+// several on one crease if they are at least kMinDistance apart. Mending removes the intersections
+// that remain.
 // Source: own method; docs/contouring.md, "Tips".
 //
-// If the path to the point leads through empty cells the vertex moves there: the tip of a corner or
-// wedge can reach into a neighbouring cell without meeting any of its edges, and nothing else is in
-// that cell. If the point lies in a neighbouring leaf cell, a component there whose own planes
-// agree with the point takes it over: it saw only some of the planes of the corner that its cell
-// contains.
+// The tip of a corner or wedge can reach into a neighbouring cell without meeting any of its edges.
+// If the way to the point leads through empty cells, the vertex moves to the point. If the point
+// lies in a neighbouring leaf cell, a component of that cell may take it over, provided that its
+// own planes agree with the point: the corner lies in its cell, but it saw only some of the planes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -33,7 +31,7 @@ struct Escape {
   double error;              // mean squared distance of the planes from the minimiser
 };
 
-/// Moves vertices of the surface; `escapes` are given per layer.
+/// Moves vertices of `surface`; `escapes` has one list per layer.
 void moveTips(const HermiteGrid& grid, ComponentMethod method,
               const std::vector<std::vector<Escape>>& escapes, DualSurface& surface);
 

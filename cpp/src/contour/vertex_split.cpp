@@ -23,7 +23,7 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
       if (components.of[x] != component || part[x] == part[y]) continue;
       folds.push_back(pairs.slots[p]);
       foldFaces.push_back(static_cast<std::int8_t>(face));
-      ambiguous |= pairs.count > 1;  // such faces get a vertex of their own, see surface.h
+      ambiguous |= pairs.count > 1;  // such faces get an extra vertex, see surface.h
     }
   }
   if (folds.size() == 2 && !ambiguous) return;
@@ -32,13 +32,13 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
 }
 
 Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3d& best) const {
-  /// Eigenvalues: largest along a crease, smallest across it.
+  /// Largest eigenvalue along a crease, and smallest eigenvalue across it.
   constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
   constexpr double kMaxExtraMiss = 0.02;  // cells: how much more the planes may miss the new point
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(planes.matrix() / planes.count());
   if (eigen.eigenvalues()[0] > kMaxAlong || eigen.eigenvalues()[1] < kMinAcross) return best;
   const Eigen::Vector3d direction = eigen.eigenvectors().col(0);
-  // Range between the walls of the cell.
+  // Range of the crease between the walls of the cell.
   double from = -std::numeric_limits<double>::max(), to = -from;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) < kCellMargin) continue;

@@ -1,4 +1,5 @@
-// A component with two features in one cell gets two vertices, one for each part of its crossings.
+// Splits the vertex of a component with two features in one cell: each part of its crossings gets a
+// vertex.
 //
 // Each vertex is fitted to the planes of its part and of the side between the parts, which the
 // crossings do not show (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
@@ -16,7 +17,7 @@
 
 namespace swept {
 
-/// Two normals whose cosine is below this belong to the two sides of a thin wall (120 degrees).
+/// Two normals with a cosine below this (120 degrees) belong to opposite sides of a thin wall.
 constexpr double kMaxOpposedCosine = -0.5;
 
 /// A crossing in the coordinates of one of its cells.
@@ -34,23 +35,23 @@ struct VertexSplit {
   /// Per slot of the component: part 0, part 1, or -1 for neither.
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
-  /// A point near that end of both features which the ring shows, in the coordinates of the cell;
-  /// not set if no end is known better than the other.
+  /// A point, in the coordinates of the cell, near the end of both features that the ring shows.
+  /// Not set if neither end is better known than the other.
   std::optional<Eigen::Vector3d> seen;
-  /// Where the polygons of the two parts meet: pairs of slots on the faces of the cell. There are
-  /// two of them, or none if the vertex cannot be split.
+  /// Folds: places on the faces of the cell where the polygons of the two parts meet, each a pair
+  /// of slots. There are two folds, or none if the vertex cannot be split.
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
   /// Finds the folds. Requires that every slot has a part, that each part is one arc of the ring of
-  /// polygons, and that the arcs meet on faces that leave no choice of pairing.
+  /// polygons, and that the arcs meet on faces with a single way to pair their crossings.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 
-  /// Where along the crease of a part's planes its vertex is placed, starting from the minimiser
-  /// `best`. The few crossings of the part do not show how long the crease is, and the next cell
-  /// may not know of it. The vertex is therefore placed half way between the walls of the cell, or
-  /// three quarters of the way from the end that is `seen`.
+  /// Returns the place of a part's vertex along the crease of its planes, starting from the
+  /// minimiser `best`. The few crossings of the part do not show how long the crease is, and the
+  /// next cell may not show it at all. The vertex is therefore placed half way between the walls of
+  /// the cell, or three quarters of the way from the end that is `seen`.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

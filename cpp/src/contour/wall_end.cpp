@@ -9,21 +9,22 @@
 namespace swept {
 namespace {
 
-constexpr double kMinSideCosine =
-    0.7;  ///< |cosine| (45 degrees) from which a crossing belongs to a side
-constexpr double kMaxUnevenness = 0.2;  ///< cells: a side counts as flat up to this height
-/// Cells, of walls and of gaps: thicker ones are met by grid edges.
+/// A crossing lies on a side if its |cosine| is at least this (45 degrees).
+constexpr double kMinSideCosine = 0.7;
+/// A side is flat if its height varies by less than this (cells).
+constexpr double kMaxUnevenness = 0.2;
+/// Largest thickness of walls and gaps (cells); grid edges meet the rims of thicker ones.
 constexpr double kMaxWallThickness = 1.0;
-/// |cosine| (37 degrees) below which a hit is not on a side of the wall.
+/// A hit with |cosine| below this (37 degrees) lies on the rim, not on a side of the wall.
 constexpr double kMaxRimCosine = 0.8;
 
-/// The plane half way between the two sides, normal . x = middle, in the coordinates of the cell.
+/// The plane half way between the two sides: normal . x = middle, in the coordinates of the cell.
 struct Wall {
   Eigen::Vector3d normal;
   double middle = 0;
 };
 
-/// Quick test that rejects nearly every component: false if all crossings are on one side.
+/// Quick test that rejects nearly every component: returns false if all crossings lie on one side.
 bool spread(const Cell& cell, const Components& components, int component,
             const Crossing* crossings) {
   Eigen::Vector3d first;
@@ -39,7 +40,7 @@ bool spread(const Cell& cell, const Components& components, int component,
   return found;
 }
 
-/// The direction across the wall, if two normals of the component are opposed.
+/// Returns the direction across the wall if two normals of the component are opposed.
 std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
   double least = kMaxOpposedCosine;
   std::optional<Eigen::Vector3d> best;
@@ -54,7 +55,8 @@ std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) 
   return best;
 }
 
-/// Assigns the crossings to the two sides; nothing if they do not form a thin, nearly flat wall.
+/// Assigns the crossings to the two sides. Returns nothing if they do not form a thin, nearly flat
+/// wall.
 std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::Vector3d& normal,
                          VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
@@ -77,7 +79,7 @@ std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::
   return Wall{normal, (top + bottom) / 2};
 }
 
-/// Which corners of the cell (bit per axis) lie outside, found along its edges.
+/// Which corners of the cell (bit per axis) lie outside. Edges without a crossing pass the sign on.
 std::array<bool, 8> outsideCorners(const Cell& cell) {
   std::array<std::int8_t, 8> sign;  // 1 outside, 0 inside, -1 not known yet
   sign.fill(-1);
@@ -85,7 +87,7 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
     if (!cell.has(2 * edge) && !cell.has(2 * edge + 1)) continue;
     for (const int end : {0, 1}) sign[cornerOf(edge, end)] = cell.has(2 * edge + end) ? 1 : 0;
   }
-  for (int round = 0; round < 3; ++round) {  // edges without a crossing pass the sign on
+  for (int round = 0; round < 3; ++round) {  // over edges without a crossing
     for (int edge = 0; edge < kEdges; ++edge) {
       const int low = cornerOf(edge, 0), high = cornerOf(edge, 1);
       if (cell.has(2 * edge) || cell.has(2 * edge + 1)) continue;
@@ -98,8 +100,8 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
   return outside;
 }
 
-/// Where the middle plane of the wall cuts the edges of the cell, outside and inside the swept
-/// volume.
+/// Collects the points in which the middle plane of the wall cuts the edges of the cell, outside
+/// and inside the swept volume.
 void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
               std::vector<Eigen::Vector3d>& outside, std::vector<Eigen::Vector3d>& inside) {
   const std::array<bool, 8> out = outsideCorners(cell);

@@ -1,13 +1,13 @@
-// The end of a wall (or gap) thinner than a cell.
+// Finds the end of a wall (or gap) thinner than a cell.
 //
 // In: a component with crossings on both sides of a thin wall, and a probe. Out: hits on the rim,
-// and the split of the vertex: one feature for each side. Units: grid coordinates (cells). Cost: a
-// few lines per wall end.
+// and the split of the vertex into one for each side. Units: grid coordinates (cells). Cost: a few
+// probe lines per wall end.
 // Source: own method; figures in docs/contouring.md, "Rims".
 //
-// No grid edge meets the rim of such a wall, so that the crossings of the cell show its two sides
-// only. The plane half way between the sides is cut with the edges of the cell; from the cuts that
-// lie outside, lines are cast towards those inside, and hit the rim.
+// No grid edge meets the rim of such a wall, so the crossings of the cell show only its two sides.
+// The plane half way between the sides cuts the edges of the cell in some points. Lines from the
+// points outside the swept volume towards those inside hit the rim.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

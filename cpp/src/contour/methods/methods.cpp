@@ -12,7 +12,7 @@ WalkTable::Entry walk(std::uint32_t crossed) {
   std::uint32_t unvisited = 0xff;
   for (int start = 0; start < 8; ++start) {
     if (!(unvisited >> start & 1u)) continue;
-    // Grow the set of reached corners until nothing changes.
+    // Grow the set of reached corners until it no longer changes.
     std::uint32_t reached = 1u << start, before = 0;
     while (reached != before) {
       before = reached;
@@ -35,9 +35,10 @@ WalkTable::Entry walk(std::uint32_t crossed) {
   return entry;
 }
 
-constexpr int kMaxComponents = kSlots / 2;  ///< the room that the caller has for components
+constexpr int kMaxComponents = kSlots / 2;  ///< room of the caller for components
 
-/// The crossings at which a walk stops: the first on an edge with two, else the only one.
+/// Returns the crossings at which a walk stops. On an edge with two crossings, the walk stops at
+/// the first in its direction.
 std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   std::uint32_t slots = 0;
   for (int edge = 0; edge < kEdges; ++edge) {
@@ -48,7 +49,7 @@ std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   return slots;
 }
 
-/// The smallest cosine between two normals of the set.
+/// Returns the smallest cosine between two normals of the set.
 float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings) {
   float least = 1;
   for (int s = 0; s < kSlots; ++s) {
@@ -66,7 +67,7 @@ float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings
 void findDualMarchingCubes(const Cell& cell, Components& out) {
   SlotLinks links;
   for (int face = 0; face < kFaces; ++face) {
-    // Going round the face, each crossing that enters the inside is joined to the next one, which
+    // On the way round the face, join each crossing that enters the inside to the next, which
     // leaves it.
     std::int8_t stops[4];
     bool enters[4];
@@ -104,7 +105,7 @@ void findEquivalence(const Cell& cell, Components& out) {
   out.of.fill(-1);
   const WalkTable::Entry& entry = walkTable().entries[crossed];
   for (int group = 0; group < entry.count; ++group) {
-    // A walk that starts outside leaves from the end that its crossing is seen from.
+    // A walk from an outside corner stops in the slots of that corner's side.
     const std::uint32_t mine = entry.stops[group] & cell.mask;
     if (mine == 0) continue;
     for (int slot = 0; slot < kSlots; ++slot) {

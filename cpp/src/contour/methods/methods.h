@@ -1,7 +1,7 @@
-// Other methods to find the components of a cell, for comparison with the consistent one.
+// Other methods to find the components of a cell, for comparison with the consistent method.
 //
 // In: one cell. Out: a component number per slot. Cost: O(crossings of the cell).
-// Promise: none; the surface may be open or non-manifold (docs/contouring.md has figures).
+// Promise: none; the surface may be open or non-manifold (figures in docs/contouring.md).
 // Source: named at each function.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -14,29 +14,30 @@
 
 namespace swept {
 
-/// Dual marching cubes (Nielson 2004): uses the signs of the corners only, and makes up to four
-/// components; on ambiguous faces the inside corners are separated. Edges with both ends outside
-/// are dropped.
+/// Dual marching cubes (Nielson 2004). Uses only the signs of the corners and makes up to four
+/// components. Separates the inside corners on ambiguous faces. Drops edges with both ends outside.
 void findDualMarchingCubes(const Cell& cell, Components& out);
 
-/// Equivalence relation (Varadhan et al. 2003): a crossing belongs to its outside corner; crossings
-/// are equivalent if their corners are joined by edges without crossings.
+/// Equivalence relation (Varadhan et al. 2003): a crossing belongs to the outside corner from which
+/// it is seen. Crossings are equivalent if edges without crossings join their corners.
 void findEquivalence(const Cell& cell, Components& out);
 
-/// Greedy (thesis section 4.2.2): walks over uncrossed edges, inside and outside, stop at sets of
-/// crossings. The set whose normals differ least becomes a component and is removed, and so on. The
-/// two cells of a face may decide differently.
+/// Greedy (J. Brummer, bachelor's thesis, Mainz 2017, section 4.2.2). Walks start at every corner,
+/// follow uncrossed edges and stop at a set of crossings. The set whose normals differ least
+/// becomes a component, its crossings are removed, and the search repeats. Two cells that share a
+/// face may decide differently about it.
 void findGreedy(const Cell& cell, const Crossing* crossings, Components& out);
 
-/// Where walks from the corners stop, for one configuration of crossed edges: one set for each
-/// group of corners that uncrossed edges join. Bit 2 * edge + direction; direction 0 goes from the
-/// low end to the high end.
+/// Table of all walks over uncrossed edges, one entry for each configuration of crossed edges. An
+/// entry has one set of stops for each group of corners that uncrossed edges join. Bit 2 * edge +
+/// direction is set if a walk stops on that edge; direction 0 walks from its low end to its high
+/// end.
 struct WalkTable {
   struct Entry {
     int count = 0;
     std::array<std::uint32_t, 8> stops{};
   };
-  std::array<Entry, 4096> entries;  ///< by edge configuration: bit e is set if edge e is crossed
+  std::array<Entry, 4096> entries;  ///< index: bit e is set if edge e is crossed
 };
 const WalkTable& walkTable();
 
