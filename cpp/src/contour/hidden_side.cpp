@@ -12,8 +12,8 @@
 namespace swept {
 namespace {
 
-constexpr double kMaxFlatUnevenness =
-    2e-3;  ///< up to this unevenness, two arcs count as two planes
+/// Up to this unevenness, two arcs count as two planes.
+constexpr double kMaxFlatUnevenness = 2e-3;
 /// Lines start this far outside the surface and end as far inside (cells).
 constexpr double kLineOvershoot = 0.02;
 /// If a hit and a crossing differ by less than this cosine (20 degrees), the hit shows a known
@@ -25,7 +25,7 @@ constexpr double kCheckReach = 0.1;
 constexpr double kCornerReach = 1;
 /// The check succeeds if the line hits the surface within this distance of the vertex (cells).
 constexpr double kMaxCheckMiss = 0.06;
-/// Planes meet in a point if their root mean square distance from it is below this (cells).
+/// Planes count as meeting in a point if they miss it by less than this (cells).
 constexpr double kMaxPlaneMiss = 0.03;
 
 using Point = CrossingPoint;

@@ -13,9 +13,9 @@ namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// The innermost copy of the cell that rings end at, and the outermost, as fractions of the cell.
+/// Sizes of the innermost and the outermost copy of the cell at which rings end (fractions of it).
 constexpr double kInnerCopy = 0.05, kOuterCopy = 0.1;
-/// Cells: how far the point that rings are drawn to stays from the walls.
+/// Distance that the common point of all rings keeps from the walls (cells).
 constexpr double kCentreMargin = 0.2;
 
 class Patcher {
@@ -30,7 +30,8 @@ class Patcher {
     firstAdded_ = count;
   }
 
-  /// Fans about the n-th of the wanted places of each vertex; false where some of them meet.
+  /// Fills each ring by a fan about the n-th wanted place of its vertex. Returns false if fans
+  /// intersect.
   bool fans(std::size_t n) {
     patch_ = {};
     for (std::size_t r = 0; r < rings_.size(); ++r) {
@@ -70,7 +71,7 @@ class Patcher {
   void forSides(std::size_t r, const Use& use) const {
     const auto n = static_cast<std::int32_t>(points_[r].points.size());
     for (std::int32_t k = 0; k < n; ++k) {
-      // Even: from a crossing to the chord's point; odd: from there to the next crossing.
+      // Even k: from a crossing to the chord's point. Odd k: from that point to the next crossing.
       const std::size_t slot = static_cast<std::size_t>((k + 1) / 2) % rings_[r].slots.size();
       use(first_[r] + k, first_[r] + (k + 1) % n, rings_[r].slots[slot]);
     }
@@ -92,7 +93,8 @@ class Patcher {
     return points_[r].points[number - first_[r]];
   }
 
-  /// Triangles of two rings share no corner, so they may not touch.
+  /// Whether no triangles of two rings touch. They share no corner, so any contact is an
+  /// intersection.
   bool areApart() const {
     std::vector<Corners> corners;
     std::vector<std::int32_t> ringOf;
@@ -108,7 +110,7 @@ class Patcher {
     return true;
   }
 
-  /// Draws a ring to its small copy, and fills that by the walls on one side of it.
+  /// Shrinks a ring to its small copy, and fills the copy by the walls on one side of it.
   template <class Copy>
   void fill(std::size_t r, const RingSides& sides, bool left, const Copy& copy) {
     const std::vector<Eigen::Vector3d> walls = sides.wallPoints(r);

@@ -1,17 +1,16 @@
-// Triangles for the pieces of surface in one cell that cannot meet.
+// Fills the pieces of surface in one cell with triangles that do not intersect.
 //
-// In:    the rings of the cell (cell_rings.h) with the points that they pass; where the vertices
-//        are wanted. Out: triangles that fill every ring inside the cell, and the points that they
-//        add.
-// Cost:  microseconds a cell.
-// Promise: triangles of one cell have nothing in common but corners and edges of their own ring,
-//        and stay in the cell.
-// Method: a ring is filled by a fan about one vertex where no two fans meet, as tested exactly.
-//        Seen from any point in a convex cell, each point of its walls lies in another direction.
-//        So all rings can be drawn together towards one common point without meeting, and end at
-//        small copies of themselves on the walls of small copies of the cell. There each one is
-//        filled by the part of these walls that lies on one side of it; where rings lie within
-//        each other, the outer one goes on to a smaller copy than the inner one.
+// In: the rings of the cell (cell_rings.h), the points on them, and the places where their vertices
+// are wanted. Out: triangles that fill every ring inside the cell, and the points that they add.
+// Cost: microseconds a cell.
+// Promise: triangles of one cell share nothing but corners and edges of their own ring, and stay in
+// the cell.
+// Method: each ring is filled by a fan about one vertex if no two fans intersect, as an exact test
+// shows. Otherwise all rings are shrunk towards one common point of the cell. Seen from there, each
+// point of the cell's walls lies in a direction of its own, so the shrinking rings sweep surfaces
+// that do not intersect. Each ring ends as a small copy of itself, on the walls of a small copy of
+// the cell. There it is filled by the part of these walls on one side of it. If rings are nested,
+// an outer ring ends at a smaller copy than the rings inside it.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -25,10 +24,11 @@
 
 namespace swept {
 
-/// All in mm.
+/// One ring and its vertex, in mm.
 struct PatchRing {
-  std::vector<Eigen::Vector3d> points;  ///< a crossing, the point on the chord behind it, and so on
-  std::vector<Eigen::Vector3d> vertices;  ///< where the vertex is wanted, the best place first
+  /// A crossing, then the point on the chord after it, and so on.
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> vertices;  ///< wanted places of the vertex, the best first
 };
 
 struct CellPatch {
@@ -36,11 +36,11 @@ struct CellPatch {
   std::vector<std::size_t> ringOf;     ///< per point of `added`
   /// Corners are numbered through the points of all rings, then through `added`.
   std::vector<std::array<std::int32_t, 3>> triangles;
-  std::vector<std::int8_t> slotOf;  ///< per triangle: the crossing that it belongs to
-  bool layered = false;             ///< no fans were found that do not meet
+  std::vector<std::int8_t> slotOf;  ///< per triangle: the slot of its crossing
+  bool layered = false;  ///< true if all choices of fans intersect, so that the rings were shrunk
 };
 
-/// Where a cell lies, in mm.
+/// Position and size of a cell, in mm.
 struct CellPlace {
   Eigen::Vector3d corner;  ///< its low corner
   double size;
@@ -48,7 +48,7 @@ struct CellPlace {
   Eigen::Vector3d toLocal(const Eigen::Vector3d& world) const { return (world - corner) / size; }
 };
 
-/// rings and points: in the same order.
+/// Fills the rings of a cell. `rings` and `points` have the same order.
 CellPatch patchOf(const Cell& cell, const Crossing* crossings, const std::vector<CellRing>& rings,
                   const std::vector<PatchRing>& points, const CellPlace& place);
 

@@ -6,11 +6,11 @@
 namespace swept {
 namespace {
 
-/// Cells: how far crossings stay apart; far above rounding, far below what anybody can see.
+/// Distance that crossings keep (cells); far above rounding, far below what anybody can see.
 constexpr double kApart = 1e-4;
 
-/// The face that a ring leaves a slot by: the triangles of its polygon run round the slot's edge,
-/// counter-clockwise as seen from the end that is outside (surface.cpp).
+/// Returns the face along which a ring leaves a slot. The triangles of the slot's polygon run round
+/// its edge, counter-clockwise as seen from the outside end (surface.cpp).
 int faceBehind(int slot) {
   const int edge = slot >> 1, axis = edge >> 2;
   const bool seenFromLow = (slot & 1) == 0;
@@ -72,7 +72,8 @@ Eigen::Vector3d chordPoint(const Cell& cell, int face, int from, int to,
                         q = apartPosition(cell, to, crossings);
   Eigen::Vector3d middle = (p + q) / 2;
   if (from >> 1 != to >> 1) return middle;
-  // The axis across the edge in the face, and how near other chords come.
+  // `across`: the axis of the face at right angles to the edge. `room`: distance to the nearest
+  // other chord.
   const int edge = from >> 1, across = 3 - (edge >> 2) - (face >> 1);
   double room = (q - p).cwiseAbs().maxCoeff();
   for (const FaceStep& step : kFaceWalks[face]) {

@@ -1,7 +1,8 @@
-// Which vertices of a surface belong to which cell.
-// In:    a surface as contoured (its first vertices are in the order of the cells), and its grid.
-// Cost:  O(crossings) to make; O(crossings of a column) for a question. 4 bytes a cell with
-//        crossings, 4 bytes a column of the grid.
+// Tells which vertices of a surface belong to which cell.
+//
+// In: a surface as contoured (its first vertices are in the order of the cells), and its grid.
+// Cost: O(crossings) for the constructor; O(crossings of a column) for each query. 4 bytes per cell
+// with crossings, 4 bytes per column of the grid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,28 +19,29 @@ class CellVertices {
  public:
   CellVertices(const HermiteGrid& grid, const Surface& surface);
 
-  /// The vertices of a cell are [first, end); empty for a cell without crossings.
+  /// The vertices of a cell are [first, end); the range is empty for a cell without crossings.
   struct Range {
     std::int32_t first = 0, end = 0;
     bool contains(std::int32_t v) const { return v >= first && v < end; }
   };
   Range of(const Eigen::Vector3i& cell);
-  /// The cell of a component's vertex.
+  /// Returns the cell of a component's vertex.
   Eigen::Vector3i cellOf(std::int32_t vertex);
-  /// The crossings of a cell; none for a cell without any.
+  /// Returns the crossings of a cell.
   Cell crossingsOf(const Eigen::Vector3i& cell);
 
  private:
   std::size_t columnOf(const Eigen::Vector3i& cell) const {
     return static_cast<std::size_t>(cell[0]) * columns_ + cell[1];
   }
-  /// Of a cell in its column; -1 for a cell without crossings.
+  /// Returns the number of a cell within its column, or -1 for a cell without crossings.
   std::int32_t numberInColumn(const Eigen::Vector3i& cell);
 
   CellColumn column_;
-  std::size_t columns_;                    // in a layer of cells
-  std::vector<std::uint32_t> firstCell_;   // per column, and one entry behind the last
-  std::vector<std::int32_t> firstVertex_;  // per cell with crossings, and one entry behind the last
+  std::size_t columns_;                   // number of columns in a layer of cells
+  std::vector<std::uint32_t> firstCell_;  // per column, with one more entry at the end
+  /// Per cell with crossings: its first vertex; with one more entry at the end.
+  std::vector<std::int32_t> firstVertex_;
 };
 
 }  // namespace swept

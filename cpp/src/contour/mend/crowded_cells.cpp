@@ -20,7 +20,7 @@ bool isNew(const Triangle* triangles, std::uint32_t t, std::int32_t v) {
   return t == 0 || std::find(triangles[0].begin(), triangles[0].end(), v) == triangles[0].end();
 }
 
-/// Per vertex that shares its cell: the crossings of its marked polygons.
+/// Returns the crossings of the marked polygons round each vertex that shares its cell.
 ListsByKey<> polygonsAround(const Surface& surface, const Polygons& polygons,
                             const std::vector<std::uint8_t>& marks) {
   return {surface.cellFlags.size(), [&](const auto& use) {
@@ -31,8 +31,8 @@ ListsByKey<> polygonsAround(const Surface& surface, const Polygons& polygons,
                 const Polygon polygon = polygons.of(crossing);
                 const Triangle* triangles = polygons.triangles(polygon);
                 for (std::uint32_t t = 0; t < polygon.count; ++t) {
-                  // A fan repeats its centre first, so its second corner is new in each triangle;
-                  // of the second triangle of a quad one corner is new.
+                  // All triangles of a fan begin with its centre, so only their second corner is
+                  // new. The second triangle of a quad has one new corner.
                   for (int n = 0; n < 3; ++n) {
                     const std::int32_t v = triangles[t][n];
                     if ((surface.cellFlagsOf(v) & Surface::kShared) == 0) continue;
@@ -44,13 +44,13 @@ ListsByKey<> polygonsAround(const Surface& surface, const Polygons& polygons,
           }};
 }
 
-/// Looks for planes that separate the polygons of two vertices.
+/// Searches for planes that separate the polygons of two vertices.
 class PlaneSeparation {
  public:
   PlaneSeparation(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons)
       : surface_(surface), grid_(grid), polygons_(polygons) {}
 
-  /// Adds the pairs (a polygon of one vertex, a polygon of the other) that no plane separates.
+  /// Adds the pairs (a polygon of vertex A, a polygon of vertex B) that no plane separates.
   void find(std::span<const std::uint32_t> ofA, std::span<const std::uint32_t> ofB,
             std::int32_t origin, CrossingPairs& entangled) {
     const Eigen::Vector3d between = meanNormal(ofA) - meanNormal(ofB);
@@ -84,7 +84,8 @@ class PlaneSeparation {
     for (const std::uint32_t c : crossings) sum += normalOf(c);
     return sum / static_cast<double>(crossings.size());
   }
-  /// Marks the pairs that a plane perpendicular to this axis separates; returns how many are new.
+  /// Marks the pairs that a plane perpendicular to this axis separates; returns the number of new
+  /// marks.
   std::size_t separateBy(const Eigen::Vector3d& axis, std::span<const std::uint32_t> ofA,
                          std::span<const std::uint32_t> ofB) {
     rangesOf(axis, ofA, rangesA_);
@@ -142,7 +143,7 @@ bool shareVertex(const Surface& surface, const Polygon& p, const Polygon& q) {
   return false;
 }
 
-/// Adds the two polygons of a lattice edge if they have a vertex in common.
+/// Adds the two polygons of each lattice edge that share a vertex.
 void addFolded(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons,
                const std::vector<std::uint8_t>& marks, std::vector<CrossingPairs>& parts) {
   const std::size_t first = parts.size();

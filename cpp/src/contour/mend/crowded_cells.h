@@ -1,14 +1,14 @@
-// Cells with several vertices: which of their polygons may intersect.
+// Finds polygons that may intersect in cells with several vertices.
 //
-// In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra of its
-// own lattice edge, as seen from the vertices of its cells). Out: every pair of marked polygons
-// that may intersect: polygons of two vertices of one cell that no plane was found to separate, and
-// the two polygons of one lattice edge if they share a vertex. Cost: some dot products per cell
+// In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra that its
+// own lattice edge spans with the vertices of its cells). Out: every pair of marked polygons that
+// may intersect. Such a pair has different vertices of one cell and no separating plane was found,
+// or its polygons belong to one lattice edge and share a vertex. Cost: some dot products per cell
 // with several vertices.
 // Promise: no pair is missing. Two polygons that intersect have a cell in common. If they use the
-// same vertex in all common cells they lie in tetrahedra that do not overlap, unless both belong to
-// one lattice edge. If they use different vertices of a cell, the pair is reported unless a plane
-// separates the two polygons as a whole.
+// same vertex in all common cells, they lie in tetrahedra that do not overlap, unless both belong
+// to one lattice edge. If they use different vertices of a cell, the pair is reported unless a
+// plane separates the two whole polygons.
 // Source: extends Ju and Udeshi 2006, "Intersection-free contouring on an octree grid", to several
 // vertices per cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -23,7 +23,7 @@
 
 namespace swept {
 
-/// Each pair with the smaller crossing first; the pairs in rising order.
+/// Each pair lists its smaller crossing first. The pairs are in rising order.
 using CrossingPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,

@@ -1,4 +1,4 @@
-// The cell that a component's vertex belongs to, even if the vertex has left it.
+// Finds the cell to which a component's vertex belongs, even if the vertex has left it.
 // Units: grid coordinates.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -9,8 +9,8 @@
 
 namespace swept {
 
-/// Low corner of the home cell of a vertex at `now`. The vertex may have left its cell; the mass
-/// point of its crossings is always in it.
+/// Returns the low corner of the cell of a vertex at `now`. The vertex may have left its cell; the
+/// mass point `mass` of its crossings always lies in it.
 inline Eigen::Vector3d homeCell(const Eigen::Vector3d& now, const Eigen::Vector3d& mass) {
   const Eigen::Vector3d cell = now.array().floor();
   const bool escaped =
@@ -18,7 +18,7 @@ inline Eigen::Vector3d homeCell(const Eigen::Vector3d& now, const Eigen::Vector3
   return escaped ? Eigen::Vector3d(mass.array().floor()) : cell;
 }
 
-/// The nearest point of the cell that keeps the margin to its walls.
+/// Returns the nearest point of the cell that keeps the margin to its walls.
 inline Eigen::Vector3d intoCell(const Eigen::Vector3d& x, const Eigen::Vector3d& cell) {
   return x.cwiseMax((cell.array() + kCellMargin).matrix())
       .cwiseMin((cell.array() + 1 - kCellMargin).matrix());

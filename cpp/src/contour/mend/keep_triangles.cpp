@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kBlock = 1 << 14;
 
-/// Keeps the entries of `values` that have a new number.
+/// Keeps the entries of `values` that have a new number (not -1).
 template <class T>
 void compact(std::vector<T>& values, const std::vector<std::int32_t>& number) {
   std::size_t kept = 0;
@@ -21,7 +21,7 @@ void compact(std::vector<T>& values, const std::vector<std::int32_t>& number) {
   values.resize(kept);
 }
 
-/// Numbers the kept entries in their order; -1 for the others.
+/// Numbers the kept entries in their order; the other entries get -1.
 std::vector<std::int32_t> numberKept(const std::vector<std::uint8_t>& kept) {
   std::vector<std::int32_t> number(kept.size());
   std::int32_t next = 0;

@@ -1,4 +1,5 @@
-// Leaves triangles out of a surface, with the vertices that nothing uses any more.
+// Removes triangles from a surface, and the vertices that no triangle uses any more.
+//
 // Cost: O(triangles + vertices).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -11,8 +12,8 @@
 
 namespace swept {
 
-/// keeps: per triangle, 0 to leave it out. The order of what is kept stays; so do the pairs of
-/// which both triangles are kept, by their new numbers.
+/// Removes every triangle t with keeps[t] == 0. The remaining triangles and vertices keep their
+/// order. `pairs` keeps the pairs whose triangles both remain, with their new numbers.
 void keepTriangles(Surface& surface, const std::vector<std::uint8_t>& keeps,
                    SelfIntersections& pairs);
 

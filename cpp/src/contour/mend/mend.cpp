@@ -20,16 +20,16 @@
 namespace swept {
 namespace {
 
-/// A triangle spans two cells, so what it can intersect lies within four.
+/// A triangle spans two cells, so it can only intersect triangles within four cells.
 constexpr int kReachCells = 4;
 constexpr std::size_t kPerTask = 1 << 15;
-// An upper limit of the time; a surface without pairs ends earlier.
+// Limits the time; without pairs, mending ends earlier.
 constexpr int kRounds = 8;
-/// Cells: walls up to this thickness are treated in the first round already.
+/// The first round already aligns the sides of walls up to this thickness (cells).
 constexpr double kMaxFirstThickness = 0.1;
-/// Cells; each a hundred times the one before, from just above rounding.
+/// Distances (cells) that a corner steps aside, in turn, from just above rounding.
 constexpr double kStepsAside[] = {1e-9, 1e-7, 1e-5, 1e-3};
-/// Fractions of the way back to where the vertex was.
+/// Parts of the way back to its first position that a vertex goes, in turn.
 constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
@@ -49,7 +49,7 @@ class Mender {
     region_ = nearPairs(nullptr);
   }
 
-  /// Tells the surface which vertices were moved or added.
+  /// Adds the vertices that were moved or added to `surface_.mended`.
   void noteVertices() {
     std::vector<std::int32_t>& mended = surface_.mended;
     for (const auto& [v, place] : before_) mended.push_back(v);
@@ -61,9 +61,9 @@ class Mender {
   bool done() const { return pairs_.count == 0; }
   const SelfIntersections& left() const { return pairs_; }
 
-  /// Gives area back to triangles whose corners were moved onto one point or one line: their
-  /// vertices go back part of the way. Where that does not help, the middle one of three collinear
-  /// corners steps aside by a tiny distance.
+  /// Gives area back to triangles whose corners were moved onto one point or line: their vertices
+  /// go back part of the way. If that does not help, the middle one of three collinear corners
+  /// steps aside by a tiny distance.
   void restoreAreas() {
     for (const double back : kReturnFractions) {
       std::vector<std::int32_t> vertices;
@@ -100,7 +100,7 @@ class Mender {
     }
     sortUnique(vertices);
     const std::vector<WallSides> facing = wallSides(surface_, pairs_);
-    if (round >= 4) {  // later rounds include the neighbours of the pairs
+    if (round >= 4) {  // later rounds include the polygons round the pairs' vertices
       for (const auto& [v, t] : trianglesAround(vertices, nearPairs(&region_))) {
         polygons.push_back(t);
       }
@@ -118,7 +118,7 @@ class Mender {
     const TrianglesAround around = trianglesAround(vertices, near);
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
     relax(vertices, around, round == 0 ? 0.5 : 1.0);
-    // Alternate: where relaxing does not help, moving the sides of a wall often does.
+    // Every other round: where relaxing does not help, aligning the sides of a wall often does.
     if (round % 2 == 0) {
       alignWallSides(surface_, grid_, facing, around, round == 0 ? kMaxFirstThickness : HUGE_VAL);
     }
@@ -136,8 +136,8 @@ class Mender {
     return blocks_.near(mesh_, members, kReachCells, among);
   }
 
-  /// Collects what use(v, t, part) appends for each corner v of a triangle t of `near`, if v is one
-  /// of the vertices.
+  /// Calls use(v, t, part) for each corner v of a triangle t of `near` that is one of the vertices.
+  /// Returns all that the calls append to `part`.
   template <class T, class Use>
   std::vector<T> forTouching(const std::vector<std::int32_t>& vertices,
                              const std::vector<std::int32_t>& near, const Use& use) {
@@ -187,8 +187,8 @@ class Mender {
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 
-  /// Whether fanning its polygons is enough for this vertex: it is alone in its cell, and inside
-  /// it.
+  /// Whether fans alone are enough for this vertex: no other vertex shares its cell, and it lies
+  /// inside.
   bool settled(std::int32_t v) const {
     return static_cast<std::size_t>(v) >= surface_.dualVertices ||
            surface_.cellFlags[v] == Surface::kInsideCell;
@@ -216,8 +216,8 @@ class Mender {
     marked_.resize(mesh_.vertices.size());
   }
 
-  /// Replaces the polygon that triangle `t` belongs to by a fan about its crossing, unless it is a
-  /// fan already.
+  /// Replaces the polygon of triangle `t` by a fan about its crossing, unless the polygon is a fan
+  /// already.
   void fanPolygon(std::int32_t t) {
     const std::uint32_t crossing = surface_.crossingOf[t];
     const auto same = [&](std::int32_t u) {
@@ -268,7 +268,7 @@ class Mender {
     return flat;
   }
 
-  /// Moves the corner opposite the longest side away from that side; returns the corner.
+  /// Moves the corner opposite the longest side away from that side. Returns the corner.
   std::int32_t stepAside(const Triangle& triangle, double far) {
     int longest = 0;
     Eigen::Vector3d side = Eigen::Vector3d::Zero();
@@ -296,7 +296,7 @@ class Mender {
     findAgain(nearPairs(&region_));
   }
 
-  /// Keeps the pairs of which neither triangle has changed, and tests all others again.
+  /// Keeps the pairs in which neither triangle has changed, and tests all others again.
   void findAgain(const std::vector<std::int32_t>& near) {
     std::vector<std::int32_t> candidates;
     candidates.reserve(near.size() + changed_.size());
@@ -319,13 +319,13 @@ class Mender {
   const HermiteGrid& grid_;
   RunContext& run_;
   TriangleBlocks blocks_;
-  std::size_t vertexCount_;  // of the surface as it was
+  std::size_t vertexCount_;  // number of vertices before mending
   SelfIntersections pairs_;
   std::vector<std::int32_t> region_;                          // triangles near the first pairs
   std::vector<std::uint8_t> marked_;                          // per vertex; zero between uses
   std::vector<std::int32_t> changed_;                         // triangles changed in this round
   std::unordered_map<std::int32_t, Eigen::Vector3d> before_;  // first positions of moved vertices
-  // Crossings whose polygons were considered for fanning.
+  // Crossings whose polygons have been considered for fanning.
   std::unordered_set<std::uint32_t> fanned_;
 };
 

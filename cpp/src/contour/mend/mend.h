@@ -1,20 +1,21 @@
 // Mends self-intersections of an envelope locally, without removing a face.
 //
-// In: a surface and its pairs of intersecting triangles. Out: the same surface, closed and manifold
-// as before, and the pairs that are left. Units: mm, distances as fractions of the cell. Cost: one
-// pass over the triangles to find the region; after that each round looks only at what is near the
-// remaining pairs.
-// Promise: only polygons near a pair change; the number of rounds is fixed, so the result does not
+// In: a surface and its pairs of intersecting triangles. Out: the same surface, still closed and
+// manifold, and the pairs that are left. Units: mm, distances as fractions of the cell. Cost: one
+// pass over the triangles to find the region round the pairs; after that, each round looks only at
+// triangles near the remaining pairs.
+// Promise: only polygons near a pair change. The number of rounds is fixed, so the result does not
 // depend on time or threads.
-// Source: fans about the crossing after Ju and Udeshi 2006; METHOD.md section 7.
+// Source: fans about the crossing after Ju and Udeshi 2006; docs/contouring.md, "Pairs of triangles
+// that meet".
 //
-// Each round replaces polygons near a pair by fans about their crossing (every triangle then stays
-// in the cells round its lattice edge), and moves the vertices of components that share a cell
+// Each round replaces polygons near a pair by fans about their crossing: every triangle then stays
+// in the cells round its lattice edge. It also moves the vertices of components that share a cell
 // towards their mass points, which lie in the hull of their crossings: half way in the first round,
 // all the way later. Every other round also aligns the two sides of thin walls (wall_sides.h).
 // Later rounds fan the polygons round the pairs' vertices as well. A triangle spans at most the
-// cells round one lattice edge, so it can only intersect triangles a few cells away; the region
-// that is tested again is wider than the change by that much.
+// cells round one lattice edge, so it can only intersect triangles a few cells away. The region
+// that is tested again is wider than the change by this distance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,8 +24,8 @@
 
 namespace swept {
 
-/// Changes `surface` in place and returns the pairs that are left, by its triangle numbers. `grid`
-/// is the grid that the surface was contoured from.
+/// Mends `surface` in place and returns the pairs that are left, by its triangle numbers. `surface`
+/// must have been contoured from `grid`.
 SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& grid,
                                         const SelfIntersections& found, RunContext& run);
 

@@ -13,7 +13,7 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kPerTask = 1 << 15;
-/// What a triangle can meet lies within so many cells (mend.cpp).
+/// A triangle can only intersect triangles within this many cells (mend.cpp).
 constexpr int kReachCells = 4;
 
 using Places = std::unordered_map<std::int32_t, Eigen::Vector3d>;
@@ -23,11 +23,11 @@ bool hasArea(const TriMesh& mesh, std::int32_t t) {
   return !collinear(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
 }
 
-/// Applies the moves, then takes back those of triangles that meet, until none does. Returns the
-/// moves that were taken back.
+/// Applies the moves, then takes back the moves of intersecting triangles until none intersect.
+/// Returns the moves that were taken back.
 std::vector<VertexMove> applyMoves(TriMesh& mesh, const GridPlan& plan,
                                    const std::vector<VertexMove>& moves, RunContext& run) {
-  Places before;  // of the vertices that have moved
+  Places before;  // first positions of the vertices that have moved
   for (const VertexMove& move : moves) {
     before.emplace(move.vertex, mesh.vertices[move.vertex]);
     mesh.vertices[move.vertex] = move.position;

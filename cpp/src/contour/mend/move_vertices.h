@@ -1,9 +1,10 @@
-// Moves vertices of a surface as far as no triangles meet by that.
-// In:    a surface without pairs of triangles that meet; where vertices are to go.
-// Out:   the surface, still without pairs; vertices whose triangles would meet others, or lose
-// their
-//        area, have gone half of the way, or stay.
-// Units: mm. Cost: one pass over the triangles, then what lies near the moved ones, a few times.
+// Moves vertices of a surface as far as possible without making triangles intersect.
+//
+// In: a surface without intersecting triangles, and the target positions of vertices. Out: the
+// surface, still without intersections. A vertex goes half of its way, or stays, if its triangles
+// would intersect others or lose their area.
+// Units: mm. Cost: one pass over the triangles, then a few passes over those near the moved
+// vertices.
 // Promise: the same bytes for any number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

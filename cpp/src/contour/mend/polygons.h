@@ -1,6 +1,7 @@
-// The polygons of a surface by their crossings; each is a consecutive run of triangles.
-// In: a surface straight from contouring, before mending: the triangles of a polygon are
-// consecutive. Cost: one pass over the triangles, 4 bytes per crossing.
+// Finds the polygon of a crossing: a run of consecutive triangles.
+//
+// In: a surface straight from contouring, before mending, in which these triangles are consecutive.
+// Cost: one pass over the triangles, 4 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,8 +13,7 @@
 
 namespace swept {
 
-/// Cells: a margin far above the rounding of a position, which is about 1e-12 of a cell at 4,096
-/// cells.
+/// Margin in cells, far above the rounding of a position (about 1e-12 of a cell at 4,096 cells).
 constexpr double kRounding = 1e-7;
 
 struct Polygon {

@@ -21,16 +21,16 @@ using Triangle = std::array<std::int32_t, 3>;
 using CellIndex = std::array<int, 3>;
 
 constexpr std::size_t kPerTask = 1 << 15;
-/// Each round adds the cells of what still meets; an upper limit of the time.
+/// Limits the time. Each round adds the cells of the triangles that still intersect.
 constexpr int kRounds = 24;
-/// What a triangle can meet lies within so many cells (mend.cpp).
+/// A triangle can only intersect triangles within this many cells (mend.cpp).
 constexpr int kReachCells = 4;
-/// Cells: a vertex nearer to a wall of its cell gets another place.
+/// A vertex nearer to a wall of its cell than this (cells) gets another place.
 constexpr double kInside = 1e-3;
 
 Eigen::Vector3i vectorOf(const CellIndex& cell) { return {cell[0], cell[1], cell[2]}; }
 
-/// The cell at a corner of the quad round a lattice edge (quadCorner() in cell.h).
+/// Returns the cell at a corner of the quad round a lattice edge (quadCorner() in cell.h).
 CellIndex cellAtCorner(const CrossingEdge& edge, int corner) {
   CellIndex cell{edge.i, edge.j, edge.k};
   if (corner == 0 || corner == 3) --cell[(edge.axis + 1) % 3];
@@ -43,7 +43,7 @@ CellIndex behindFace(CellIndex cell, int face) {
   return cell;
 }
 
-/// The polygon of a crossing as it was: its border, and the vertices of the four cells round it.
+/// The polygon of a crossing before rebuilding: its border, and the vertices of its four cells.
 struct Polygon {
   std::vector<std::int32_t> border;
   std::array<std::int32_t, 4> vertex{-1, -1, -1, -1};  ///< by corner of the quad
@@ -60,7 +60,7 @@ class Rebuilder {
         vertexCount_(mesh_.vertices.size()),
         triangleCount_(mesh_.triangles.size()) {}
 
-  /// Adds the cells of the triangles that meet; false if it had all of them.
+  /// Adds the cells of the intersecting triangles. Returns false if it had all of them already.
   bool addCells(const SelfIntersections& pairs) {
     const std::size_t before = cells_.size();
     for (const auto& [a, b] : pairs.pairs) {
@@ -69,7 +69,7 @@ class Rebuilder {
     return cells_.size() > before;
   }
 
-  /// Rebuilds the cells; the surface is as it was but for them.
+  /// Rebuilds the cells from the original surface, and returns the pairs that intersect now.
   SelfIntersections rebuild() {
     reset();
     collectCells();
@@ -80,7 +80,7 @@ class Rebuilder {
     return findPairs();
   }
 
-  /// The surface as it was.
+  /// Restores the original surface.
   void reset() {
     mesh_.vertices.resize(vertexCount_);
     surface_.contactTime.resize(vertexCount_);
@@ -159,7 +159,7 @@ class Rebuilder {
   }
 
   Polygon polygonOf(std::uint32_t crossing, const std::vector<std::int32_t>& triangles) {
-    std::map<std::int32_t, std::int32_t> after;  // along the border
+    std::map<std::int32_t, std::int32_t> after;  // the next vertex along the border
     std::set<std::pair<std::int32_t, std::int32_t>> sides;
     for (const std::int32_t t : triangles) {
       for (int c = 0; c < 3; ++c)
@@ -187,7 +187,7 @@ class Rebuilder {
     return found->second;
   }
 
-  /// The points that cells share: crossings, and points on the chords of their walls.
+  /// Adds the points that cells share: crossings, and points on the chords of their walls.
   void addFixedPoints() {
     crossingAt_.clear();
     chordAt_.clear();
@@ -227,7 +227,8 @@ class Rebuilder {
     return {grid_.plan.origin + grid_.plan.cell * vectorOf(cell).cast<double>(), grid_.plan.cell};
   }
 
-  /// What of a crossing's polygon lies in cells that are not rebuilt: a fan about the crossing.
+  /// Adds the part of a crossing's polygon that lies in cells that are not rebuilt: a fan about the
+  /// crossing.
   void addPolygon(std::uint32_t crossing) {
     const Polygon& polygon = polygons_.at(crossing);
     const CrossingEdge edge = edgeOfCrossing(grid_, crossing);
@@ -298,7 +299,8 @@ class Rebuilder {
     return time;
   }
 
-  /// Where the vertex of a ring was, if it had one and that lies in the cell.
+  /// Returns the place where the vertex of a ring was, if it had one vertex and this lies in the
+  /// cell.
   std::optional<Eigen::Vector3d> vertexOf(const CellIndex& index, const RebuiltCell& cell,
                                           const CellRing& ring) const {
     std::int32_t vertex = -1;
@@ -314,8 +316,8 @@ class Rebuilder {
     return mesh_.vertices[vertex];
   }
 
-  /// Where the next cell has a vertex for each side of the chord, a strip joined these to the
-  /// vertices of this cell; now it ends at the chord.
+  /// If the next cell has a vertex for each side of the chord, a strip joined these two to the
+  /// vertices of this cell. The strip now ends at the chord.
   void addStrip(const CellIndex& index, const RebuiltCell& cell, const CellRing& ring,
                 std::size_t n, std::int32_t chord) {
     const int face = ring.faces[n];
@@ -349,13 +351,13 @@ class Rebuilder {
   const HermiteGrid& grid_;
   RunContext& run_;
   CellVertices cellVertices_;
-  std::size_t vertexCount_, triangleCount_;  // of the surface as it was
+  std::size_t vertexCount_, triangleCount_;  // sizes of the original surface
   std::set<CellIndex> cells_;
   std::map<CellIndex, RebuiltCell> rebuilt_;
-  std::set<std::uint32_t> crossings_;  // of the cells
+  std::set<std::uint32_t> crossings_;  // all crossings of the rebuilt cells
   std::map<CellIndex, CellVertices::Range> ranges_;
   std::map<std::uint32_t, Polygon> polygons_;                      // by crossing
-  std::map<std::uint32_t, std::int32_t> crossingAt_;               // its vertex
+  std::map<std::uint32_t, std::int32_t> crossingAt_;               // crossing -> its vertex
   std::map<std::pair<std::uint32_t, int>, std::int32_t> chordAt_;  // crossing and side -> vertex
   std::vector<std::int32_t> removed_;                              // triangles, in rising order
 };

@@ -1,14 +1,14 @@
-// The last step of mending: cells whose triangles still meet are filled anew, so that they cannot.
+// Last step of mending: refills the cells whose triangles still intersect, so that they cannot.
 //
-// In:    a mended surface of consistent components, its grid, the pairs that are left. Out: the
-//        same surface, closed and manifold, and the pairs that are left now.
-// Units: mm. Cost: one pass over the triangles a round; microseconds a cell that is rebuilt.
-// Promise: nothing in or between rebuilt cells meets, up to rounding (cell_patch.h). Where
-//        something outside meets them, its cells are rebuilt in the next round.
-// Method: in a rebuilt cell every piece of surface stays in the cell and meets its walls in the
-//        chords of its crossings, which do not cross. The polygons of its crossings become fans;
-//        in the other cells beside such a crossing they keep their vertices, and run through a
-//        point of the chord on the wall of the rebuilt cell.
+// In: a mended surface of consistent components, its grid, and the pairs that are left. Out: the
+// same surface, closed and manifold, and the pairs that are left now.
+// Units: mm. Cost: one pass over the triangles per round; microseconds per rebuilt cell.
+// Promise: triangles in and between rebuilt cells do not intersect, up to rounding (cell_patch.h).
+// If a triangle outside intersects them, the next round rebuilds its cells.
+// Method: in a rebuilt cell, every piece of surface stays in the cell. It ends on the cell's walls
+// in the chords of its crossings, which do not cross. The polygons of these crossings become fans.
+// In the other cells round such a crossing, the polygons keep their vertices. They run through a
+// point of the chord on the wall that both cells share.
 // Source: own method; points on faces after Ju and Udeshi 2006.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -18,8 +18,8 @@
 
 namespace swept {
 
-/// Changes `surface` in place and returns the pairs that are left, by its triangle numbers.
-/// Crossings may move by 0.0001 of a cell.
+/// Rebuilds cells of `surface` in place and returns the pairs that are left, by its triangle
+/// numbers. Crossings may move by 0.0001 of a cell.
 SelfIntersections rebuildCells(Surface& surface, const HermiteGrid& grid,
                                const SelfIntersections& found, RunContext& run);
 

@@ -1,6 +1,7 @@
-// The part of a surface near some of its triangles, selected by blocks of cells.
-// Cost: one bit per block of the grid, and one number per triangle, valid as long as the triangle's
-// first corner stays where it is.
+// Selects the triangles of a surface near some of its triangles, by blocks of cells.
+//
+// Cost: one bit per block of the grid, and one number per triangle. The number is valid as long as
+// the first corner of its triangle stays in place.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,14 +12,14 @@
 
 namespace swept {
 
-/// The block that contains each triangle's first corner.
+/// Stores for each triangle the block that contains its first corner.
 class TriangleBlocks {
  public:
   TriangleBlocks(const TriMesh& mesh, const GridPlan& plan);
-  /// To be called after triangles or their corners have changed, or triangles were added.
+  /// Call this after triangles or their corners have changed, or after triangles were added.
   void update(const TriMesh& mesh, const std::vector<std::int32_t>& changed);
-  /// The triangles of the surface, or of `among` if given, whose first corner lies in a block
-  /// within `reachCells` of the box of a member; in rising order if `among` is.
+  /// Returns the triangles whose first corner lies in a block within `reachCells` of the box of a
+  /// member. It searches the whole surface, or only `among` if given, and keeps their order.
   std::vector<std::int32_t> near(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                  int reachCells,
                                  const std::vector<std::int32_t>* among = nullptr) const;

@@ -15,8 +15,8 @@ RingSides::Cut RingSides::cut(const CellRing& ring) const {
   Cut out;
   out.corners.fill(Side::Unknown);
   for (int face = 0; face < kFaces; ++face) cutFace(ring, face, out);
-  // A face without chords lies on one side as a whole, the side of any of its corners. Corners are
-  // told by the faces with chords first, then from face to face.
+  // A face without chords lies wholly on one side, the side of any of its corners. Faces with
+  // chords decide their corners first; the loop then passes the sides on from face to face.
   const auto firstCorner = static_cast<std::int32_t>(2 * ring.slots.size());
   for (int round = 0; round < kFaces; ++round) {
     for (std::size_t p = 0; p < out.pieces.size(); ++p) {
@@ -33,7 +33,7 @@ RingSides::Cut RingSides::cut(const CellRing& ring) const {
 
 void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
   const auto count = static_cast<std::int32_t>(ring.slots.size());
-  // What the walk round the face passes: numbers of wallPoints().
+  // The points that the walk round the face passes, as numbers of wallPoints().
   Loop walk;
   for (const FaceStep& step : kFaceWalks[face]) {
     walk.push_back(2 * count + cornerOf(step.edge, step.backward ? 1 : 0));
@@ -61,7 +61,7 @@ void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
       const std::size_t next = (at + 1) % n;
       at = next;
       if (!isCrossing(next)) continue;
-      // Along the chord to the crossing at its other end.
+      // Follow the chord to the crossing at its other end.
       const std::int32_t k = walk[next] / 2;
       const bool forward = ring.faces[k] == face;
       const std::int32_t chord = forward ? k : (k + count - 1) % count;
@@ -70,7 +70,7 @@ void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
       at = placeOf(2 * (forward ? (k + 1) % count : chord));
       side = forward ? Side::Left : Side::Right;
     } while (at != start);
-    if ((face & 1) == 0) {  // this walk runs clockwise as seen from outside
+    if ((face & 1) == 0) {  // the walk round this face is clockwise seen from outside
       std::reverse(piece.corners.begin(), piece.corners.end());
       if (side != Side::Unknown) side = side == Side::Left ? Side::Right : Side::Left;
     }
@@ -105,8 +105,8 @@ Nesting RingSides::nesting() const {
   const std::size_t count = rings_.size();
   Nesting best;
   int fewest = 0;
-  // The region beside a ring that none of the sides contains: of all choices the one whose sides
-  // have the fewest corners of the cell.
+  // One region of the cell's walls belongs to no chosen side. Try all regions, and take the choice
+  // whose sides contain the fewest corners of the cell.
   for (std::size_t root = 0; root < count; ++root) {
     for (const bool left : {true, false}) {
       Nesting nesting{std::vector<bool>(count), std::vector<int>(count, 1)};

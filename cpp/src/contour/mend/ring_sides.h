@@ -1,6 +1,7 @@
 // The walls of a cell on both sides of a ring.
-// In:    the rings of a cell. Out: for each ring, its left and its right side as flat polygons of
-//        the six faces; which rings lie on which side of another.
+//
+// In: the rings of a cell. Out: for each ring, its left and its right side as flat polygons on the
+// six faces; and how the rings are nested.
 // Units: the coordinates of the cell. Cost: microseconds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -13,10 +14,11 @@
 
 namespace swept {
 
-/// A side of every ring, so that of two rings' sides one contains the other or they are apart.
+/// Chooses one side of every ring. Of two chosen sides, one contains the other or they are apart.
 struct Nesting {
-  std::vector<bool> left;   ///< the ring's left side, seen from outside the cell; else its right
-  std::vector<int> height;  ///< 1 for a side that contains no other ring's
+  std::vector<bool> left;  ///< true: the left side, seen from outside the cell; false: the right
+  /// 1 for a side that contains no other chosen side, otherwise one more than the highest of those.
+  std::vector<int> height;
 };
 
 class RingSides {
@@ -25,15 +27,15 @@ class RingSides {
 
   Nesting nesting() const;
 
-  /// The crossings of a ring, each with the point on the chord behind it, then the corners of the
-  /// cell.
+  /// Returns the crossings of a ring, each followed by the point on the chord after it, then the
+  /// corners of the cell.
   std::vector<Eigen::Vector3d> wallPoints(std::size_t ring) const;
 
   struct Piece {
     int face;
-    Loop corners;  ///< counter-clockwise as seen from outside the cell; numbers of wallPoints()
+    Loop corners;  ///< counter-clockwise seen from outside the cell; numbers of wallPoints()
   };
-  /// One side of a ring.
+  /// Returns one side of a ring.
   std::vector<Piece> pieces(std::size_t ring, bool left) const;
 
  private:
@@ -45,7 +47,7 @@ class RingSides {
   };
   Cut cut(const CellRing& ring) const;
   void cutFace(const CellRing& ring, int face, Cut& out) const;
-  /// On which side of one ring another lies.
+  /// Whether the ring `other` lies on the left side of the ring `of`.
   bool isLeft(std::size_t of, std::size_t other) const;
 
   const Cell& cell_;

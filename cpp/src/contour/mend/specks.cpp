@@ -12,12 +12,12 @@
 namespace swept {
 namespace {
 
-constexpr double kMaxSpeckSize =
-    2;  ///< cells: a shell round one or two lattice edges is not larger
-/// Cells: larger shells that are inside out are left for the checker to report.
+/// A shell round one or two lattice edges is smaller than this (cells).
+constexpr double kMaxSpeckSize = 2;
+/// Larger shells (cells) that are inside out are left for the checker to report.
 constexpr double kMaxTurnedSize = 4;
 
-/// Marks the shells to drop.
+/// Marks the shells to drop. If this would drop all shells, `found` stays empty.
 std::vector<bool> findSpecks(const std::vector<ShellExtent>& shells, double cell, double maxVolume,
                              Specks& found) {
   std::vector<bool> speck(shells.size());

@@ -1,7 +1,7 @@
-// Specks: closed shells round one or two lattice edges, far smaller than a cell.
+// Drops specks: closed shells round one or two lattice edges, far smaller than a cell.
 //
-// In: a surface and its intersecting pairs. Out: the surface without specks, and how many there
-// were. Units: cells, cubic cells. Cost: O(triangles).
+// In: a surface and its intersecting pairs. Out: the surface without specks, and their number.
+// Units: cells, cubic cells. Cost: O(triangles).
 // Source: own argument. The sweep of a connected body is connected. Where the body is thinner than
 // the grid resolves, single crossings beyond the thin part become shells of their own. They are
 // dropped, and the report says so, so that a solid made from the envelope is one solid. Two
@@ -25,18 +25,18 @@ struct Specks {
   double largestSize = 0;    ///< cells, diagonal of the box
 };
 
-/// Cubic cells: kSpeckVolume limits what counts as a speck of a sweep; kFlatVolume limits what has
-/// no inside at all (a shell that mending has flattened).
+/// Volumes in cubic cells. A speck of a sweep is smaller than kSpeckVolume. A shell smaller than
+/// kFlatVolume has no inside at all, because mending has flattened it.
 constexpr double kSpeckVolume = 0.01, kFlatVolume = 1e-9;
 
-/// Drops shells smaller than `maxVolume` cubic cells and 2 cells across, but never the last shell;
-/// `pairs` are renumbered.
+/// Drops shells that are smaller than `maxVolume` cubic cells and less than 2 cells across, unless
+/// all shells are. Renumbers `pairs`.
 Specks dropSpecks(Surface& surface, double cell, double maxVolume, SelfIntersections& pairs,
                   RunContext& run);
 
-/// Turns over shells less than 4 cells across that are inside out, which happens to a sheet thinner
-/// than the rounding of its vertices. The mesh must be closed and have no misoriented edges.
-/// Returns how many were turned.
+/// Turns over shells that are inside out and less than 4 cells across. A sheet thinner than the
+/// rounding of its vertices can become such a shell. The mesh must be closed and have no
+/// misoriented edges. Returns the number of turned shells.
 std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, double cell,
                            RunContext& run);
 

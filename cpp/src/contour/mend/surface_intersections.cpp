@@ -16,7 +16,7 @@
 namespace swept {
 namespace {
 
-/// Cells: a fan's centre lies on its lattice edge up to this rounding.
+/// The centre of a fan lies on its lattice edge up to this rounding (cells).
 constexpr double kOnEdge = 1e-9;
 constexpr std::size_t kPerTask = 1 << 15;
 using Triangle = std::array<std::int32_t, 3>;
@@ -53,7 +53,7 @@ class PolygonSorter {
     }
   }
 
-  /// True only if the polygon certainly lies in the tetrahedra of its own lattice edge.
+  /// Returns true only if the polygon certainly lies in the tetrahedra of its own lattice edge.
   bool lies(const PolygonEdge& edge, std::uint32_t crossing) const {
     const Polygon polygon = polygons_.of(crossing);
     return polygon.count == 2 ? quadLies(edge, polygons_.triangles(polygon))
@@ -79,7 +79,7 @@ class PolygonSorter {
   }
 
   bool quadLies(const PolygonEdge& edge, const Triangle* triangles) const {
-    // The diagonal joins the two corners that both triangles have.
+    // The diagonal joins the two corners that both triangles share.
     const Triangle &p = triangles[0], &q = triangles[1];
     int third = 0;
     while (third < 3 && std::find(q.begin(), q.end(), p[third]) != q.end()) ++third;
@@ -94,12 +94,12 @@ class PolygonSorter {
     const Eigen::Vector3d from = local(edge, a), to = local(edge, c);
     const Passage b = passage(from, to, local(edge, p[third]));
     const Passage d = passage(from, to, local(edge, q[fourth]));
-    // A diagonal that practically meets the lattice edge passes it on one of the two sides.
+    // A diagonal that practically passes through the lattice edge counts for either side.
     return b.inside || d.inside || (b.atEdge && d.atEdge);
   }
 
-  /// Which of the four cells round the edge contains this vertex, if the vertex belongs to that
-  /// cell; else -1.
+  /// Returns which of the four cells round the edge contains this vertex, or -1 if the vertex does
+  /// not belong to the cell in which it lies.
   int quadrant(const PolygonEdge& edge, std::int32_t v) const {
     if (!inside(v)) return -1;
     const Eigen::Vector3d x = local(edge, v);
@@ -116,7 +116,7 @@ class PolygonSorter {
     return {g[(edge.axis + 1) % 3], g[(edge.axis + 2) % 3], g[edge.axis]};
   }
 
-  /// How a segment passes the triangle that the lattice edge and s span.
+  /// How a segment passes the triangle between the lattice edge and s.
   struct Passage {
     bool inside = false, atEdge = false;
   };
@@ -175,7 +175,7 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
           part.push_back(static_cast<std::int32_t>(t));
       });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
-  // A polygon in the tetrahedra of its own edge spans two cells; so far it reaches from a member.
+  // A polygon in the tetrahedra of its own edge spans two cells, so it reaches at most this far.
   constexpr int kReachCells = 2;
   const TriangleBlocks blocks(surface.mesh, grid.plan);
   SelfIntersections found =

@@ -15,10 +15,10 @@
 namespace swept {
 namespace {
 
-/// Cells from a side to the middle of the wall, far above the rounding of a vertex.
+/// Smallest distance (cells) from a side to the middle of the wall, far above rounding of a vertex.
 constexpr double kMinHalfThickness = 2e-4;
-constexpr int kIterations =
-    200;  ///< steps of the iteration below; its error falls as 1 / sqrt(steps)
+/// Steps of directionAmong(); its error falls as 1 / sqrt(steps).
+constexpr int kIterations = 200;
 
 using Vec3 = Eigen::Vector3d;
 
@@ -34,8 +34,9 @@ TrianglesAround::const_iterator firstAt(const TrianglesAround& around, std::int3
   return std::lower_bound(around.begin(), around.end(), std::pair(v, std::int32_t{-1}));
 }
 
-/// The direction whose smallest product with the normals is largest: the centre of the smallest
-/// ball that contains their end points (Badoiu and Clarkson 2003).
+/// Returns the direction whose smallest product with the normals is largest. It points to the
+/// centre of the smallest ball that contains the end points of the normals (Badoiu and Clarkson
+/// 2003).
 Vec3 directionAmong(const std::vector<Vec3>& normals) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& n : normals) middle += n;
@@ -55,9 +56,9 @@ Vec3 directionAmong(const std::vector<Vec3>& normals) {
   return middle.normalized();
 }
 
-/// Where a lattice edge passes through the wall.
+/// A lattice edge through the wall.
 struct Through {
-  Vec3 middle, across;  // cells; `across` points from the side of a to that of b
+  Vec3 middle, across;  // in cells; `across` points from the side of a to the side of b
 };
 
 class Layer {
@@ -65,8 +66,8 @@ class Layer {
   Layer(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
       : surface_(surface), grid_(grid), around_(around) {}
 
-  /// All lattice edges through the wall; none if the wall is thicker than `maxThickness` cells
-  /// along any of them.
+  /// Returns all lattice edges through the wall, or none if the wall is thicker than `maxThickness`
+  /// cells along any of them.
   std::vector<Through> throughWall(const WallSides& sides, double maxThickness) const {
     const std::vector<std::uint32_t> ofA = crossingsAt(surface_, around_, sides.a),
                                      ofB = crossingsAt(surface_, around_, sides.b);
@@ -98,7 +99,7 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Half the vector from a to b, in cells, once both lie on the common point between them.
+  /// Returns half the vector from a to b, in cells. Call this when both lie on their common point.
   Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);
@@ -112,7 +113,7 @@ class Layer {
   }
 
  private:
-  /// Half the distance from the common point of two sides to the walls of its cell.
+  /// Half the distance from the common point of the two sides to the walls of its cell.
   double roomAt(const WallSides& sides) const {
     const Vec3 at = (surface_.mesh.vertices[sides.a] - grid_.plan.origin) / grid_.plan.cell;
     const Vec3 local = at.array() - at.array().floor();
