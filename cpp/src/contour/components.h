@@ -14,7 +14,7 @@
 // normals, so that both cells of the face decide alike. Every crossing lies on two faces of its
 // cell, so the pairs form closed loops; each loop is a component.
 // Of all pairings, the method takes the one with the smallest sum of costs:
-// cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
+//   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
 // If sums are equal, it takes the pairing that separates the inside corners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

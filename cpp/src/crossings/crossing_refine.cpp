@@ -6,11 +6,10 @@
 
 namespace swept {
 namespace {
-/// Cells: crossings keep this distance from lattice points, so that the crossings of the edges at
-/// one lattice point stay apart. It is ten times the margin of vertices in their cells
-/// (kCellMargin).
+/// Distance of crossings from lattice points (cells), so that the crossings of all edges at one
+/// lattice point stay apart. It is ten times the margin of vertices in their cells (kCellMargin).
 constexpr double kMinPointDistance = 1e-3;
-/// Cells: where Newton's method ends farther from the lattice line, it has not converged.
+/// If Newton's method ends farther from the lattice line than this (cells), it has not converged.
 constexpr double kMaxOffLine = 1e-3;
 }  // namespace
 
@@ -41,8 +40,8 @@ CrossingRefiner::Hit CrossingRefiner::onFace(const SweptElement& element, int ax
 
 namespace {
 
-/// A side patch with its bulge: x(r, s) = A(s) + r B(s), with A the path of one end of the edge and
-/// B the edge vector.
+/// A side patch with its bulge: x(r, s) = A(s) + r B(s). A is the path of one end of the edge, and
+/// B is the edge vector.
 class CurvedPatch {
  public:
   CurvedPatch(const Placement& p, const Placement& q, const Placement& m, const Eigen::Vector3d& va,
@@ -70,7 +69,8 @@ class CurvedPatch {
   Eigen::Vector3d a0_, a1_, a2_, b0_, b1_, b2_;
 };
 
-/// Where a lattice line is searched on a patch. Directions u and v are perpendicular to the line.
+/// Searches for the point at which a lattice line meets a patch. The axes u and v are perpendicular
+/// to the line.
 struct LineSearch {
   const CurvedPatch& patch;
   const Eigen::Vector3d& line;
@@ -80,7 +80,7 @@ struct LineSearch {
     return std::max(std::abs(at.x[u] - line[u]), std::abs(at.x[v] - line[v]));
   }
 
-  /// Newton's method from the middle of the patch; it may end beside the line.
+  /// Newton's method, starting at (r, s); it may end beside the line.
   void newton(double& r, double& s) const {
     for (int iteration = 0; iteration < 4; ++iteration) {
       const CurvedPatch::At at = patch.at(r, s);
@@ -97,9 +97,9 @@ struct LineSearch {
     s = std::clamp(s, 0.0, 1.0);
   }
 
-  /// The point of the patch nearest to the line: from the best of a few places, with steps that are
-  /// damped until they help (Levenberg 1944, Marquardt 1963). An edge that slides along itself
-  /// sweeps hardly any area, and Newton's steps leave its patch.
+  /// Finds the point of the patch nearest to the line, by steps that are damped until they help
+  /// (Levenberg 1944, Marquardt 1963), starting at the best of a few places. This is for edges that
+  /// slide along themselves: they sweep hardly any area, and Newton's steps leave their patch.
   void nearest(double& r, double& s) const {
     const auto square = [&](double x, double y) {
       const CurvedPatch::At at = patch.at(x, y);
@@ -156,8 +156,7 @@ CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, i
     at = patch.at(r, s);
   }
   const Eigen::Vector3d n = at.alongEdge.cross(at.alongTime);
-  // A small distance from the lattice line is left; move along the line until the tangent plane is
-  // reached.
+  // The point is still slightly off the lattice line; move along the line to the tangent plane.
   double along = at.x[axis];
   if (std::abs(n[axis]) > 0.1 * n.norm()) {
     along += (n[u] * (at.x[u] - line[u]) + n[v] * (at.x[v] - line[v])) / n[axis];
@@ -177,7 +176,8 @@ double CrossingRefiner::nearestTime(const SweptElement& element,
     const double along = std::clamp((point - at.x).dot(way) / way.squaredNorm(), 0.0, 1.0);
     return (point - at.x - along * way).squaredNorm();
   };
-  // The step is short: some looks find the valley, halving its width the bottom.
+  // The step is short: some samples find the valley, then a search with halved widths finds its
+  // bottom.
   constexpr int kLooks = 16, kHalvings = 30;
   int nearest = 0;
   for (int look = 1; look <= kLooks; ++look) {
@@ -206,8 +206,8 @@ Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::
   Crossing crossing;
   crossing.timeSeconds = static_cast<float>(hit.timeSeconds);
   const double exact = hit.along - line[axis];
-  // Cells. A grazing face or a degenerate side patch has no well-defined intersection: farther than
-  // this from the sampler's crossing, the sampler's fraction is kept.
+  // A grazing face or a degenerate side patch has no well-defined intersection. If the exact point
+  // is farther than this (cells) from the sampled crossing, the sampled fraction is kept.
   constexpr double kMaxCorrection = 0.25;
   const double position =
       std::isfinite(exact) && std::abs(exact - fraction) < kMaxCorrection ? exact : fraction;

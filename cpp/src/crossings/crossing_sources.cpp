@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-/// What an edge of the body's triangles is to the faces.
+/// The faces beside an edge of the body's triangles, and the kind of source that the edge is.
 struct EdgeSource {
   std::array<std::int32_t, 2> faces{-1, -1};
   SourceKind kind = SourceKind::Edge;
@@ -44,14 +44,14 @@ class EdgeSources {
             smooth ? SourceKind::Graze : SourceKind::Edge};
   }
 
-  /// Edges between the same two faces that hang together get one kind.
+  /// Gives one kind to all connected edges between the same two faces.
   void decideByChains() {
     std::vector<std::uint32_t> border;
     for (std::uint32_t e = 0; e < sources_.size(); ++e) {
       if (sources_[e].faces[1] >= 0) border.push_back(e);
     }
     using End = std::tuple<std::array<std::int32_t, 2>, std::int32_t, std::uint32_t>;
-    std::vector<End> ends;  // faces, vertex, place in `border`
+    std::vector<End> ends;  // faces, vertex, index in `border`
     for (std::uint32_t n = 0; n < border.size(); ++n) {
       const BodyEdge& edge = topology_.edges[border[n]];
       for (const std::int32_t v : {edge.a, edge.b})
@@ -86,11 +86,11 @@ class EdgeSources {
   std::vector<EdgeSource> sources_;
 };
 
-/// Cosine of the angle (2e-3 rad) between a patch and a face in the plane of which it counts.
+/// A patch counts as lying in the plane of a face if the cosine exceeds this (2e-3 rad).
 constexpr double kInPlane = 1 - 2e-6;
 
-/// The face beside an edge that slides along itself where the edge swept a patch with this normal;
-/// -1: none.
+/// An edge of the body has swept a patch with this normal. Returns the face beside the edge that
+/// slides along itself in the plane of the patch, or -1 if there is none.
 std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
                          const Eigen::Vector3f& normal) {
   const BodyEdge& edge = input.topology.edges[patch.index()];
@@ -103,7 +103,7 @@ std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
   return -1;
 }
 
-/// Per placement: the last pose of the motion at or before it.
+/// Returns, for each placement, the last pose of the motion at or before it.
 std::vector<std::uint32_t> lastPoses(const Motion& motion) {
   std::vector<std::uint32_t> last(motion.placements.size(), 0);
   for (std::uint32_t pose = 0; pose < motion.poses.size(); ++pose) {

@@ -1,12 +1,14 @@
-// What made each crossing, in terms of the body and of the trajectory as they were given.
+// Tells what made each crossing, in terms of the body and the trajectory as the user gave them.
 //
-// In: the elements that won, the crossings with exact times. Out: a row per crossing
-// (swept/sources.h). Units: mm, seconds. Cost: O(crossings), some nanoseconds each; 48 bytes a
-// crossing. Every crossing knows its element from sampling on, so nothing is searched, and nothing
-// that the mesh is made of changes.
-// An edge of the body is sharp or smooth as a whole: where the same two faces meet along a chain of
-// edges, the median of their angles decides, so that coarse triangles do not tear it to pieces.
-// Where an edge sweeps in the plane of a face beside it, the face slides along itself: it is named.
+// In: the elements that made the crossings, and the crossings with exact times. Out: a row per
+// crossing (swept/sources.h). Units: mm, seconds. Cost: O(crossings), some nanoseconds each; 48
+// bytes a crossing. Every crossing knows its element from sampling on, so no search is needed and
+// the mesh stays the same.
+//
+// An edge of the body is sharp or smooth as a whole. Where two faces meet along a chain of edges,
+// the median of their angles decides, so that coarse triangles do not tear the chain to pieces. If
+// an edge sweeps in the plane of a face beside it, this face slides along itself; the row names
+// this face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,12 +21,13 @@
 
 namespace swept {
 
-/// Faces that meet at less are smooth: 8 degrees, in rad. Triangles of a rounding with 32 sides to
-/// the circle leave its neighbour at 5.6 degrees.
+/// Faces that meet at less than this angle are smooth: 8 degrees, in rad. Where a rounding with 32
+/// facets to the circle joins a flat face, the angle is 5.6 degrees.
 constexpr double kSmoothAngle = 0.13962634;
 
-/// `input.body.faceOf`: one for each triangle. namedFaces: they may hold many triangles each. pose:
-/// number of each pose of the motion as given.
+/// Returns a row for each crossing. `input.body.faceOf` must have an entry per triangle.
+/// `namedFaces` says that a face may have many triangles. `pose` lists, for each pose of the
+/// motion, its number in the given trajectory.
 std::vector<SurfaceSource> sourcesOfCrossings(const SamplerInput& input,
                                               const std::vector<SweptElement>& elements,
                                               const HermiteGrid& grid, bool namedFaces,

@@ -11,20 +11,21 @@
 namespace swept {
 namespace {
 
-/// A cell that more pieces than this pass through does not show a single wall any more, and is not
-/// worth the time.
+/// A cell with more pieces than this no longer shows a single wall, and is not worth the time.
 constexpr std::size_t kMaxPieces = 20000;
-/// Once a cell has so many pieces, further ones that others cover on both sides are left out. A
-/// gripper along 16 keys, cells of 30 mm, limits 100, 300, 1,000, none: mean deviation 0.0374,
-/// 0.0365, 0.0356, 0.0357 cell; contouring takes 0.3, 0.5, 1.2 s with the first three.
+/// In a cell with this many pieces, further pieces that others cover on both sides are left out. A
+/// gripper along 16 keys, cells of 30 mm, with limits of 100, 300, 1,000 and none: the mean
+/// deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cell. Contouring takes 0.3, 0.5 and 1.2 s with
+/// the first three.
 constexpr std::size_t kManyPieces = 300;
-/// Cells: pieces this close to the cell count as touching it, so that the search can go round its
-/// corners.
+/// Pieces within this distance (cells) of the cell count as touching it, so that the search can go
+/// round the corners of the cell.
 constexpr double kSearchMargin = 0.05;
 
-constexpr double kEdgeSlack = 1e-7;  ///< at an edge both triangles are hit rather than none
+/// Widens triangles slightly: a line through a common edge hits both triangles rather than none.
+constexpr double kEdgeSlack = 1e-7;
 
-/// Where a line intersects a triangle: fraction along the line, and coordinates in the triangle.
+/// Where a line intersects a triangle: fraction along the line, and barycentric coordinates.
 struct Hit {
   double along, u, v;
 };
@@ -45,8 +46,8 @@ bool intersects(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Ve
   return out.along >= 0 && out.along <= 1;
 }
 
-/// Whether a triangle intersects the box of half sizes `half` about the origin, by separating axes
-/// (Akenine-Moeller 2001).
+/// Whether a triangle intersects the box about the origin with half sizes `half`, by separating
+/// axes (Akenine-Moeller 2001).
 bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                    const Eigen::Vector3d& half) {
   const auto beyond = [](double x, double y, double z, double reach) {
@@ -59,7 +60,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   const Eigen::Vector3d n = side[0].cross(side[1]);
   if (beyond(n.dot(a), n.dot(b), n.dot(c), half.dot(n.cwiseAbs()))) return false;
   for (const Eigen::Vector3d& s : side) {
-    for (int axis = 0; axis < 3; ++axis) {  // s is the second axis perpendicular to `axis`
+    for (int axis = 0; axis < 3; ++axis) {  // separating axis: unit vector x s
       const int p = (axis + 1) % 3, q = (axis + 2) % 3;
       const auto along = [&](const Eigen::Vector3d& x) { return s[p] * x[q] - s[q] * x[p]; };
       if (beyond(along(a), along(b), along(c),
@@ -71,7 +72,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return true;
 }
 
-/// The same for a segment.
+/// Whether a segment intersects this box.
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
   const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
@@ -87,7 +88,7 @@ bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 }  // namespace
 
-/// The steps of the motion that were asked for last.
+/// A cache of the motion steps that were used last.
 class ElementProbe::MotionSteps {
  public:
   explicit MotionSteps(const SamplerInput& input) : input_(input) {}
@@ -107,10 +108,10 @@ class ElementProbe::MotionSteps {
 
 namespace {
 
-/// A set of elements, built for a few dozen of them.
+/// A hash set of elements, sized for a few dozen.
 class SeenElements {
  public:
-  /// Returns false if the element is in the set already.
+  /// Adds the element. Returns false if the set has it already.
   bool insert(const SweptElement& element) {
     if (2 * count_ >= slots_.size()) grow();
     const auto key = static_cast<std::uint64_t>(element.code) << 32 | element.placement;
@@ -180,8 +181,8 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-// Two pieces are neighbours by what they share (an edge, a path or a face); that part has to pass
-// through the box.
+// Two neighbouring pieces share an edge, a path or a face. An edge or path must pass through the
+// box.
 template <class Inside, class Use>
 void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
                                  const Inside& inside, const Use& use) const {
@@ -233,8 +234,9 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
   }
 }
 
-/// Whether the pieces on both sides of this one in the motion cover it: a face that moves the same
-/// way before and after its placement, a side patch between two faces that move the same way.
+/// Whether the pieces before and after this one in the motion cover it. This holds for a face that
+/// moves the same way before and after its placement, and for a side patch between two faces that
+/// move the same way.
 bool ElementProbe::isPassed(const SweptElement& element, MotionSteps& motionSteps) const {
   const std::size_t k = element.placement;
   const auto directionIn = [&](std::size_t step, std::int32_t face) {
@@ -258,7 +260,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
     const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
   const Eigen::Vector3d centre = region.center();
   const Eigen::Vector3d half = region.sizes().array() / 2 + kSearchMargin;
-  std::vector<std::pair<SweptElement, std::size_t>> waiting;  // with the number of its piece
+  std::vector<std::pair<SweptElement, std::size_t>> waiting;  // each with the index of its piece
   SeenElements seen;
   MotionSteps motionSteps(input_);
   std::vector<Piece> pieces;
@@ -310,12 +312,12 @@ void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
 void ElementProbe::cast(const Eigen::AlignedBox3d& region,
                         const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
-  std::vector<double> first(lines.size(), 2);  // fraction along each line
+  std::vector<double> first(lines.size(), 2);  // fraction along each line; 2: no hit
   for (const Piece& piece : gather(region, crossings)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
-    // Sides of the plane of the first triangle. A side patch reaches beyond that plane by its
-    // fourth corner.
+    // Sides of the plane of the first triangle. The fourth corner of a side patch may lie off that
+    // plane.
     const double fourth = n.dot(d - a);
     const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
     const double slack = kEdgeSlack * n.norm();

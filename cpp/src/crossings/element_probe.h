@@ -2,12 +2,14 @@
 //
 // In: the elements that made the crossings. Out: first hit, normal and time per line. Units: grid
 // coordinates, seconds. Cost: proportional to the elements that pass through the cell.
-// The search starts at these elements and continues to their neighbours (across shared edges and
-// paths of vertices, and to the steps before and after) as long as what they share passes through
-// the cell. Once there are many, further pieces that others cover on both sides are left out: in a
-// cell that many placements pass through they are nearly all, and the rest is connected without
-// them. It looks nowhere else, so it does not matter which sampler found the crossings. Source: own
-// method; docs/contouring.md, "Rims".
+//
+// The search starts at these elements and continues to their neighbours: across shared edges and
+// paths of vertices, and to the steps before and after. It follows a shared part only if this
+// passes through the cell. In a cell with many pieces, the search leaves out further pieces that
+// others cover on both sides. Nearly all pieces of such a cell are covered, and the rest is
+// connected without them. The search looks nowhere else, so it does not matter which sampler found
+// the crossings.
+// Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,8 +25,8 @@ namespace swept {
 
 class ElementProbe : public SurfaceProbe {
  public:
-  /// `winner`: per crossing the index of its element in `elements`. All arguments must outlive the
-  /// probe.
+  /// `winner` holds, per crossing, the index of its element in `elements`. All arguments must
+  /// outlive the probe.
   ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
                const std::vector<std::uint32_t>& winner);
   void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
@@ -32,8 +34,8 @@ class ElementProbe : public SurfaceProbe {
 
  private:
   class MotionSteps;
-  /// Corners of a face; or of a side patch in ring order: a, b at the start of the step, then b, a
-  /// at its end.
+  /// Corners of a face (the last one twice), or of a side patch in ring order: a, b at the start of
+  /// the step, then b, a at its end.
   struct Piece {
     std::array<Eigen::Vector3d, 4> corner;
     bool isSidePatch = false;
@@ -44,9 +46,9 @@ class ElementProbe : public SurfaceProbe {
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
                             const std::vector<std::uint32_t>& crossings) const;
-  /// Calls use(other) for the elements that share an edge or the path of a vertex with this one, if
-  /// inside(p, q) is true for the shared segment, and for the copies of a face at the placements
-  /// before and after.
+  /// Calls use(other) for the neighbours of an element. These are the elements that share an edge
+  /// or the path of a vertex with it, if inside(p, q) is true for the shared segment; and the
+  /// copies of a face at the placements before and after.
   template <class Inside, class Use>
   void forNeighbours(const SweptElement& element, const Piece& piece, const Inside& inside,
                      const Use& use) const;
@@ -55,8 +57,8 @@ class ElementProbe : public SurfaceProbe {
   const SamplerInput& input_;
   const std::vector<SweptElement>& elements_;
   const std::vector<std::uint32_t>& winner_;
-  std::vector<Placement> placements_;  // with results in cells
-  // -1: boundary edge, or an edge of more than two faces.
+  std::vector<Placement> placements_;  // applied to the body, they give cells
+  // Edges of each face; -1 for an edge of more than two faces that lists another of them.
   std::vector<std::array<std::int32_t, 3>> faceEdges_;
 };
 

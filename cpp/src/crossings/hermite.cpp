@@ -11,8 +11,9 @@
 namespace swept {
 namespace {
 
-/// Cells: two crossings of one edge keep at least this distance, so that a sheet without thickness
-/// still has two sides. It is twice what kMinPointDistance keeps free at each end of an edge.
+/// Smallest distance (cells) between the two crossings of an edge, so that a sheet without
+/// thickness still has two sides. It is twice the kMinPointDistance that stays free at each end of
+/// an edge.
 constexpr float kMinWall = 2e-3f;
 
 void separate(Crossing& low, Crossing& high) {

@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// The crossings next to either end of each lattice edge of one column. No sorting is needed: a bit
-/// set marks the edges that are crossed.
+/// Collects the crossings of one column, and keeps the two next to the ends of each lattice edge. A
+/// bit set marks the crossed edges, so no sorting is needed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
@@ -25,7 +25,7 @@ class ColumnEnds {
       ends = {r, r};
       return;
     }
-    // Of equal positions the first element is taken, at both ends.
+    // Of crossings at the same place, both ends take the one with the smallest element.
     const auto firstOf = [&](const CrossingRecord& other) {
       return r.key == other.key && r.element < other.element;
     };
@@ -42,7 +42,7 @@ class ColumnEnds {
       }
     }
   }
-  /// Appends the crossed edges.
+  /// Appends the crossed edges to `edges`, and clears them here.
   void moveTo(std::vector<MarkedEdge>& edges) {
     take([&](std::size_t k, const CrossingRecord& low, const CrossingRecord& high) {
       MarkedEdge edge;
@@ -63,8 +63,8 @@ class ColumnEnds {
   std::vector<std::uint64_t> crossed_;
 };
 
-/// Sorts the records that forAll(use) passes to use(record) by bucket, keeping their order within
-/// one; `out` grows to their number. Returns where every bucket starts, and the end.
+/// Sorts records stably by bucket into `out`, which grows to their number. forAll(use) must call
+/// use(record) for every record. Returns the start of every bucket, and the end.
 template <class ForAll, class BucketOf>
 std::vector<std::uint32_t> sortByBucket(std::size_t buckets, const ForAll& forAll,
                                         const BucketOf& bucketOf,
@@ -78,8 +78,8 @@ std::vector<std::uint32_t> sortByBucket(std::size_t buckets, const ForAll& forAl
   return start;
 }
 
-/// Sorts the records of one layer by axis and column, and keeps for every lattice edge the crossing
-/// next to either end.
+/// Sorts the records of one layer by axis and column, and keeps for every lattice edge the
+/// crossings next to its ends.
 void reduceLayer(const std::vector<RecordChunk>& chunks,
                  const std::vector<std::uint32_t>& elementBase, std::size_t i,
                  std::vector<CrossingRecord>& scratch, ColumnEnds& ends, std::uint32_t columns,

@@ -1,6 +1,7 @@
-// Raw crossings of any sampler -> marked edges, sorted layer by layer.
-// In: chunks of records, in any order. Out: marked edges that depend on the contents of the chunks
-// only. Cost: O(crossings); 12 bytes per crossing, and the same again for the records of one work
+// Sorts the raw crossings of any sampler into marked edges, layer by layer.
+//
+// In: chunks of records, in any order. Out: marked edges that depend only on the contents of the
+// chunks. Cost: O(crossings); 12 bytes per crossing, and the same again for the records of one work
 // item.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -14,7 +15,7 @@
 
 namespace swept {
 
-/// One crossing. key = i:13 | axis:2 | j:13 | k:13 | fraction:23, from the highest bit down.
+/// One crossing. Bits of `key` from the highest: i 13, axis 2, j 13, k 13, fraction 23.
 struct __attribute__((packed, aligned(4))) CrossingRecord {
   std::uint64_t key;
   std::uint32_t element;
@@ -38,14 +39,15 @@ struct __attribute__((packed, aligned(4))) CrossingRecord {
 };
 static_assert(sizeof(CrossingRecord) == 12);
 
-/// The crossings of one work item and the elements that they refer to (by index within the item).
+/// The crossings of one work item, and the elements to which they refer by index within the item.
 struct RecordChunk {
   std::vector<CrossingRecord> records;
   std::vector<SweptElement> elements;
-  std::vector<std::uint32_t> layerStart;  ///< once ordered: per layer its first record, and the end
+  /// Set by orderByLayer(): the first record of each layer, and the end.
+  std::vector<std::uint32_t> layerStart;
 
-  /// Adds an element unless it crosses no lattice edge: rasterise(emit) calls emit(axis, i, j, k,
-  /// fraction) for each that it crosses.
+  /// Adds an element unless it crosses no lattice edge. rasterise(emit) must call emit(axis, i, j,
+  /// k, fraction) for each lattice edge that the element crosses.
   template <class Rasterise>
   void add(const SweptElement& element, const Rasterise& rasterise) {
     const auto number = static_cast<std::uint32_t>(elements.size());
@@ -57,14 +59,16 @@ struct RecordChunk {
   }
 };
 
-/// Orders the records by layer, in an array of exactly their number. `room` receives the previous
-/// array, emptied, for the next chunk.
+/// Orders the records by layer, in an array without spare capacity. `room` receives the previous
+/// array, emptied, for reuse by the next chunk.
 void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
 
-/// Keeps only those crossings of every lattice edge that sortRecords() would select, in any order.
+/// Reduces the records to those that sortRecords() would select on each lattice edge. The records
+/// may be in any order.
 void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid);
 
-/// Consumes the chunks. The result does not depend on which thread made which chunk.
+/// Turns the chunks into marked edges and empties them. The result does not depend on which thread
+/// made which chunk.
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run);
 
 }  // namespace swept

@@ -1,5 +1,5 @@
-// The sampling grid: lattice points g = (i, j, k) with 0 <= i < points[0] and so on, at origin +
-// cell * g.
+// The sampling grid. Lattice point g = (i, j, k), with 0 <= i < points[0] and so on, lies at
+// origin + cell * g.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace swept {
 
 /// 13 bits per index and 17 bits within a cell (snap.h) make 30 bits, so that differences fit into
-/// 32.
+/// 32 bits.
 constexpr int kMaxPointsPerSide = 8191;
 
 struct GridPlan {
@@ -23,7 +23,8 @@ struct GridPlan {
   std::array<std::int64_t, 3> cells() const {
     return {points[0] - 1, points[1] - 1, points[2] - 1};
   }
-  /// The placement with its result in cells from the origin instead of mm.
+  /// Returns the placement in grid coordinates: applied to a point in mm, it gives cells from the
+  /// origin.
   Placement toGrid(const Placement& p) const {
     return {p.rotation / cell, (p.translation - origin) / cell, p.timeSeconds};
   }

@@ -1,5 +1,7 @@
 // Two-sided Hermite data of the envelope: for every lattice edge, the first crossing seen from each
-// of its outside ends. Memory: 8 bytes per edge, 24 bytes per crossing.
+// of its outside ends.
+//
+// Memory: 8 bytes per edge, 24 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,11 +22,12 @@ struct Crossing {
 
 struct HermiteEdge {
   static constexpr std::uint8_t kLow = 1, kHigh = 2;
-  /// Index of the low crossing (of the high one if there is no low one); the high one follows.
+  /// Index of the low crossing, or of the high one if there is no low one. The high one follows the
+  /// low one.
   std::uint32_t first = 0;
   std::uint16_t k = 0;
-  std::uint8_t sides =
-      0;  ///< kLow: low end outside, has the crossing seen from there; kHigh: likewise
+  /// Bits kLow, kHigh: this end of the edge lies outside, and has the crossing seen from there.
+  std::uint8_t sides = 0;
 };
 
 /// Edges that start in lattice layer i, ordered and indexed as in LayerEdges.
@@ -38,8 +41,8 @@ struct HermiteGrid {
   GridPlan plan;
   std::vector<HermiteLayer> layers;
   std::vector<Crossing> crossings;
-  std::vector<std::uint32_t> winner;  ///< per crossing: index of the swept element that it lies on
-  /// Per crossing: its time with all digits (s). Empty unless asked for.
+  std::vector<std::uint32_t> winner;  ///< per crossing: index of its swept element
+  /// Per crossing: its time in double (s). Empty unless ExactTimes::Kept was requested.
   std::vector<double> exactSeconds;
   std::int64_t markedEdges = 0;
   std::int64_t sheetEdges = 0;  ///< edges whose two crossings are the same point

@@ -1,5 +1,7 @@
 // The output of every sampler: for each lattice edge that the swept surface crosses, the first
-// crossing seen from each end. Memory grows with the surface: 20 bytes per edge.
+// crossing seen from each end.
+//
+// Memory: 20 bytes per edge, so it grows with the surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,8 +24,8 @@ struct SweptElement {
   std::uint32_t index() const { return code & ~kSidePatchBit; }
 };
 
-/// A crossed lattice edge from (i, j, k) towards +axis; i, j and the axis follow from the list that
-/// contains it.
+/// A crossed lattice edge from (i, j, k) towards +axis. The list that contains the edge tells i, j
+/// and the axis.
 struct MarkedEdge {
   float lowFraction = 0;   ///< position of the first crossing seen from the low end, in [0, 1]
   float highFraction = 0;  ///< position of the first crossing seen from the high end
@@ -39,8 +41,7 @@ struct LayerEdges {
   std::array<std::vector<std::uint32_t>, 3> columnStart;
 };
 
-/// The edge of column j at k in the list of one axis, of a layer as above; nullptr if there is
-/// none.
+/// Finds the edge at (j, k) in the list of one axis of a layer; nullptr if there is none.
 template <class Edge>
 const Edge* findEdge(const std::vector<Edge>& edges, const std::vector<std::uint32_t>& columnStart,
                      std::int32_t j, std::int32_t k) {
@@ -53,7 +54,7 @@ const Edge* findEdge(const std::vector<Edge>& edges, const std::vector<std::uint
 
 struct MarkedEdges {
   std::vector<LayerEdges> layers;      ///< by i
-  std::vector<SweptElement> elements;  ///< what lowElement and highElement refer to
+  std::vector<SweptElement> elements;  ///< lowElement and highElement are indices into this
 
   bool isMarked(int axis, std::int32_t i, std::int32_t j, std::int32_t k) const {
     const LayerEdges& layer = layers[static_cast<std::size_t>(i)];

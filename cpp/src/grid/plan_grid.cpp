@@ -11,9 +11,10 @@
 namespace swept {
 namespace {
 
-/// The vertices that can be the farthest along a world axis at any placement. Seen from the body,
-/// the axis is a direction d; all d lie within `turn` of the first one. A vertex that is behind the
-/// farthest one there by more than twice what such a turn can change is never the farthest.
+/// Returns the vertices that can be the farthest along a world axis at any placement. Seen from the
+/// body, the axis is a direction d; all d lie within `turn` of the first one. A turn changes the
+/// lead of one vertex over another by at most 2 * radius * turn. A vertex that lies farther behind
+/// at the first placement can never become the farthest.
 std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
                                    const Motion& motion, int axis, double side) {
   const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
@@ -34,7 +35,8 @@ std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& c
   return out;
 }
 
-/// The box of very many placements that differ little; an empty box if they differ much.
+/// Returns the bounding box of the body in many similar placements. The box is empty if they differ
+/// so much that more than 1/16 of the vertices can be the farthest.
 Eigen::AlignedBox3d boxOfSimilarPlacements(const TriMesh& body, const Eigen::Vector3d& centre,
                                            const Motion& motion) {
   Eigen::AlignedBox3d box;
@@ -68,9 +70,9 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunConte
   for (const auto& v : body.vertices) bodyBox.extend(v);
   const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
   Eigen::AlignedBox3d box;
-  // Sorting the placements by their extremes would skip more of them; a strided order is enough.
+  // Placements sorted by their extremes would skip more; a strided order is good enough.
   const std::size_t n = motion.placements.size();
-  // From this many placements on, finding the foremost vertices costs less than posing all boxes.
+  // From this many placements on, the search for the foremost vertices pays off.
   constexpr std::size_t kMany = 1024;
   if (n >= kMany) {
     box = boxOfSimilarPlacements(body, centre, motion);

@@ -1,8 +1,9 @@
-// Extent and cell of the grid, decided before anything large is allocated.
-// In: body, motion, options. Out: the grid, with at least one empty cell to every side of the
-// sweep. Units: mm. Cost: O(placements + a few times the vertices), because most placements are
-// skipped by their box alone.
-// Source: METHOD.md section 1 (empty cells) and section 2, "Traps" (odd offset).
+// Chooses the extent and the cell of the grid before anything large is allocated.
+//
+// In: body, motion, options. Out: the grid, with at least one empty cell on every side of the
+// sweep. Units: mm. Cost: O(placements + a few times the vertices): most placements are skipped,
+// because the posed box of the body lies within the box found so far.
+// Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,18 +16,19 @@
 
 namespace swept {
 
-constexpr double kGridMarginCells =
-    /// Empty cells to each side; an odd fraction, so that axis-parallel planes miss lattice points.
-    1.37;
+/// Empty cells on each side of the sweep. The odd fraction makes axis-parallel planes miss lattice
+/// points.
+constexpr double kGridMarginCells = 1.37;
 
-/// Exact box of all posed vertices, mm.
+/// Returns the exact bounding box (mm) of the body's vertices in all placements.
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run);
 
-/// Cell in mm from the options (cellSize, else resolution = cells along the longest side of the
-/// grid).
+/// Returns the cell (mm): options.cellSize or, if this is 0, the one that gives options.resolution
+/// cells along the longest side of the grid.
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options);
 
-/// Throws Error(InvalidInput, "CellTooLarge" / "PrecisionTooCoarse"), Error(ResourceLimit).
+/// Plans the grid. Throws Error(InvalidInput) with code "CellTooLarge" or "PrecisionTooCoarse", or
+/// Error(ResourceLimit).
 GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bodyBox,
                   const Options& options);
 

@@ -1,15 +1,15 @@
-// Exact crossings of one triangle with the lattice lines of one axis.
+// Finds the exact crossings of one triangle with the lattice lines of one axis.
 //
 // In: snapped corners of a triangle. Out: lattice edges and fractions. Units: 2^-17 cell. Cost:
 // O(lattice lines that the triangle's projection covers).
 // Promise: a closed surface gives a closed set of crossings, and the three axes agree about every
 // lattice point.
-// Source: simulation of simplicity (Edelsbrunner and Muecke 1990); METHOD.md section 2, "Traps".
+// Source: simulation of simplicity (Edelsbrunner and Muecke 1990).
 //
-// Vertices are odd integers in units of 2^-17 cell and lattice lines lie at multiples of 2^17, so
-// that no vertex ever lies on the row or column of a line. A line exactly on an edge, or a lattice
-// point exactly on a plane, is decided as if the lattice were shifted by (e, e^2, e^3) with e -> 0,
-// the same shift for all axes.
+// Vertices are odd integers in units of 2^-17 cell, and lattice lines lie at multiples of 2^17. So
+// no vertex ever lies on the row or column of a line. If a line lies exactly on an edge, or a
+// lattice point exactly on a plane, the lattice counts as shifted by (e, e^2, e^3) with e -> 0. The
+// shift is the same for all axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,11 +24,12 @@ namespace swept {
 
 namespace detail {
 
-/// Decides a line exactly on the edge s -> t: the sign of the edge function at the shifted line.
+/// Breaks the tie for a line exactly on the edge s -> t: whether the shifted line lies on its inner
+/// side.
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
-/// Exact decision for a crossing within rounding of lattice point k of the line: is the crossing
-/// above the (shifted) lattice point?
+/// Decides exactly whether a crossing within rounding of lattice point k of its line lies above the
+/// shifted lattice point.
 template <int W>
 bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& w,
                      std::int64_t area2, std::int64_t k, const SnappedPoint& a,
@@ -38,9 +39,9 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
                              static_cast<__int128>(e[2]) * w[2];
   const __int128 point = static_cast<__int128>(area2) * (k * static_cast<std::int64_t>(kSubUnits));
   if (numerator != point) return numerator > point;
-  // A lattice point on the plane: the sign of -n_axis / n_W for the first axis with a non-zero
-  // component of the normal decides (the lattice point moves along that axis); for W itself the
-  // point moves up.
+  // The lattice point lies on the plane: decide as if it moved slightly along the first axis with a
+  // non-zero component of the normal. On an axis other than W, the height of the surface then
+  // changes by -n_axis / n_W. On W, the lattice point itself moves up, above the crossing.
   const auto component = [&](int axis) {
     const int p = (axis + 1) % 3, q = (axis + 2) % 3;
     const std::int64_t bp = b[p] - a[p], bq = b[q] - a[q], cp = c[p] - a[p], cq = c[q] - a[q];
@@ -58,7 +59,8 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
 }  // namespace detail
 
 /// Calls emit(u, v, k, fraction) for each lattice line (u, v) along axis W that meets the triangle
-/// between lattice points k and k + 1. u and v count along the other two axes in rising order.
+/// between lattice points k and k + 1. u and v are indices along the other two axes, in rising
+/// order.
 template <int W, class Emit>
 inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, const SnappedPoint& c0,
                               const Emit& emit) {
@@ -146,8 +148,8 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
   }
 }
 
-/// Calls emit(axis, i, j, k, fraction) for each lattice edge that the triangle crosses: the edge
-/// leaves the lattice point (i, j, k) along the axis.
+/// Calls emit(axis, i, j, k, fraction) for each lattice edge that the triangle crosses. The edge
+/// leads from lattice point (i, j, k) along the axis.
 template <class Emit>
 inline void rasteriseAllAxes(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c,
                              const Emit& emit) {

@@ -1,6 +1,8 @@
-// Vertices on the fine lattice on which all samplers decide exactly.
+// Snaps vertices to the fine lattice on which all samplers decide exactly.
+//
 // The order of the additions is written out, so that a shader with the same order gets the same
-// bits. Source: METHOD.md section 2, "Traps".
+// bits.
+// Source: own method; docs/pipeline.md, "Sampling".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,12 +18,12 @@ constexpr int kSubBits = 17;
 constexpr std::int32_t kSubUnits = 1 << kSubBits;
 using SnappedPoint = std::array<std::int32_t, 3>;
 
-/// Grid coordinate (cells, > 0) -> odd integer.
+/// Turns a grid coordinate (cells, > 0) into an odd integer in units of 2^-17 cell.
 inline std::int32_t snapCoordinate(double g) {
   return 2 * static_cast<std::int32_t>(g * (kSubUnits / 2)) + 1;
 }
 
-/// p: a placement with its result in cells.
+/// Snaps the point p(x). `p` gives cells (GridPlan::toGrid()).
 inline SnappedPoint snap(const Placement& p, const Eigen::Vector3d& x) {
   SnappedPoint out;
   for (int axis = 0; axis < 3; ++axis) {

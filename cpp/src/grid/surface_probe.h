@@ -1,6 +1,6 @@
-// What contouring may query of the swept surface beyond its crossings with the grid: where other
-// lines intersect it. Implemented by crossings/element_probe, and by tests with a surface of known
-// shape.
+// Interface through which contouring queries the swept surface beyond its crossings with the grid:
+// it casts other lines at it. Implemented by crossings/element_probe, and in tests by surfaces of
+// known shape.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ struct ProbeLine {
 class SurfaceProbe {
  public:
   virtual ~SurfaceProbe() = default;
-  /// Casts the lines at the part of the surface that passes through the region (at most a cell, in
-  /// grid coordinates) and is connected, inside the region, with the given crossings. Safe to call
+  /// Casts the lines at the part of the surface that passes through `region` (at most a cell, in
+  /// grid coordinates) and is connected with the given crossings inside the region. Safe to call
   /// from several threads.
   virtual void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
                     std::vector<ProbeLine>& lines) const = 0;

@@ -15,10 +15,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxPoints = 8;  // of a component
-constexpr double kGrazing = 0.05;      // cells: nearer to the body than this counts as inside
+constexpr std::size_t kMaxPoints = 8;  // tested per component
+/// A point nearer to the body than this (cells) counts as inside.
+constexpr double kGrazing = 0.05;
 
-/// Says whether the moving body ever contains a point.
+/// Tells whether the moving body ever contains a point.
 class MovingSolid {
  public:
   MovingSolid(const TriMesh& body, const Motion& motion, double grazing)
@@ -39,7 +40,7 @@ class MovingSolid {
   bool everContains(const Vector3d& world) const {
     const std::size_t n = motion_.placements.size();
     if (!motion_.continuous) {
-      // In strides: a point in one copy mostly lies in many of them.
+      // In strides: a point inside one copy mostly lies inside many of them.
       const std::size_t stride = n > 64 ? n / 64 | 1 : 1;
       for (std::size_t start = 0; start < stride; ++start) {
         for (std::size_t k = start; k < n; k += stride) {
@@ -85,9 +86,9 @@ class MovingSolid {
   double grazing_;
 };
 
-/// A lattice point of a component.
+/// A lattice point of a component to test.
 struct Queried {
-  std::int32_t length = 0;  ///< of the run that it is the middle of
+  std::int32_t length = 0;  ///< of the run whose middle it is
   std::array<std::int32_t, 3> point{0, 0, 0};
 };
 

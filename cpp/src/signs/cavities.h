@@ -1,13 +1,15 @@
-// Which enclosed spaces of a sweep are hollow: kept as inner shells where the user asks for it.
+// Finds the enclosed spaces of a sweep that are hollow. They are kept as inner shells if the user
+// asks for it.
 //
-// In:    signs with their components, marked edges, body and motion. Out: the runs of hollow
-//        components are set to outside, so that their walls contribute like the outer surface.
-// Method: no piece of the sweep's boundary passes through a component, so one of its lattice points
-//        stands for all. The point is followed in the body's frame: while it is farther from the
-//        body's surface than it can move, it stays inside or outside; else the step is halved. Up
-//        to eight points of a component are queried, those in the middle of its longest runs; it is
-//        hollow if the body never contains any of them and they keep clear of its surface.
-// Needs a closed body. Cost: O(components x steps) searches of bounded reach.
+// In: signs with their components, marked edges, body and motion. Out: the runs of hollow
+// components are set to outside, so that their walls contribute like the outer surface.
+// Method: no piece of the sweep's boundary passes through a component, so one lattice point stands
+// for all. The search follows the point in the body's frame. If the point is farther from the
+// body's surface than it can move during a step, it stays inside or outside; otherwise the step is
+// halved. Up to eight points of a component are tested, in the middle of its longest runs. The
+// component is hollow if the body never contains any of them and its surface never comes close to
+// them.
+// Precondition: a closed body. Cost: O(components x steps) searches of bounded reach.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,8 +24,8 @@ namespace swept {
 
 using SolidPoint = std::function<bool(std::int32_t i, std::int32_t j, std::int32_t k)>;
 
-/// Components that were opened. isSolid(i, j, k): lattice points that are solid whatever the body
-/// does, for an offset those within the distance; may be empty.
+/// Opens the hollow components and returns their number. isSolid(i, j, k), if not empty, names
+/// lattice points that are solid whatever the body does: for an offset, those within the distance.
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
                           const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
                           const Motion& motion, const SolidPoint& isSolid, RunContext& run);

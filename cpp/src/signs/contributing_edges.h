@@ -1,4 +1,4 @@
-// The marked edges that have an outside end, layer by layer. Cost: O(marked edges).
+// Visits the marked edges that have an outside end, layer by layer. Cost: O(marked edges).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace swept {
 
-/// Steps along a line with rising k and says whether lattice point k is outside.
+/// Tells which points of a lattice line lie outside. Call outside(k) with rising k only.
 class LineReader {
  public:
   LineReader(const MarkedEdges& marked, const SignRuns& signs, std::int32_t i, std::int32_t j)
@@ -33,8 +33,8 @@ class LineReader {
   const MarkedEdge* end_;
 };
 
-/// Calls use(j, edge, sides) for the marked edges of a layer and axis that have an outside end;
-/// sides as in HermiteEdge. Marked is MarkedEdges or const MarkedEdges.
+/// Calls use(j, edge, sides) for the marked edges of a layer and axis that have an outside end.
+/// `sides` has the bits of HermiteEdge::sides. Marked is MarkedEdges or const MarkedEdges.
 template <class Marked, class Use>
 void forContributing(Marked& marked, const SignRuns& signs, const GridPlan& grid, std::int32_t i,
                      int axis, const Use& use) {

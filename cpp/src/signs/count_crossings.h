@@ -1,5 +1,6 @@
-// How many crossings the surface of sampled pieces has.
-// In:    marked edges. Out: counts. Cost: that of the signs.
+// Counts the crossings that the surface of sampled pieces has.
+//
+// In: marked edges. Out: counts. Cost: that of the signs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +14,7 @@ namespace swept {
 
 struct CrossingCounts {
   std::int64_t crossings = 0;  ///< one for each outside end of an edge
-  std::int64_t walls = 0;      ///< edges with a wall thinner than a cell on them: both ends outside
+  std::int64_t walls = 0;      ///< edges with both ends outside: a wall thinner than a cell
 };
 
 CrossingCounts countCrossings(const MarkedEdges& marked, const GridPlan& grid, RunContext& run);

@@ -21,8 +21,8 @@ Edges columnEdges(const LayerEdges& layer, int axis, std::int32_t j) {
 
 using Runs = std::vector<std::uint32_t>;
 
-/// Joins the runs of two neighbouring lines. a, b: their z edges; between: the marked edges that
-/// lead from a to b; n: number of lattice points along z.
+/// Joins the runs of two neighbouring lines. `a` and `b` are their marked z edges, `between` the
+/// marked edges that lead from a to b, and n the number of lattice points along z.
 void joinLines(Edges a, std::uint32_t runA, Edges b, std::uint32_t runB, Edges between,
                std::int32_t n, Runs& parent) {
   std::size_t ia = 0, ib = 0, im = 0;
@@ -93,7 +93,7 @@ SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext
   });
 
   signs.outside.resize(runs);
-  // Links lead to smaller numbers, so one pass in rising order leads each straight to its root.
+  // Links lead to smaller numbers, so one pass in rising order links each run to its root.
   for (std::uint64_t r = 0; r < runs; ++r) {
     parent[r] = parent[parent[r]];
     signs.outside[r] = parent[r] == 0;

@@ -1,12 +1,14 @@
-// Which lattice points the outside reaches, by runs and union-find instead of a flood fill over
-// voxels.
-// In: marked edges. Out: one bit per run. Cost: time linear in runs and marked edges; 4 bytes per
-// line and 5 bytes per run. Promise: the same for any number of threads. Source: METHOD.md section
-// 2, "memory grows with r^3".
+// Finds the lattice points that the outside reaches, by runs and union-find instead of a flood fill
+// over voxels.
 //
-// Along a lattice line in z, the points between two marked edges form a run. Runs of neighbouring
-// lines are joined where a lattice edge between them is not marked. Everything joined to the corner
-// of the grid is outside.
+// In: marked edges. Out: whether each run lies outside. Cost: time linear in runs and marked edges;
+// 4 bytes per line and 5 bytes per run.
+// Promise: the same result for any number of threads.
+// Source: own method; docs/pipeline.md, "Signs".
+//
+// Along a lattice line in z, the points between two marked edges form a run. Two runs of
+// neighbouring lines are joined if a lattice edge between them is not marked. Every run that is
+// joined to the corner of the grid is outside.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,7 +23,7 @@ namespace swept {
 
 struct SignRuns {
   std::int32_t columns = 0;  ///< lattice points along y
-  /// Per line (i * columns + j), and one entry behind the last.
+  /// First run of each line (i * columns + j), with one more entry at the end.
   std::vector<std::uint32_t> firstRun;
   std::vector<std::uint8_t> outside;  ///< per run
 
@@ -31,7 +33,7 @@ struct SignRuns {
   }
 };
 
-/// component: if given, receives a number per run, the same for runs that are joined.
+/// Finds the outside runs. `component`, if given, receives a number per run; joined runs share one.
 SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
                      std::vector<std::uint32_t>* component = nullptr);
 
