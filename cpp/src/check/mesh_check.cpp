@@ -37,7 +37,8 @@ struct Sums {
   std::int64_t degenerate = 0;
 };
 
-/// Sums over blocks of fixed size, added in order: the same digits for any number of threads.
+/// Sums over blocks of fixed size, then adds the blocks in order: any number of threads gives the
+/// same digits.
 Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run) {
   std::vector<Sums> parts((mesh.triangles.size() + kBlock - 1) / kBlock);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
@@ -53,7 +54,7 @@ Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run
       sums.volume += a.dot(n) / 6;
       const double twice = n.norm();
       sums.area += twice / 2;
-      // Far above rounding: has area. Else the exact answer counts.
+      // A triangle far above rounding has area; for others, the exact test decides.
       if (!(twice > 1e-14 * (u.squaredNorm() + v.squaredNorm()))) {
         sums.degenerate +=
             collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);
@@ -70,7 +71,7 @@ Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run
   return all;
 }
 
-/// Number of shells that hold a point of this triangle.
+/// Returns the number of other shells that contain a point of this triangle.
 int depthOf(const ShellNesting& nesting, const Shells& shells,
             const std::vector<ShellExtent>& extents, std::int32_t triangle) {
   const Eigen::AlignedBox3d& inner = extents[shells.ofTriangle[triangle]].box;
@@ -80,7 +81,7 @@ int depthOf(const ShellNesting& nesting, const Shells& shells,
   }));
 }
 
-/// Shells whose box lies within that of another one.
+/// Returns the shells whose box lies within the box of another shell.
 std::vector<std::int32_t> nestedShells(const std::vector<ShellExtent>& shells, RunContext& run) {
   std::vector<std::int32_t> byLow(shells.size());
   std::iota(byLow.begin(), byLow.end(), 0);
@@ -104,7 +105,8 @@ std::vector<std::int32_t> nestedShells(const std::vector<ShellExtent>& shells, R
   return nested;
 }
 
-/// Shells that lie in an even number of others bound material from outside, the rest a cavity.
+/// Marks the cavities: shells inside an odd number of other shells. The rest bound material from
+/// outside.
 std::vector<std::uint8_t> findCavities(const TriMesh& mesh, const Shells& shells,
                                        const std::vector<ShellExtent>& extents, RunContext& run) {
   const std::vector<std::int32_t> nested = nestedShells(extents, run);
@@ -116,8 +118,8 @@ std::vector<std::uint8_t> findCavities(const TriMesh& mesh, const Shells& shells
   const ShellNesting nesting(mesh, shells, columns);
   for (const std::int32_t s : nested) {
     run.checkpoint(Phase::Check);
-    // Shells that cross each other have no depth of their own: two samples that agree, or the
-    // outward rule.
+    // Shells that cross each other have no well-defined depth. A shell therefore counts as a cavity
+    // only if two sample points agree.
     const int depth = depthOf(nesting, shells, extents, extents[s].first);
     const bool sure = depth == depthOf(nesting, shells, extents, extents[s].last);
     cavity[s] = sure && depth % 2 == 1;

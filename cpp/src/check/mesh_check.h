@@ -1,11 +1,14 @@
-// Checks a mesh against what an envelope promises.
-// In:    any mesh. Out: MeshCheck (swept/report.h): closed, manifold, oriented, finite, counts of
-//        every fault, volume, area, self-intersections.
+// Checks a mesh against the promises of an envelope.
+//
+// In: any mesh. Out: MeshCheck (swept/report.h): closed, manifold, oriented, finite, counts of
+// every fault, volume, area, self-intersections.
 // Units: mm. Cost: O(n log n).
-// A mesh is oriented if its triangles pass every edge as often in one direction as in the other,
-// and the normals of every shell point away from its material. A shell that lies in an even number
-// of others bounds material from outside, any other shell bounds a cavity. A non-manifold vertex
-// has more than one fan of triangles; fans end at edges that do not have exactly two triangles.
+//
+// A mesh is oriented if two things hold. Its triangles run along every edge as often in one
+// direction as in the other, and the normals of every shell point away from its material. A shell
+// inside an even number of other shells bounds material from outside; any other shell bounds a
+// cavity. A non-manifold vertex has more than one fan of triangles. A fan ends at edges that do not
+// have exactly two triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,22 +23,25 @@
 
 namespace swept {
 
-/// As checkMesh() of swept/compute.h; without `withSelfIntersections` those are not counted (-1).
-/// Throws Error(InvalidInput, "BadIndex") if a triangle refers to no vertex, and Error(Cancelled).
+/// Does the same as checkMesh() of swept/compute.h. Without `withSelfIntersections`, it reports -1
+/// self-intersections. Throws Error(InvalidInput, "BadIndex") if a triangle refers to a missing
+/// vertex, and Error(Cancelled).
 MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run);
 
-/// The same, and all pairs of triangles that meet, not only the first ones.
+/// Does the same, and returns all pairs of intersecting triangles in `found`, not only the first
+/// ones.
 MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run);
 
-/// Everything but self-intersections (-1), and how the mesh hangs together.
+/// Checks everything but self-intersections (-1), and returns the connectivity in `topology`.
 MeshCheck checkMesh(const TriMesh& mesh, MeshTopology& topology, RunContext& run);
 
 struct InsideOutShell {
   std::int32_t shell = -1;
-  double size = 0;  ///< mm, diagonal of its box
+  double size = 0;  ///< diagonal of its box, mm
 };
 
-/// Shells that do not face away from their material, of a closed mesh without misoriented edges.
+/// Returns the shells whose normals point into their material. The mesh must be closed and have no
+/// misoriented edges.
 std::vector<InsideOutShell> shellsInsideOut(const TriMesh& mesh, const MeshTopology& topology,
                                             RunContext& run);
 

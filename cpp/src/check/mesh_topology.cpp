@@ -15,15 +15,16 @@ namespace {
 constexpr std::size_t kGrain = 1 << 13;
 using Range = tbb::blocked_range<std::size_t>;
 
-/// The triangles round one vertex, as the corners (half-edges that start at it) in the order of the
-/// walk.
+/// The triangles round one vertex, in the order of the walk. Each is given by its corner: the
+/// half-edge that starts at the vertex.
 struct Fan {
   std::vector<std::uint32_t> corners;
-  bool cycle = false;       ///< came back to the start
+  bool cycle = false;       ///< the walk came back to its start
   bool consistent = false;  ///< every step led to a triangle of the same orientation
 };
 
-/// Walks from `start` over edges with two triangles; `forward`: counter-clockwise first.
+/// Walks round a vertex from `start`, over edges with two triangles. `forward` starts
+/// counter-clockwise.
 void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint32_t start,
           bool forward, Fan& fan) {
   const std::int32_t v = mesh.triangles[start / 3][start % 3];
@@ -32,7 +33,7 @@ void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint3
     const std::uint32_t other = across[forward ? previousHalfEdge(corner) : corner];
     if (other == kNoNeighbour) return;
     const bool starts = mesh.triangles[other / 3][other % 3] == v;
-    // Leaving through the incoming edge, a consistent neighbour has it as its outgoing one.
+    // A consistent neighbour has the edge in the opposite direction: incoming here, outgoing there.
     if (starts != forward) fan.consistent = false;
     const std::uint32_t next = starts ? other : nextHalfEdge(other);
     forward = starts;
@@ -45,9 +46,9 @@ void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint3
   }
 }
 
-/// True if, seen against the mean normal, the fan goes once round its vertex without turning back:
-/// its triangles then share nothing but their common edges. Margins are far above rounding, so a
-/// "true" is certain; a "false" means only that a closer look is needed.
+/// Returns true if the fan, seen against its mean normal, goes once round its vertex without
+/// turning back. Its triangles then share nothing but their common edges. Margins are far above
+/// rounding, so "true" is certain; "false" only means that exact tests must decide.
 bool isDisc(const TriMesh& mesh, const Fan& fan) {
   if (!fan.cycle || !fan.consistent || fan.corners.size() < 3) return false;
   const std::uint32_t first = fan.corners[0];
@@ -63,7 +64,7 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
     n += out.cross(in);
     out = in;
   }
-  // A direction of the plane across n: exactly perpendicular to n, and not short.
+  // A direction in the plane across n: exactly perpendicular to n, and not short.
   int a = 0;
   n.cwiseAbs().maxCoeff(&a);
   const int b = (a + 1) % 3;
@@ -85,7 +86,7 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
   return turns == 1;
 }
 
-/// One corner of every vertex. Which one it is does not change the counts.
+/// Returns any one corner of every vertex; the choice does not change the counts.
 std::vector<std::uint32_t> someCorner(const TriMesh& mesh) {
   std::vector<std::uint32_t> corner(mesh.vertices.size(), kNoNeighbour);
   tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {
@@ -124,7 +125,7 @@ void walkFans(const TriMesh& mesh, bool withEntangled, MeshTopology& topology, R
     unused += unusedHere;
   });
   topology.unusedVertices = unused.load();
-  // Corners that no walk met belong to vertices with a second fan.
+  // Corners that no walk reached belong to vertices with a second fan.
   std::vector<std::int32_t> second;
   for (auto it = seen.begin(); (it = std::find(it, seen.end(), 0)) != seen.end(); ++it) {
     const auto c = static_cast<std::size_t>(it - seen.begin());

@@ -1,8 +1,9 @@
-// How the triangles of a mesh hang together: edges, fans round vertices, shells.
-// In:    triangles with valid indices. Out: counts, neighbours, and the vertices that need a closer
-//        look for self-intersections.
-// Cost:  O(n); about 50 bytes a triangle.
-// Invariants: nothing depends on the number of threads.
+// Finds how the triangles of a mesh are connected: edges, fans round vertices, shells.
+//
+// In: triangles with valid indices. Out: counts, neighbours, and the vertices whose triangles must
+// be tested for self-intersections.
+// Cost: O(n); about 50 bytes a triangle.
+// Promise: nothing depends on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,12 +19,11 @@ namespace swept {
 
 struct MeshTopology {
   Adjacency adjacency;
-  Shells shells;  ///< pieces joined by edges of two triangles
+  Shells shells;  ///< pieces connected by edges with two triangles
   std::int64_t nonManifoldVertices = 0;
   std::int64_t unusedVertices = 0;
-  /// 1: the triangles round this vertex are not known to be free of each other. All others, seen
-  /// along some direction, lie round their vertex like the sectors of a disc, once round. Empty if
-  /// not asked for.
+  /// 1 if the triangles round this vertex may intersect. Otherwise, seen along some direction, they
+  /// surround the vertex once, like the sectors of a disc. Empty if not requested.
   std::vector<std::uint8_t> entangled;
 };
 

@@ -1,7 +1,9 @@
-// Pairs of triangles that meet, where only few triangles can be one side of a pair.
-// In:    a mesh, the numbers of the few ("members") and of those that they may meet.
-// Out:   every pair with at least one member that meets where it should not, exactly as
-//        findSelfIntersections() counts them.
+// Finds pairs of intersecting triangles if one triangle of each pair belongs to a small set.
+//
+// In: a mesh, the triangles of the small set ("members"), and the triangles that they may intersect
+// ("others").
+// Out: every intersecting pair with at least one member, exactly as findSelfIntersections() counts
+// them.
 // Units: any one unit of length. Cost: O(n log n) for n members, O(log n) for each of the others.
 // Promise: the same pairs in the same order for any number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -16,7 +18,8 @@
 
 namespace swept {
 
-/// `others` may contain members; a pair of two members is found if both are in `others`.
+/// Finds the pairs. `others` may contain members; it must contain both triangles of a pair of
+/// members.
 SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                 const std::vector<std::int32_t>& others, RunContext& run);
 

@@ -1,4 +1,4 @@
-// Edges of the body and what the culling of enclosed faces asks for.
+// Finds the edges of a body, and the normals and heights of its faces.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,14 +12,14 @@ namespace swept {
 
 struct BodyEdge {
   std::int32_t a = 0, b = 0;           ///< vertices, a < b
-  std::int32_t left = -1, right = -1;  ///< the two faces; right == -1: rim or more than two faces
+  std::int32_t left = -1, right = -1;  ///< faces; right == -1: rim or more than two faces
   bool opposed = false;                ///< the two faces disagree in orientation
 };
 
 struct BodyTopology {
   std::vector<BodyEdge> edges;           ///< sorted by (a, b)
   std::vector<Eigen::Vector3f> normals;  ///< unit, per face
-  std::vector<float> heights;            ///< mm, smallest height per face
+  std::vector<float> heights;            ///< mm, smallest height of each face
 };
 
 BodyTopology buildTopology(const TriMesh& body);

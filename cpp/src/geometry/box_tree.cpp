@@ -8,11 +8,11 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
-constexpr std::uint32_t kHilbertBits = 10;  // an axis
-using Keys = RawArray<std::uint64_t>;       // key in the upper half, item in the lower
+constexpr std::uint32_t kHilbertBits = 10;  // per axis
+using Keys = RawArray<std::uint64_t>;       // key in the upper half, item in the lower half
 
-/// Position along a Hilbert curve through a cube of 2^10 cells a side (Skilling 2004: the
-/// transpose of the index is found by undoing the rotations bit by bit, then Gray coded).
+/// Returns the position along a Hilbert curve through a cube of 2^10 cells per side. Skilling 2004:
+/// undo the rotations bit by bit, then apply the Gray code.
 std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1u << (kHilbertBits - 1); q > 1; q >>= 1) {
     const std::uint32_t p = q - 1;
@@ -39,9 +39,9 @@ std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   return key;
 }
 
-/// Stable sort by the upper 32 bits: three passes of 11 bits over blocks of fixed size.
+/// Sorts stably by the upper 32 bits: three passes of 11 bits over blocks of fixed size.
 void sortByKey(Keys& keys) {
-  constexpr std::size_t kFew = 1 << 12;  // the tables of the passes would cost more than the items
+  constexpr std::size_t kFew = 1 << 12;  // for fewer items, the tables of the passes would dominate
   if (keys.size() < kFew) {
     std::sort(keys.data(), keys.data() + keys.size());
     return;
@@ -76,8 +76,8 @@ void sortByKey(Keys& keys) {
   }
 }
 
-/// Nearest float and some units more, so that neither rounding of the difference nor of the
-/// conversion can move the box inward.
+/// Rounds down by a few units in the last place, so that the rounding of the difference and of the
+/// conversion cannot move the box inward.
 float roundedDown(double value) {
   const auto f = static_cast<float>(value);
   return f - std::abs(f) * 3e-7f - std::numeric_limits<float>::min();
@@ -89,7 +89,7 @@ float extentOf(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
-/// Middle of the extents of about a thousand boxes spread over the list.
+/// Returns the median extent of about a thousand boxes from all parts of the list.
 template <class Boxes>
 float typicalExtent(const Boxes& boxes) {
   const std::size_t step = boxes.size() / 1024 + 1;
@@ -125,12 +125,13 @@ Keys makeKeys(const Boxes& boxes, double extent) {
   return keys;
 }
 
-/// Sorts items [first, last) so that every node of this level, from `first` on, has its own part of
-/// space: along the widest spread of the middles, halves first, then quarters.
+/// Sorts items [first, last) by position, so that the nodes above them have compact boxes. Splits
+/// the list after `capacity` items along the widest spread of the box middles, then both parts in
+/// the same way.
 template <class Boxes>
 void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
                    std::size_t capacity) {
-  constexpr std::size_t kAlone = 4096;  // fewer items are not worth a task
+  constexpr std::size_t kAlone = 4096;  // fewer items do not pay for a task
   if (static_cast<std::size_t>(last - first) <= capacity) {
     if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
     return;
@@ -195,7 +196,7 @@ void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
       items_[i] = static_cast<std::int32_t>(keys[i] & 0xffffffffu);
     }
   } else {
-    std::size_t half = 1;  // of what the root has room for
+    std::size_t half = 1;  // half of the root's capacity
     while (2 * half < boxes.size()) half *= 2;
     std::iota(items_.data(), items_.data() + boxes.size(), 0);
     sortByMedians(boxes, items_.data(), items_.data() + boxes.size(), half);

@@ -1,16 +1,16 @@
-// Bounding volume hierarchy: boxes of items in a tree with four children a node, in flat arrays.
+// Bounding volume hierarchy: a tree of boxes with four children per node, in flat arrays.
 //
-// In:      the box of each item, finite. Items lie on `places` 0 .. size() - 1, near ones side by
-//          side; searches speak of places, item() tells which item a place holds.
-// Out:     items near a point or a box, nearest first; boxes of nodes for searches over pairs.
-// Units:   any one unit of length.
-// Cost:    O(n) to build along a curve, O(n log n) by medians, in parallel; 36 bytes an item.
-//          O(log n) a search that ends nearby.
-// Promise: the same tree for any number of threads. No search misses an item: boxes are in float,
-//          relative to the middle of all, and rounded outward by less than 1e-6 of the largest
-//          coordinate; distances to them are bounded with the rounding of the point.
-// Source:  J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
-//          R-tree (1994).
+// In: the box of each item, finite. The tree puts the items on places 0 .. size() - 1, near items
+// side by side. Searches report places; item() tells which item lies on a place.
+// Out: items near a point or a box, nearest first; boxes of nodes for searches over pairs.
+// Units: any one unit of length.
+// Cost: O(n) to build along a curve, O(n log n) by medians, in parallel; 36 bytes an item. O(log n)
+// for a search that ends nearby.
+// Promise: the same tree for any number of threads. No search misses an item. Boxes are stored in
+// float, relative to the middle of all items, and rounded outward by less than 1e-6 of the largest
+// coordinate. Distances to boxes allow for the rounding of the point.
+// Source: J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
+// R-tree (1994).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -45,11 +45,11 @@ class BoxTree {
       return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
     }
   };
-  /// Relative to middle().
+  /// A box with coordinates relative to middle().
   struct FloatBox {
     float low[3], high[3];
   };
-  /// Boxes of four brothers, relative to middle(). An empty lane is a box that nothing intersects.
+  /// Boxes of four siblings, relative to middle(). The box of an empty lane intersects nothing.
   struct alignas(32) Group {
     float low[3][kWidth], high[3][kWidth];
 
@@ -57,7 +57,8 @@ class BoxTree {
       return {{low[0][lane], low[1][lane], low[2][lane]},
               {high[0][lane], high[1][lane], high[2][lane]}};
     }
-    /// Per lane: not 0 if its box intersects the other one. All four at a time, without branches.
+    /// Returns, per lane, whether its box intersects the other box (0: no). Has no branches, so
+    /// that the compiler can test all four lanes at once.
     std::array<std::int32_t, kWidth> intersecting(const FloatBox& other) const {
       alignas(16) std::array<std::int32_t, kWidth> hit;
       for (int lane = 0; lane < kWidth; ++lane) {
@@ -68,36 +69,37 @@ class BoxTree {
       return hit;
     }
   };
-  /// Node `index` of a level; on level 0 an item's place. Its children are the nodes
-  /// 4 index .. 4 index + 3 of the level below, as far as there are any.
+  /// Node `index` of a level; on level 0, `index` is a place. Its children are the existing nodes
+  /// among 4 index .. 4 index + 3 of the level below.
   struct Node {
     std::int32_t level = 0;
     std::uint32_t index = 0;
     bool isItem() const { return level == 0; }
   };
 
-  /// How the items are sorted. Curve: by size class (powers of four), then along a Hilbert curve,
-  /// so that neighbours in the list are neighbours in space and large items do not blow up the
-  /// boxes of small ones; for few searches, or one over all pairs. Medians: halved again and again
-  /// along the widest spread of the middles; takes twice the time to build, and a search near the
-  /// items half to all the time (balls and tori of 82,000 and 300,000 triangles; a machine part of
-  /// 32,000: 0.6 to 1.4 times).
+  /// How the items are sorted.
+  /// Curve: by size class (powers of four), then along a Hilbert curve. Neighbours in the list are
+  /// then neighbours in space, and large items do not enlarge the boxes of small ones. Best for few
+  /// searches, or for one search over all pairs.
+  /// Medians: by repeated halving along the widest spread of the box middles. Takes twice as long
+  /// to build. A search near the items takes half to all of the time with Curve (balls and tori of
+  /// 82,000 and 300,000 triangles; 0.6 to 1.4 times for a machine part of 32,000).
   enum class Order { Curve, Medians };
 
   BoxTree() = default;
-  /// boxOf(item): its Bounds; called more than once and from several threads.
+  /// boxOf(item) returns the item's Bounds. It is called more than once and from several threads.
   template <class BoxOf>
   BoxTree(std::size_t count, const BoxOf& boxOf, Order order = Order::Curve);
 
   std::size_t size() const { return items_.size(); }
   bool empty() const { return items_.size() == 0; }
   std::int32_t item(std::size_t place) const { return items_[place]; }
-  /// Box of everything, exact.
+  /// Returns the exact box of all items.
   const Bounds& bounds() const { return bounds_; }
   const Eigen::Vector3d& middle() const { return middle_; }
 
   Node root() const { return {static_cast<std::int32_t>(levels_.size()) - 1, 0}; }
-  /// Nodes of one level.
+  /// Returns the number of nodes on a level.
   std::uint32_t count(std::int32_t level) const { return levels_[level].nodes; }
   std::uint32_t children(Node node) const {
     return std::min<std::uint32_t>(kWidth, count(node.level - 1) - kWidth * node.index);
@@ -105,7 +107,7 @@ class BoxTree {
   static Node child(Node node, std::uint32_t c) {
     return {node.level - 1, kWidth * node.index + c};
   }
-  /// Boxes of a node's children.
+  /// Returns the boxes of a node's children.
   const Group& childBoxes(Node node) const {
     return groups_[levels_[node.level - 1].firstGroup + node.index];
   }
@@ -113,12 +115,12 @@ class BoxTree {
     return groups_[levels_[node.level].firstGroup + node.index / kWidth];
   }
 
-  /// visit(place) for every item whose box meets the box [low, high].
+  /// Calls visit(place) for every item whose box intersects the box [low, high].
   template <class Visit>
   void forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Visit& visit) const;
 
-  /// look(place, reach) for the items within `reach` of p, those in nearer boxes first. look() may
-  /// lower the reach; false ends the search.
+  /// Calls look(place, reach) for the items within `reach` of p, in the order of the distance of
+  /// their boxes. look() may lower `reach`, and ends the search by returning false.
   template <class Look>
   void searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const;
 
@@ -133,7 +135,7 @@ class BoxTree {
   Bounds bounds_;
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
   RawArray<std::int32_t> items_;  ///< by place
-  RawArray<Group> groups_;        ///< level after level, the items' boxes first
+  RawArray<Group> groups_;        ///< the groups of level 0 first, then level by level
   std::vector<Level> levels_;
 };
 
@@ -188,7 +190,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
   const float at[3] = {static_cast<float>(local[0]), static_cast<float>(local[1]),
                        static_cast<float>(local[2])};
   const double room = 1.2e-7 * local.norm();  // twice the rounding of `at`
-  // Squared, with room for the rounding of squares and sums; beyond 1e18 nothing is left out.
+  // Squared, with a margin for the rounding of squares and sums; beyond 1e18 nothing is skipped.
   const auto limitOf = [&](double r) {
     const double most = std::max(r, 0.0) + room;
     return most < 1e18 ? static_cast<float>(most * most * 1.00001) : HUGE_VALF;
@@ -242,7 +244,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
   }
 }
 
-/// Tree over the triangles of a mesh; a place holds a triangle's number.
+/// Builds a tree over the triangles of a mesh; its items are the triangle numbers.
 template <class Triangles>
 BoxTree boxTreeOf(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles) {
   return BoxTree(triangles.size(), [&](std::size_t t) {

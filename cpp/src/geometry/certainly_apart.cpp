@@ -6,18 +6,18 @@
 namespace swept {
 namespace {
 
-/// Sine of the least angle that counts; rounding stays below 1e-15.
+/// Sine of the smallest angle that counts; rounding stays below 1e-15.
 constexpr double kSine = 1e-9;
 
-/// Does x lead to the side of w, by more than rounding can do?
+/// Whether x points to the same side as w, by more than rounding.
 bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
   const double along = w.dot(x);
   return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
 }
 
-/// Triangles (v, a, b) and (v, c, d), all relative to v: does a plane through v part them? Tried
-/// are the planes on either edge of the first one across its own plane, and the one across its
-/// middle line.
+/// Whether a plane through v separates the triangles (v, a, b) and (v, c, d); all corners are
+/// relative to v. Tries three planes perpendicular to (v, a, b): along each of its edges at v, and
+/// across the bisector of a and b.
 bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                     const Eigen::Vector3d& d) {
   const Eigen::Vector3d normal = a.cross(b);
@@ -28,8 +28,8 @@ bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
          parts(-(std::sqrt(b2) * a + std::sqrt(a2) * b));
 }
 
-/// Triangles over the edge from the origin to e with third corners p and q: do they lead away from
-/// the edge to different sides?
+/// Two triangles share the edge from the origin to e and have the third corners p and q. Returns
+/// whether they certainly lie on opposite sides of the edge.
 bool partedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   return leadsTo(e.cross(p), -e.cross(q));
 }
@@ -45,7 +45,7 @@ bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices,
 bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
                     const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q) {
   const auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
-  int common = 0, i = 0, j = 0;  // the last common corner, as seen from both
+  int common = 0, i = 0, j = 0;  // i, j: last common corner in p and q
   for (int m = 0; m < 3; ++m) {
     for (int n = 0; n < 3; ++n) {
       if (p[m] != q[n]) continue;
@@ -55,7 +55,7 @@ bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
     }
   }
   if (common == 0) {
-    // Sheets that lie on one another are parted by a normal, neighbours in a sheet by an edge.
+    // A normal separates sheets that lie on one another, an edge separates neighbours in a sheet.
     const TriedTriangle a(vertices, p), b(vertices, q);
     return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
   }

@@ -1,7 +1,8 @@
-// Cheap answers to "can these two triangles of a mesh meet where they should not?".
-// In:    triangles of one mesh. Out: true only if they certainly do not: margins are far above what
-//        rounding can do. False says nothing; ask triangle_pairs.h.
-// Cost:  some ten nanoseconds, also where the exact predicates are slow (coplanar triangles).
+// Cheap tests whether two triangles of a mesh certainly do not intersect.
+//
+// In: triangles of one mesh. Out: true only if they certainly do not intersect: margins are far
+// above rounding. False means nothing; triangle_pairs.h then decides.
+// Cost: some ten nanoseconds, even where the exact predicates are slow (coplanar triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace swept {
 
-/// A triangle with the directions along which others are often seen to lie beside it.
+/// A triangle with the directions that most often separate it from others.
 class TriedTriangle {
  public:
   TriedTriangle(const TriMesh& mesh, std::int32_t t)
@@ -31,9 +32,10 @@ class TriedTriangle {
   }
   const std::array<Eigen::Vector3d, 3>& corners() const { return corner_; }
 
-  /// True only if the plane of this triangle has the other one on one side for certain.
+  /// Returns true only if the other triangle certainly lies on one side of this triangle's plane.
   bool partedByNormal(const TriedTriangle& other) const { return parted(normal_, 0, true, other); }
-  /// True only if the other one lies beyond an edge, seen along this triangle's plane, for certain.
+  /// Returns true only if the other triangle certainly lies beyond an edge of this one. The test
+  /// plane contains the edge and is perpendicular to this triangle.
   bool partedByEdge(const TriedTriangle& other) const {
     for (int i = 0; i < 3; ++i) {
       if (parted(edge_[i].cross(normal_), i, false, other)) return true;
@@ -44,7 +46,7 @@ class TriedTriangle {
  private:
   bool parted(const Eigen::Vector3d& axis, int origin, bool bothSides,
               const TriedTriangle& other) const {
-    constexpr double kMargin = 2e-14;  // some fifty times what rounding can do
+    constexpr double kMargin = 2e-14;  // some fifty times the rounding error
     double lowest = HUGE_VAL, highest = -HUGE_VAL, reach = size_;
     for (const Eigen::Vector3d& point : other.corner_) {
       const Eigen::Vector3d d = point - corner_[origin];
@@ -62,14 +64,14 @@ class TriedTriangle {
   double size_;
 };
 
-/// Triangles with one, two or no common corner; the same three corners are never apart.
+/// Tests triangles with one, two or no common corner. Returns false for the same three corners.
 bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
                     const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q);
 inline bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
   return certainlyApart(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
 }
 
-/// Exact: repeated corners, or all on one line.
+/// Tests exactly whether a triangle has repeated corners, or all corners on one line.
 bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices,
                const std::array<std::int32_t, 3>& triangle);
 inline bool hasNoArea(const TriMesh& mesh, std::int32_t triangle) {

@@ -8,7 +8,8 @@
 namespace swept {
 namespace {
 
-/// Sum of doubles, smallest first, whose bits do not overlap; the last one has the sign of the sum.
+/// A sum of doubles whose bits do not overlap, smallest first. The last one has the sign of the
+/// sum.
 template <int kCapacity>
 struct Expansion {
   std::array<double, kCapacity> part;
@@ -38,7 +39,7 @@ struct Expansion {
   int sign() const { return size == 0 ? 0 : (part[size - 1] > 0 ? 1 : -1); }
 };
 
-/// a - b as two doubles, small part first.
+/// Returns a - b as two doubles, the small part first.
 std::array<double, 2> difference(double a, double b) {
   const double high = a - b;
   const double virtualB = a - high;
@@ -52,7 +53,7 @@ Exact3 exactDifference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return {difference(a.x(), b.x()), difference(a.y(), b.y()), difference(a.z(), b.z())};
 }
 
-/// Adds sign * x * y * z for two-part factors.
+/// Adds sign * x * y * z, where each factor has two parts.
 template <int kCapacity>
 void addTriple(Expansion<kCapacity>& sum, const std::array<double, 2>& x,
                const std::array<double, 2>& y, const std::array<double, 2>& z, double sign) {
@@ -104,7 +105,7 @@ int orientation3d(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   const Eigen::Vector3d w = d - a;
   const Eigen::Vector3d n = u.cross(v);
   const double value = n.dot(w);
-  // Sum of the absolute values of the six products; 16 roundings of 2^-53 each cover the chain.
+  // Sum of the absolute values of the six products. The bound covers 16 roundings of 2^-53 each.
   const Eigen::Vector3d p = u.cwiseAbs();
   const Eigen::Vector3d q = v.cwiseAbs();
   const Eigen::Vector3d r = w.cwiseAbs();

@@ -15,7 +15,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// A corner of a loop: which point, and where that lies in the plane.
+/// A corner of a loop: its point, and the place of this point in the plane.
 struct Corner {
   std::int32_t vertex;
   Point at;
@@ -40,7 +40,7 @@ bool contains(const Polygon& polygon, const Point& p) {
   return inside;
 }
 
-/// Do the inner parts of two lines cross, or does one pass through an end of the other?
+/// Whether two segments without a common end cross, or one passes through an end of the other.
 bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (a == c || a == d || b == c || b == d) return false;
   const double c1 = turn(a, b, c), d1 = turn(a, b, d), a1 = turn(c, d, a), b1 = turn(c, d, b);
@@ -48,13 +48,14 @@ bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
          ((a1 >= 0) != (b1 > 0) || (a1 > 0) != (b1 >= 0));
 }
 
-/// Joins a hole to its polygon along the shortest line that crosses neither.
+/// Joins a hole to its polygon along the shortest line that crosses neither of them.
 void joinHole(Polygon& polygon, const Polygon& hole) {
   struct Bridge {
     double length;
     std::size_t outer, inner;
   };
-  // The first few corners of the hole towards +x, and all corners of the polygon, nearest first.
+  // Candidates: lines from the corner of the hole farthest towards +x to each corner of the
+  // polygon, nearest first.
   std::size_t start = 0;
   for (std::size_t k = 1; k < hole.size(); ++k)
     if (hole[k].at.x() > hole[start].at.x()) start = k;
@@ -69,7 +70,7 @@ void joinHole(Polygon& polygon, const Polygon& hole) {
     for (const Polygon* round : {static_cast<const Polygon*>(&polygon), &hole})
       for (std::size_t i = 0; i < round->size(); ++i)
         if (blocks(a, b, (*round)[i].at, (*round)[(i + 1) % round->size()].at)) return false;
-    // The line has to leave its corner towards the inside.
+    // The line must leave its corner towards the inside.
     const std::size_t n = polygon.size();
     const Point &before = polygon[(bridge.outer + n - 1) % n].at,
                 &after = polygon[(bridge.outer + 1) % n].at;
@@ -109,7 +110,7 @@ class EarClipper {
       emit(at, triangles);
       next_[before_[at]] = next_[at];
       before_[next_[at]] = before_[at];
-      at = next_[next_[at]];  // ears one after another would make a fan of slivers
+      at = next_[next_[at]];  // cutting ears in a row would make a fan of slivers
       --left;
       tried = 0;
     }
@@ -136,7 +137,8 @@ class EarClipper {
     return true;
   }
 
-  /// Where rounding left no ear: the corner that is bent least, so that the least is spoilt.
+  /// If rounding left no ear, returns the corner that is bent least, where cutting does the least
+  /// harm.
   std::size_t bestOfNone(std::size_t at, std::size_t left) const {
     std::size_t best = at;
     double least = std::numeric_limits<double>::infinity();
@@ -162,7 +164,7 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
     triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
     return;
   }
-  // Seen along the axis that the normal is nearest to, from its side.
+  // Projects along the axis nearest to the normal, as seen from the normal's side.
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -179,8 +181,8 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
     (areaOf(polygon) < 0 ? holes : outer).push_back(std::move(polygon));
   }
   constexpr double kFlat = 1e-14;
-  if (outer.empty()) outer.swap(holes);  // nothing but slivers, turned by rounding
-  // From right to left: a hole may be joined to one that lies further right.
+  if (outer.empty()) outer.swap(holes);  // only slivers that rounding has turned over
+  // From right to left, so that a hole can be joined to a hole farther right.
   const auto right = [](const Polygon& polygon) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Corner& corner : polygon) most = std::max(most, corner.at.x());
@@ -195,7 +197,7 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
           (home == outer.size() || areaOf(outer[k]) < areaOf(outer[home])))
         home = k;
     if (home == outer.size())
-      outer.push_back(hole);  // a sliver that rounding has turned
+      outer.push_back(hole);  // a sliver that rounding has turned over
     else
       joinHole(outer[home], hole);
   }

@@ -1,12 +1,14 @@
-// Flat polygons with holes, cut into triangles.
-// In:    closed loops of points that lie in one plane but for rounding. Seen from the normal,
-//        outer loops run counter-clockwise, holes clockwise. Out: triangles over the same points.
-// Cost:  O(n log n) to O(n^2) for n points; one of a shared volume has a handful, seldom thousands.
-// Promise: whatever the numbers are, the triangles pass every edge of the loops once in its
-//        direction, and every other edge once each way: what is closed stays closed. Where rounding
-//        makes loops cross themselves, triangles may lie on one another.
-// Source: D. Eberly, Triangulation by ear clipping (2002): holes are joined to their loop by two
-//        edges along one line.
+// Cuts flat polygons with holes into triangles.
+//
+// In: closed loops of points that lie in one plane up to rounding. Seen from the normal, outer
+// loops run counter-clockwise and holes clockwise. Out: triangles over the same points.
+// Cost: O(n log n) to O(n^2) for n points. A polygon of a shared volume has a handful of points,
+// seldom thousands.
+// Promise: for any coordinates, the triangles have every edge of the loops once, in its direction,
+// and every other edge once in each direction. A closed surface therefore stays closed. If rounding
+// makes loops cross themselves, triangles may overlap.
+// Source: D. Eberly, Triangulation by ear clipping (2002): two edges along one line join a hole to
+// its loop.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,7 +21,7 @@ namespace swept {
 
 using Loop = std::vector<std::int32_t>;
 
-/// points: all that the loops refer to; triangles are appended.
+/// Appends the triangles of the loops to `triangles`. The loops hold indices into `points`.
 void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::Vector3d>& points,
                       const Eigen::Vector3d& normal,
                       std::vector<std::array<std::int32_t, 3>>& triangles);

@@ -18,7 +18,7 @@ using Range = tbb::blocked_range<std::size_t>;
 }  // namespace
 
 EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
-  // 32-bit half-edge numbers: 1.4 thousand million triangles, far above any memory budget.
+  // 32-bit half-edge numbers allow 1,431,655,765 triangles, far above any memory budget.
   if (triangles.size() > 0xffffffffu / 3) {
     throw Error(Status::ResourceLimit, "TooManyTriangles",
                 std::to_string(triangles.size()) + " triangles; at most 1431655765 can be handled");

@@ -1,11 +1,13 @@
-// Adjacency of a triangle list: its half-edges grouped by undirected edge, and what lies across.
-// In:    triangles with indices inside [0, vertexCount), in any condition: open, non-manifold,
-//        misoriented. Half-edge h = 3 * triangle + k runs from corner k to corner k + 1 (mod 3).
-// Out:   EdgeTable: one 64-bit record a half-edge, grouped by its smaller vertex, sorted within the
-//        group. Adjacency: the half-edge on the other side of each, and the counts of all faults.
-// Cost:  O(n) time; 8 bytes a half-edge and 4 a vertex for the table, 4 a half-edge for what lies
-//        across; counting sort, no hashing, on all cores.
-// Invariants: the order depends on the triangles alone, never on threads.
+// Adjacency of a triangle list: half-edges grouped by undirected edge, and their neighbours.
+//
+// In: triangles with indices inside [0, vertexCount), in any condition: open, non-manifold,
+// misoriented. Half-edge h = 3 * triangle + k runs from corner k to corner k + 1 (mod 3).
+// Out: EdgeTable: one 64-bit record a half-edge, grouped by its smaller vertex, sorted within the
+// group. Adjacency: the half-edge on the other side of each half-edge, and the counts of all
+// faults.
+// Cost: O(n) time; 8 bytes a half-edge and 4 a vertex for the table, 4 a half-edge for the
+// neighbours. A counting sort on all cores, without hashing.
+// Promise: the order depends on the triangles alone, never on threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,10 +23,10 @@ namespace swept {
 
 using Triangles = std::vector<std::array<std::int32_t, 3>>;
 
-/// No triangle across.
+/// Entry of Adjacency::across for a half-edge without a neighbour.
 constexpr std::uint32_t kNoNeighbour = 0xffffffffu;
 
-/// The half-edge after and before one in its triangle.
+/// Returns the half-edge after `h` in its triangle; previousHalfEdge() returns the one before `h`.
 template <class Number>
 Number nextHalfEdge(Number h) {
   return h % 3 == 2 ? h - 2 : h + 1;
@@ -43,14 +45,14 @@ class EdgeTable {
   const RawArray<std::uint64_t>& records() const { return groups_.values(); }
 
   static std::int32_t high(std::uint64_t record) { return static_cast<std::int32_t>(record >> 33); }
-  /// True if the half-edge runs from the smaller to the larger vertex.
+  /// Returns whether the half-edge runs from the smaller to the larger vertex.
   static bool ascending(std::uint64_t record) { return ((record >> 32) & 1u) == 0; }
   static std::int64_t halfEdge(std::uint64_t record) {
     return static_cast<std::int64_t>(record & 0xffffffffu);
   }
 
   /// Calls visit(low, high, first, last) for each undirected edge whose smaller vertex lies in
-  /// [lowBegin, lowEnd); [first, last) are its records, ascending ones first.
+  /// [lowBegin, lowEnd). Its records are [first, last), the ascending ones first.
   template <class Visit>
   void forEachEdge(std::int64_t lowBegin, std::int64_t lowEnd, Visit&& visit) const {
     for (std::int64_t low = lowBegin; low < lowEnd; ++low) {
@@ -74,15 +76,15 @@ class EdgeTable {
 };
 
 struct EdgeFaults {
-  std::int64_t open = 0;         ///< one triangle
-  std::int64_t nonManifold = 0;  ///< more than two triangles
-  std::int64_t odd = 0;          ///< an odd number of triangles
-  std::int64_t misoriented = 0;  ///< two or more triangles, not as often one way as the other
+  std::int64_t open = 0;         ///< edges with one triangle
+  std::int64_t nonManifold = 0;  ///< edges with more than two triangles
+  std::int64_t odd = 0;          ///< edges with an odd number of triangles
+  std::int64_t misoriented = 0;  ///< with two or more triangles, unequally many in each direction
 };
 
 struct Adjacency {
-  /// The half-edge on the other side of each where the edge has two triangles, whichever way they
-  /// are turned; else kNoNeighbour.
+  /// Per half-edge: the half-edge on the other side, if the edge has exactly two triangles (in any
+  /// orientation); otherwise kNoNeighbour.
   RawArray<std::uint32_t> across;
   EdgeFaults faults;
 };
@@ -90,7 +92,7 @@ struct Adjacency {
 Adjacency findAdjacency(const EdgeTable& edges);
 Adjacency findAdjacency(const TriMesh& mesh);
 
-/// Per vertex the half-edges that start at it.
+/// Returns, per vertex, the half-edges that start at it.
 ListsByKey<> halfEdgesByVertex(const TriMesh& mesh);
 
 }  // namespace swept

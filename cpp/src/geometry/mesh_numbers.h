@@ -1,5 +1,6 @@
-// Whether the numbers of a mesh can be worked with: indices of vertices, coordinates.
-// Out:   what is wrong and where; what to say about it is the caller's business.
+// Checks the numbers of a mesh: vertex indices and coordinates.
+//
+// Out: the faults and their places; the caller makes the messages.
 // Units: mm. Cost: O(n) on all cores.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -14,17 +15,17 @@ namespace swept {
 
 struct BadIndex {
   std::int64_t triangle = 0;
-  std::int32_t vertex = 0;  ///< that it refers to, and that is not there
+  std::int32_t vertex = 0;  ///< the index, for which there is no vertex
 };
 
-/// The first one.
+/// Returns the first triangle corner with a bad index, if any.
 std::optional<BadIndex> findBadIndex(const TriMesh& mesh);
 
 struct Coordinates {
-  std::int64_t nonFinite = 0;  ///< vertices with a coordinate that is no finite number
-  std::vector<std::int64_t> firstNonFinite;  ///< at most 8 of these
-  double largest = 0;                        ///< mm, of the finite vertices' coordinates
-  std::int64_t farthest = -1;                ///< the first vertex that has it
+  std::int64_t nonFinite = 0;                ///< vertices with a coordinate that is not finite
+  std::vector<std::int64_t> firstNonFinite;  ///< the first 8 of these at most
+  double largest = 0;          ///< mm, largest absolute coordinate of the finite vertices
+  std::int64_t farthest = -1;  ///< the first vertex with that coordinate
 };
 
 Coordinates measureCoordinates(const TriMesh& mesh);

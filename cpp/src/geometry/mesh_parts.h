@@ -1,4 +1,5 @@
-// Triangles of one mesh as a mesh of their own, and the box of a mesh.
+// Copies triangles of a mesh into another mesh, and computes the box of a mesh.
+//
 // Units: those of the mesh. Cost: O(1) a triangle; O(vertices) for the box.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -18,8 +19,8 @@ inline Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
   return box;
 }
 
-/// Appends a triangle of `from` to `mesh`, with those of its vertices that `mesh` does not have
-/// yet. number: of each vertex of `from` in `mesh`, -1 where it is not there.
+/// Appends a triangle of `from` to `mesh`, with those of its vertices that `mesh` lacks. `number`
+/// holds, for each vertex of `from`, its number in `mesh`, or -1 if `mesh` lacks it; it is updated.
 inline void takeTriangle(const TriMesh& from, std::size_t triangle,
                          std::vector<std::int32_t>& number, TriMesh& mesh) {
   std::array<std::int32_t, 3> corners = from.triangles[triangle];

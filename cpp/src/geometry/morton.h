@@ -1,5 +1,6 @@
-// Morton codes: the bits of three coordinates interleaved; code >> 3 l names the octree node at
-// level l above the leaves.
+// Morton codes: the interleaved bits of three coordinates.
+//
+// The octree node at level l above the leaves has the number code >> (3 * l).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -7,7 +8,7 @@
 
 namespace swept {
 
-/// Spreads the lowest 21 bits so that two zeros stand between them.
+/// Spreads the lowest 21 bits, with two zero bits between neighbours.
 constexpr std::uint64_t spreadBits(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffull;

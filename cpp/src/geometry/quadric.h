@@ -1,6 +1,8 @@
-// Weighted quadratic error of planes: E(x) = sum w (n . (x - p))^2 (Garland, Heckbert 1997).
-// Units: those of the points. Points far from the origin cost digits: give them relative to a point
-// nearby. SPDX-License-Identifier: LGPL-2.1-or-later
+// Weighted quadratic error of planes: E(x) = sum w (n . (x - p))^2 (Garland and Heckbert 1997).
+//
+// Units: those of the points. Give points relative to a point nearby, since a distant origin costs
+// digits.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -51,19 +53,20 @@ struct Quadric {
     const double e = x.dot(matrix() * x) - 2 * x.dot(b) + c;
     return e > 0 ? e : 0;
   }
-  /// Mean of the squared distances from the planes.
+  /// Returns the mean squared distance of x from the planes.
   double mean(const Eigen::Vector3d& x) const { return weight > 0 ? error(x) / weight : 0; }
-  /// Minimiser pulled towards `about` by a millionth of the planes' weight: where the planes leave
-  /// a direction open, it stays there. Some ten times faster than minimise().
+  /// Returns the minimiser, pulled towards `about` by a millionth of the planes' weight. In
+  /// directions that the planes leave open, it stays at `about`. Some ten times faster than
+  /// minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
-    constexpr double kDamping = 1e-6;  // a turn of a tenth of a degree weighs about as much
+    constexpr double kDamping = 1e-6;  // as strong as a turn of a tenth of a degree
     Eigen::Matrix3d m = matrix();
     const Eigen::Vector3d g = b - m * about;
     m.diagonal().array() += kDamping * (a[0] + a[3] + a[5]);
     return about + m.ldlt().solve(g);
   }
-  /// Minimiser nearest to `about`: eigenvalues below `cut` of the largest are left out; `rank` is
-  /// the number of the others (3 corner, 2 edge, 1 plane).
+  /// Returns the minimiser nearest to `about`. Eigenvalues below `cut` times the largest are
+  /// ignored; `rank` receives the number of the others (3 corner, 2 edge, 1 plane).
   Eigen::Vector3d minimise(const Eigen::Vector3d& about, double cut, int& rank) const {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     const Eigen::Matrix3d m = matrix();

@@ -13,9 +13,9 @@
 namespace swept {
 namespace {
 
-/// +1 / -1 if the segment a-b, seen in (y, z), passes the horizontal line of `p` on the side of +y.
-/// Half-open in z, so each corner belongs to one of its two segments; the segment is always
-/// evaluated from its lower end, so both triangles of an edge get the same answer.
+/// Returns +1 or -1 if the segment a-b, seen in (y, z), crosses the ray from (y, z) towards +y,
+/// otherwise 0. The test is half-open in z, so each corner belongs to one of its two segments. It
+/// evaluates the segment from its lower end, so both triangles of an edge get the same answer.
 int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
   const bool aboveA = a.z() > z;
   const bool aboveB = b.z() > z;
@@ -29,20 +29,20 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
   return aboveB ? 1 : -1;
 }
 
-/// Columns that a triangle may stand in, in the mean, and pairs of both that lists can number.
+/// Limits: mean number of columns per triangle, and total entries that 32-bit lists can number.
 constexpr double kMostColumns = 256, kMostPairs = 4e9;
 constexpr std::size_t kBlock = 1 << 13;
-constexpr double kRoom = 1e-12;  ///< of the largest coordinate
+constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordinate
 
 using Corners = std::array<const Eigen::Vector3d*, 3>;
 
-/// Smallest and largest coordinate.
+/// Returns the smallest and the largest coordinate.
 std::pair<double, double> extent(const Corners& corners, int axis) {
   return std::minmax({(*corners[0])[axis], (*corners[1])[axis], (*corners[2])[axis]});
 }
 
-/// Smallest and largest y of the part of a triangle whose z lies from `low` to `high`; the smallest
-/// is larger than the largest where there is none.
+/// Returns the smallest and the largest y of the part of a triangle with z from `low` to `high`. If
+/// there is no such part, the smallest exceeds the largest.
 std::pair<double, double> between(const Corners& corners, double low, double high) {
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (int k = 0; k < 3; ++k) {
@@ -86,7 +86,7 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   const std::int32_t y0 = column(yLow, 1), y1 = column(yHigh, 1);
   const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
   const bool few = y1 - y0 < 2 || z1 - z0 < 2;
-  // What rounding may do to a row's limits and to a place on an edge is far below this.
+  // This margin is far above the rounding of a row's limits and of a point on an edge.
   const Eigen::Vector3d room = kRoom * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const double row = (high_.z() - low_.z()) / columns_;
   for (std::int32_t z = z0; z <= z1; ++z) {
@@ -137,7 +137,7 @@ std::int32_t RayColumns::column(double value, int axis) const {
   return std::clamp(static_cast<std::int32_t>(part), 0, columns_ - 1);
 }
 
-/// visit(x, triangle, direction), in no order.
+/// Calls visit(x, triangle, direction) for the crossings of a line, in any order.
 template <class Visit>
 void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
   // The order within a column varies; the sorted crossings of a line do not.
@@ -145,7 +145,8 @@ void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
     const auto& tri = mesh_.triangles[t];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
                &c = mesh_.vertices[tri[2]];
-    // Beside the line, the sides of a triangle are all passed, or none of them.
+    // If the triangle lies wholly beside the line in y, its sides cancel out or do not cross the
+    // ray.
     if (std::min({a.y(), b.y(), c.y()}) > y || std::max({a.y(), b.y(), c.y()}) < y) continue;
     const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
     if (turn == 0) continue;

@@ -25,7 +25,7 @@ struct Found {
   }
 };
 
-/// Searches pairs of triangles without common corner.
+/// Searches for intersecting triangles without a common corner.
 class PairSearch {
  public:
   PairSearch(const TriMesh& mesh, RunContext& run)
@@ -51,7 +51,8 @@ class PairSearch {
     std::uint32_t first, second;
   };
   std::int32_t top() const { return tree_.root().level; }
-  /// Pairs of nodes of one level that cover all pairs of triangles whose boxes can meet.
+  /// Returns pairs of nodes on one level that cover all pairs of triangles whose boxes can
+  /// intersect.
   std::vector<Task> tasks(std::int32_t level) const {
     std::vector<Task> list{{0, 0}};
     for (std::int32_t at = top(); at > level; --at) {
@@ -134,7 +135,7 @@ class PairSearch {
   RawArray<GroupVertices> vertices_;  ///< by node of level 1
 };
 
-/// Triangles round each entangled vertex, all pairs.
+/// Tests all pairs of triangles round each entangled vertex.
 Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled, RunContext& run) {
   std::vector<std::pair<std::int32_t, std::int32_t>> members;  // vertex, triangle
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -167,7 +168,7 @@ Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled
       }
     }
   });
-  // A pair with two common corners was found at both of them.
+  // A pair with two common corners was found at both corners.
   Found all;
   for (const Found& part : parts) {
     all.pairs.insert(all.pairs.end(), part.pairs.begin(), part.pairs.end());

@@ -1,9 +1,10 @@
-// Shells: the connected pieces of a mesh, their boxes and volumes, and how they lie in one another.
-// In:    a mesh with valid indices. Out: a shell number per triangle; shells are numbered by their
-//        first triangles. Units: mm.
-// Cost:  O(n) on all cores; a query about nesting takes one ray.
-// Invariants: numbers and volumes do not depend on the number of threads; a volume is measured from
-//        a vertex of its own shell, so that a place far from the origin costs no digits.
+// Shells: the connected pieces of a mesh, their boxes and volumes, and how they are nested.
+//
+// In: a mesh with valid indices. Out: a shell number per triangle; shells are numbered in the order
+// of their first triangles. Units: mm.
+// Cost: O(n) on all cores; a query about nesting takes one ray.
+// Promise: numbers and volumes do not depend on the number of threads. A volume is measured from a
+// vertex of its own shell, so that a distant origin costs no digits.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,36 +23,37 @@ struct Shells {
   std::int32_t count = 0;
 };
 
-/// Triangles joined by edges that exactly two of them share.
+/// Joins triangles over edges that exactly two triangles share.
 Shells shellsByEdges(const RawArray<std::uint32_t>& across);
-/// Triangles joined by the vertices that they share.
+/// Joins triangles that share a vertex.
 Shells shellsByVertices(const TriMesh& mesh);
-/// Per vertex the smallest vertex of its piece, pieces as of shellsByVertices(); a vertex without
-/// triangles is a piece.
+/// Returns, per vertex, the smallest vertex of its piece. The pieces are those of
+/// shellsByVertices(); a vertex without triangles is a piece of its own.
 std::vector<std::int32_t> smallestJoinedVertices(const TriMesh& mesh);
 
 struct ShellExtent {
   Eigen::AlignedBox3d box;
   double volume = 0;                   ///< mm^3, signed: negative if the normals look inward
-  std::int32_t first = -1, last = -1;  ///< triangles
+  std::int32_t first = -1, last = -1;  ///< first and last triangle
 };
 
 std::vector<ShellExtent> measureShells(const TriMesh& mesh, const Shells& shells);
 
-/// True if the inner box lies inside the outer one and touches none of its sides.
+/// Returns whether the inner box lies inside the outer box without touching its sides.
 bool liesStrictlyInside(const Eigen::AlignedBox3d& inner, const Eigen::AlignedBox3d& outer);
 
-/// A point inside a triangle, in general position: no simple fraction of its corners.
+/// Returns a point inside a triangle in general position (its weights are no simple fractions).
 Eigen::Vector3d pointOnTriangle(const TriMesh& mesh, std::int32_t triangle);
 
-/// Says which shells a point of the mesh lies in, by the parity of a ray's crossings with each.
+/// Tells which shells contain a point of the mesh, by the parity of a ray's crossings with each
+/// shell.
 class ShellNesting {
  public:
-  /// The mesh and the shells have to outlive this.
+  /// The arguments must outlive this object.
   ShellNesting(const TriMesh& mesh, const Shells& shells, const RayColumns& columns)
       : mesh_(mesh), shells_(shells), columns_(columns) {}
 
-  /// The shells round pointOnTriangle(), without the triangle's own, in rising order.
+  /// Returns the shells round pointOnTriangle(), except the triangle's own, in rising order.
   std::vector<std::int32_t> shellsAround(std::int32_t triangle) const;
 
  private:

@@ -1,4 +1,4 @@
-// Points spread over a triangle, its border included, to compare it with another surface.
+// Spreads points over a triangle, including its border, to compare it with another surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace swept {
 
-/// Calls stop(point) for points no more than about `spacing` apart (coarser on triangles of more
-/// than 32 times that: 32 steps), each beside the one before; ends with true as soon as stop() says
-/// so.
+/// Calls stop(point) for points at most about `spacing` apart, each next to the one before.
+/// Triangles larger than 32 times the spacing get 32 steps, so their points lie farther apart.
+/// Returns true as soon as stop() returns true.
 template <class Stop>
 bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   double spacing, const Stop& stop) {

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Nearest points of p + s u and q + t v, both parameters in [0, 1].
+// Finds the nearest points of p + s u and q + t v, with both parameters in [0, 1].
 void nearestOnSegments(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vector3d& v,
                        Vector3d& onFirst, Vector3d& onSecond) {
   const Vector3d w = p - q;
@@ -39,11 +39,11 @@ void nearestOnSegments(const Vector3d& p, const Vector3d& u, const Vector3d& q, 
   onSecond = q + t * v;
 }
 
-// The plane of a triangle with what is needed to see whether a point projects into it.
+// The plane of a triangle, with a test whether the projection of a point lies in the triangle.
 struct Face {
   const Triangle3d& c;
   Vector3d normal;
-  double squared;  // 0 for needles: their normal is noise, and their edges say it all
+  double squared;  // 0 for needles: their normal is noise, and their edges suffice
   explicit Face(const Triangle3d& corners)
       : c(corners), normal((c[1] - c[0]).cross(c[2] - c[0])), squared(normal.squaredNorm()) {
     const double edge = std::max((c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm());
@@ -57,8 +57,8 @@ struct Face {
   }
 };
 
-// Triangle3d of `other` over the face, and edges of `other` through it. `swapped`: the face belongs
-// to b.
+// Tests the corners of `other` that project into the face, and the edges of `other` that pass
+// through it. `swapped` says that the face belongs to b.
 void faceCandidates(const Face& face, const Triangle3d& other, bool swapped, NearestPoints& best) {
   if (!(face.squared > 0)) return;
   const std::array<double, 3> h{face.height(other[0]), face.height(other[1]),

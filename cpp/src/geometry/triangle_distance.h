@@ -1,11 +1,11 @@
-// Distance of a point and a triangle, and of two triangles, in double precision.
-// In:      corners, any unit. Out: the nearest points. Cost: constant.
+// Distance between a point and a triangle, and between two triangles, in double precision.
+//
+// In: corners, in any unit. Out: the nearest points. Cost: constant.
 // Promise: degenerate triangles (needles, points) are allowed: their edges still count. The
-// distance
-//          of a point is off by rounding, for needles by at most 1e-8 of their length. Edges that
-//          are nearly parallel, the normal case on machine parts, cost two triangles at most about
-//          1e-8 of their length.
-// Source:  C. Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
+// distance of a point is exact up to rounding; for needles, the error is at most 1e-8 of their
+// length. For two triangles with nearly parallel edges (the normal case on machine parts), the
+// error is at most about 1e-8 of their length.
+// Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,21 +23,23 @@ using Triangle3d = std::array<Eigen::Vector3d, 3>;
 /// The point of a triangle that is nearest to p.
 struct Foot {
   Eigen::Vector3d point;
-  Eigen::Vector3d offset;  ///< from there to p
+  Eigen::Vector3d offset;  ///< from `point` to p
 };
 
 namespace detail {
-/// The same from the plane and the edges: slower, also right for needles.
+/// Finds the foot from the plane and the edges: slower than footOnTriangle(), but also right for
+/// needles.
 Foot footOnNeedle(const Eigen::Vector3d& p, const Triangle3d& triangle);
-/// 0 also where an edge has no extent.
+/// Returns part / whole, and 0 if an edge has no extent.
 inline double fractionOf(double part, double whole) { return part > 0 ? part / whole : 0; }
 }  // namespace detail
 
-/// By the signs of the barycentric coordinates of p in the plane of the triangle.
+/// Finds the foot by the signs of the barycentric coordinates of p in the plane of the triangle.
 inline Foot footOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                            const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  // Squared area, of what equally long edges at a right angle have, below which the coordinates are
-  // rounding: their error is about 1e-16 times the fourth power of the edges.
+  // A triangle is a needle if its squared area is below this fraction of that of a right-angled
+  // triangle with equally long edges. Its barycentric coordinates are then mostly rounding: their
+  // error is about 1e-16 times the fourth power of the edge length.
   constexpr double kNeedle = 1e-8;
   const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -80,7 +82,7 @@ inline double squaredDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a
   return footOnTriangle(p, a, b, c).offset.squaredNorm();
 }
 
-/// Of a triangle of a mesh.
+/// Finds the foot on a triangle of a mesh.
 inline Foot footOnTriangle(const Eigen::Vector3d& p, const TriMesh& mesh, std::int32_t triangle) {
   const auto& c = mesh.triangles[triangle];
   return footOnTriangle(p, mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]);
@@ -90,7 +92,8 @@ inline double squaredDistance(const Eigen::Vector3d& p, const TriMesh& mesh,
   return footOnTriangle(p, mesh, triangle).offset.squaredNorm();
 }
 
-/// Nearest points of two triangles; 0 apart where they meet.
+/// Nearest points of two triangles; `squared` is their squared distance, 0 if the triangles
+/// intersect.
 struct NearestPoints {
   double squared = 0;
   Eigen::Vector3d a = Eigen::Vector3d::Zero();

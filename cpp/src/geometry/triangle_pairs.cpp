@@ -9,10 +9,10 @@ namespace {
 
 struct Plane2d {
   int u = 0, v = 1;
-  int turn = 0;  ///< of the triangle in this plane
+  int turn = 0;  ///< orientation of the triangle in this plane
 };
 
-/// A coordinate plane in which the triangle keeps its area.
+/// Returns a coordinate plane in which the triangle keeps its area.
 Plane2d projection(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d n = (b - a).cross(c - a).cwiseAbs();
   int first = 0;
@@ -26,7 +26,7 @@ Plane2d projection(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return {};
 }
 
-/// Point r, known to lie in the plane of (v, a, b): in the closed wedge at v between a and b?
+/// Whether r lies in the closed wedge at v between a and b. r must lie in the plane of (v, a, b).
 bool wedgeContains(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                    const Eigen::Vector3d& r) {
   const Plane2d plane = projection(v, a, b);
@@ -34,7 +34,7 @@ bool wedgeContains(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eig
          plane.turn * orientation2d(v, r, b, plane.u, plane.v) >= 0;
 }
 
-/// Point r in the plane of the triangle: in the closed triangle?
+/// Whether r lies in the closed triangle. r must lie in the plane of the triangle.
 bool triangleContains(const Corners& p, const Plane2d& plane, const Eigen::Vector3d& r) {
   for (int i = 0; i < 3; ++i) {
     if (plane.turn * orientation2d(*p[i], *p[(i + 1) % 3], r, plane.u, plane.v) < 0) return false;
@@ -42,7 +42,7 @@ bool triangleContains(const Corners& p, const Plane2d& plane, const Eigen::Vecto
   return true;
 }
 
-/// Closed segments in one plane.
+/// Whether two closed segments in one plane intersect.
 bool segmentsMeet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   const Eigen::Vector3d& d, const Plane2d& plane) {
   const int u = plane.u, v = plane.v;
@@ -50,7 +50,7 @@ bool segmentsMeet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   const int a1 = orientation2d(c, d, a, u, v), b1 = orientation2d(c, d, b, u, v);
   if (c1 * d1 > 0 || a1 * b1 > 0) return false;
   if (c1 != 0 || d1 != 0 || a1 != 0 || b1 != 0) return true;
-  // On one line: do the ranges overlap?
+  // All four points lie on one line: do the ranges overlap?
   for (const int axis : {u, v}) {
     if (std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
         std::max(c[axis], d[axis]) < std::min(a[axis], b[axis])) {
@@ -69,7 +69,8 @@ bool segmentMeetsTriangleInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d
   return false;
 }
 
-/// Segment a-b whose ends lie on the sides sa, sb of the triangle's plane.
+/// Whether the segment a-b intersects a triangle. Its ends lie on the sides sa and sb of the
+/// triangle's plane (-1, 0 or 1).
 bool segmentMeetsTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int sa, int sb,
                           const Corners& p) {
   if (sa * sb > 0) return false;
@@ -88,7 +89,7 @@ bool segmentMeetsTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, in
   return true;
 }
 
-/// Sides of the corners of q seen from the plane of p.
+/// Returns on which sides of the plane of p the corners of q lie.
 std::array<int, 3> sides(const Corners& p, const Corners& q) {
   std::array<int, 3> result{};
   for (int i = 0; i < 3; ++i) result[i] = orientation3d(*p[0], *p[1], *p[2], *q[i]);
@@ -116,8 +117,8 @@ bool trianglesMeet(const Corners& p, const Corners& q) {
 
 bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                       const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
-  // Near v both triangles are cones over arcs (a, b) and (c, d) of a sphere round v; they share
-  // more than v exactly if the arcs meet.
+  // Near v, both triangles are cones over arcs (a, b) and (c, d) of a sphere round v. They share
+  // more than v exactly if the arcs intersect.
   const int sc = orientation3d(v, a, b, c), sd = orientation3d(v, a, b, d);
   if (sc * sd > 0) return false;
   const int sa = orientation3d(v, c, d, a), sb = orientation3d(v, c, d, b);
@@ -144,7 +145,7 @@ bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
                         const std::array<std::int32_t, 3>& p,
                         const std::array<std::int32_t, 3>& q) {
   auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
-  // Bring common corners to the front of both.
+  // Move the common corners to the front of both.
   int common = 0;
   std::array<std::int32_t, 3> a = p, b = q;
   for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,8 @@
-// Do two triangles of one mesh meet where they should not?
-// In:    triangles by their corners, none of them degenerate. Out: yes or no, exactly.
-// Cost:  well under a microsecond unless the triangles nearly touch.
+// Decides whether two triangles of one mesh intersect, that is, share more than their common
+// corners and edges.
+//
+// In: triangles by their corners, none of them degenerate. Out: yes or no, exactly.
+// Cost: well under a microsecond unless the triangles nearly touch.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,26 +16,27 @@ namespace swept {
 
 using Corners = std::array<const Eigen::Vector3d*, 3>;
 
-/// Triangles without a common corner: true if they share a point, touching included.
+/// For triangles without a common corner: returns true if they share a point; touching counts.
 bool trianglesMeet(const Corners& p, const Corners& q);
 
-/// Triangles (v, a, b) and (v, c, d): true if they share more than v.
+/// For triangles (v, a, b) and (v, c, d): returns true if they share more than v.
 bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                       const Eigen::Vector3d& c, const Eigen::Vector3d& d);
 
-/// Triangles over the edge (u, v) with third corners p and q: true if they lie on one another.
+/// For triangles over the edge (u, v) with third corners p and q: returns true if they overlap.
 bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& p,
                     const Eigen::Vector3d& q);
 
-/// Two triangles of a mesh: finds their common corners and asks one of the above. The same three
-/// corners count as meeting.
+/// Finds the common corners of two triangles and calls the matching function above. The same three
+/// corners count as intersecting.
 bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
                         const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q);
 inline bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int64_t second) {
   return trianglesIntersect(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
 }
 
-/// Whether two triangles with area meet where they should not: the same, after cheap tests.
+/// Does the same as trianglesIntersect(), after cheap tests. Triangles without area never
+/// intersect.
 bool meetWrongly(const std::vector<Eigen::Vector3d>& vertices, const std::array<std::int32_t, 3>& p,
                  const std::array<std::int32_t, 3>& q);
 inline bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second) {

@@ -1,4 +1,4 @@
-// A vertex of a mesh, and where it is to go.
+// A vertex of a mesh and its new position.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
