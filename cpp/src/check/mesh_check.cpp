@@ -54,7 +54,7 @@ Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run
       sums.volume += a.dot(n) / 6;
       const double twice = n.norm();
       sums.area += twice / 2;
-      // A triangle far above rounding has area; for others, the exact test decides.
+      // An area far above rounding is not zero; for a smaller area, the exact test decides.
       if (!(twice > 1e-14 * (u.squaredNorm() + v.squaredNorm()))) {
         sums.degenerate +=
             collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);

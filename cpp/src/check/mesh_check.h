@@ -28,8 +28,8 @@ namespace swept {
 /// vertex, and Error(Cancelled).
 MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run);
 
-/// Does the same, and returns all pairs of intersecting triangles in `found`, not only the first
-/// ones.
+/// Does the same as checkMesh(mesh, true, run); `found` also receives all pairs of intersecting
+/// triangles, not only the first ones.
 MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run);
 
 /// Checks everything but self-intersections (-1), and returns the connectivity in `topology`.

@@ -12,7 +12,7 @@ namespace swept {
 
 SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                 const std::vector<std::int32_t>& others, RunContext& run) {
-  // Successive triangles of a list mostly lie side by side: one search serves this many.
+  // Successive triangles of a list mostly lie side by side, so one search serves kTogether of them.
   constexpr std::size_t kTogether = 8, kBlock = 1024;
   SelfIntersections found;
   if (members.empty()) return found;

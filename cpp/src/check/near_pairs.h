@@ -1,4 +1,4 @@
-// Finds pairs of intersecting triangles if one triangle of each pair belongs to a small set.
+// Finds pairs of intersecting triangles with at least one triangle from a small set.
 //
 // In: a mesh, the triangles of the small set ("members"), and the triangles that they may intersect
 // ("others").
@@ -18,8 +18,8 @@
 
 namespace swept {
 
-/// Finds the pairs. `others` may contain members; it must contain both triangles of a pair of
-/// members.
+/// Finds the pairs. `others` may contain members; a pair of two members is found if `others`
+/// contains both.
 SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                 const std::vector<std::int32_t>& others, RunContext& run);
 

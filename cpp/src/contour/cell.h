@@ -89,8 +89,8 @@ constexpr int quadCorner(int edge) {
   return oc == 1 ? (ob == 1 ? 0 : 1) : (ob == 1 ? 3 : 2);
 }
 
-/// Returns the side of that quad that passes through the given face of the cell. Side n joins the
-/// corners n and n + 1.
+/// Returns the number of the quad's side that passes through the given face of the cell. Side n
+/// joins the corners n and n + 1 (quadCorner()).
 constexpr int quadSide(int edge, int face) {
   const int a = edge >> 2, b = (a + 1) % 3;
   const int ob = edge & 1, oc = edge >> 1 & 1;

@@ -74,7 +74,7 @@ struct VertexFit {
   double meanSquaredMiss;  // mean squared distance of the planes from `best`
 };
 
-/// Results of a layer's cells for the steps that follow.
+/// Results of one layer of cells, besides its vertices, for the later steps.
 struct LayerNotes {
   std::vector<FaceSegment> ambiguous;
   std::vector<Escape> escapes;

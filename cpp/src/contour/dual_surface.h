@@ -85,7 +85,7 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                              const SurfaceProbe* probe, RunContext& run);
 
 /// Contours one cell to find out what its probe lines cost (pipeline/probe_trial.cpp), and drops
-/// the result. The cell lies at the origin; `crossings` are those to which it refers.
+/// the result. The cell lies at the origin; its indices refer to `crossings`.
 void probeCell(const Cell& cell, const std::vector<Crossing>& crossings, ComponentMethod method,
                const SurfaceProbe& probe);
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double kMaxFlatUnevenness = 2e-3;
 /// Lines start this far outside the surface and end as far inside (cells).
 constexpr double kLineOvershoot = 0.02;
-/// If a hit and a crossing differ by less than this cosine (20 degrees), the hit shows a known
-/// side.
+/// A hit shows a known side if its normal and that of a crossing have a |cosine| above this (20
+/// degrees).
 constexpr double kMinKnownCosine = 0.94;
 /// Half the length (cells) of the line that checks whether a vertex lies on the surface.
 constexpr double kCheckReach = 0.1;
@@ -125,9 +125,10 @@ bool beginsArc(const Points& ring, std::size_t at) {
          std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// Cuts the ring into two arcs such that the planes of each arc meet the plane of one more crossing
-/// in a feature of the cell. That crossing, at an end of an arc, shows the side between the arcs.
-/// Returns the best such crossing and its `arcs`; nothing if no two features explain all planes.
+/// Cuts the ring into two arcs and picks one more crossing at an end of an arc: it shows the side
+/// between the arcs. The planes of each arc must meet the plane of this crossing in an edge or
+/// corner within the cell. Returns the best such crossing, with its `arcs`; nothing if no two
+/// features explain all planes.
 std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMaxPlaneMiss * kMaxPlaneMiss;

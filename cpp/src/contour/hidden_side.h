@@ -9,12 +9,11 @@
 // grid edge meets: the riser of a ledge lower than a cell, or the floor of a groove that ends. The
 // search cuts the component's ring of crossings into its two flattest arcs. Lines from just outside
 // one arc to just inside the other hit the side between them.
-// Or the side is known already: the grid edges meet all three sides of a step, but the planes meet
-// in two features instead of one.
+// Or the side is already known: the grid edges meet all three sides of a step, and their planes
+// meet in two edges instead of one corner.
 //
-// A side between two others begins and ends at an edge. Each edge that lies in the cell is a
-// feature of the cell. With both edges in the cell, the vertex is split; with one, it moves to that
-// edge.
+// The side between two others begins and ends at an edge. If both edges lie in the cell, the vertex
+// is split into one for each edge. If only one edge lies in the cell, the vertex moves to it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,8 +1,8 @@
 // Cuts the polygon of a crossing (the four vertices round its lattice edge) into triangles.
 //
 // In: dual surface. Out: the cut of each quad. Units: cells. Cost: O(1) per crossing.
-// Source: Ju and Udeshi 2006: a diagonal is valid only if both triangles stay between the
-// neighbouring cells.
+// Source: Ju and Udeshi 2006: a diagonal is valid only if both triangles stay in the cells round
+// the edge. It must pass between the other two corners, as seen along the edge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -49,7 +49,7 @@ class Qef {
   Eigen::Vector3d solve(double margin, Eigen::Vector3d& free) const {
     return solve(margin, kDamping, free);
   }
-  /// `damping` is a fraction of the number of planes.
+  /// Does the same with another damping, given as a fraction of the number of planes.
   Eigen::Vector3d solve(double margin, double damping, Eigen::Vector3d& free) const;
 
   static constexpr double kDamping = 1e-5;  ///< as strong as a crease of 0.4 degrees

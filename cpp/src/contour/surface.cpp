@@ -161,8 +161,8 @@ class LayerEmitter {
 };
 
 /// Adds the polygon between the two vertices of a split component and those of the next cell. It is
-/// a quad, or a triangle if the next cell has one vertex for both sides. Its edges run against
-/// those of the polygons of the two sides.
+/// a quad, or a triangle if the next cell has one vertex for both sides. It runs along each shared
+/// edge in the opposite direction to the neighbouring polygon, so the surface stays oriented.
 void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
             std::vector<Triangle>& triangles) {
   struct Corner {

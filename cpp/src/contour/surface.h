@@ -54,7 +54,8 @@ struct Surface {
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
                        const SurfaceProbe* probe = nullptr);
 
-/// Finds the lattice edge of a crossing from its index alone, in O(log crossings).
+/// The lattice edge of a crossing. edgeOfCrossing() finds it from the index alone, in O(log
+/// crossings).
 struct CrossingEdge {
   int axis = 0;
   std::int32_t i = 0, j = 0, k = 0;

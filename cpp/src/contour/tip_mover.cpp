@@ -129,8 +129,8 @@ class TipMover {
       }
       return;
     }
-    // Checks sampled points of the way. A missed shortcut through the corner of a cell does no
-    // harm.
+    // Sample the way to the point. A sample that misses a short cut through the corner of a cell
+    // does no harm.
     constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);

@@ -10,7 +10,8 @@
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any of its edges.
 // If the way to the point leads through empty cells, the vertex moves to the point. If the point
 // lies in a neighbouring leaf cell, a component of that cell may take it over, provided that its
-// own planes agree with the point: the corner lies in its cell, but it saw only some of the planes.
+// own planes agree with the point. The corner then lies in that cell, whose crossings show only
+// some of the planes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

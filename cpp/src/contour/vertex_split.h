@@ -35,8 +35,8 @@ struct VertexSplit {
   /// Per slot of the component: part 0, part 1, or -1 for neither.
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
-  /// A point, in the coordinates of the cell, near the end of both features that the ring shows.
-  /// Not set if neither end is better known than the other.
+  /// A point, in the coordinates of the cell, near one end of both features. Set only if the
+  /// crossings of the ring show this end better than the other.
   std::optional<Eigen::Vector3d> seen;
   /// Folds: places on the faces of the cell where the polygons of the two parts meet, each a pair
   /// of slots. There are two folds, or none if the vertex cannot be split.

@@ -9,13 +9,14 @@
 namespace swept {
 namespace {
 
-/// A crossing lies on a side if its |cosine| is at least this (45 degrees).
+/// A crossing lies on a side if its normal and the wall's have at least this |cosine| (45 degrees).
 constexpr double kMinSideCosine = 0.7;
 /// A side is flat if its height varies by less than this (cells).
 constexpr double kMaxUnevenness = 0.2;
 /// Largest thickness of walls and gaps (cells); grid edges meet the rims of thicker ones.
 constexpr double kMaxWallThickness = 1.0;
-/// A hit with |cosine| below this (37 degrees) lies on the rim, not on a side of the wall.
+/// A hit lies on the rim, not on a side, if its normal and the wall's have a |cosine| below this
+/// (37 degrees).
 constexpr double kMaxRimCosine = 0.8;
 
 /// The plane half way between the two sides: normal . x = middle, in the coordinates of the cell.

@@ -40,8 +40,8 @@ CrossingRefiner::Hit CrossingRefiner::onFace(const SweptElement& element, int ax
 
 namespace {
 
-/// A side patch with its bulge: x(r, s) = A(s) + r B(s). A is the path of one end of the edge, and
-/// B is the edge vector.
+/// A side patch that follows the curved motion of its step: x(r, s) = A(s) + r B(s). A is the path
+/// of one end of the edge, and B is the edge vector.
 class CurvedPatch {
  public:
   CurvedPatch(const Placement& p, const Placement& q, const Placement& m, const Eigen::Vector3d& va,

@@ -39,8 +39,8 @@ class CrossingRefiner {
   };
   Hit onFace(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
   Hit onSidePatch(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
-  /// Returns the time at which the edge of a side patch passes nearest to a point. It serves the
-  /// few crossings that Newton's method does not find.
+  /// Returns the time at which the edge of a side patch passes nearest to a point, for the few
+  /// crossings at which Newton's method fails.
   double nearestTime(const SweptElement& element, const Eigen::Vector3d& point) const;
 
   const SamplerInput& input_;

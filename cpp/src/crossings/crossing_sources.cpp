@@ -44,7 +44,7 @@ class EdgeSources {
             smooth ? SourceKind::Graze : SourceKind::Edge};
   }
 
-  /// Gives one kind to all connected edges between the same two faces.
+  /// Gives all connected edges between the same two faces one kind, by the median of their angles.
   void decideByChains() {
     std::vector<std::uint32_t> border;
     for (std::uint32_t e = 0; e < sources_.size(); ++e) {

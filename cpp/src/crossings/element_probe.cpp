@@ -60,7 +60,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   const Eigen::Vector3d n = side[0].cross(side[1]);
   if (beyond(n.dot(a), n.dot(b), n.dot(c), half.dot(n.cwiseAbs()))) return false;
   for (const Eigen::Vector3d& s : side) {
-    for (int axis = 0; axis < 3; ++axis) {  // separating axis: unit vector x s
+    for (int axis = 0; axis < 3; ++axis) {  // tests the cross product of `axis` and s
       const int p = (axis + 1) % 3, q = (axis + 2) % 3;
       const auto along = [&](const Eigen::Vector3d& x) { return s[p] * x[q] - s[q] * x[p]; };
       if (beyond(along(a), along(b), along(c),
@@ -72,7 +72,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return true;
 }
 
-/// Whether a segment intersects this box.
+/// Whether a segment intersects the same box.
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
   const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
@@ -316,8 +316,8 @@ void ElementProbe::cast(const Eigen::AlignedBox3d& region,
   for (const Piece& piece : gather(region, crossings)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
-    // Sides of the plane of the first triangle. The fourth corner of a side patch may lie off that
-    // plane.
+    // A line wholly above or below the piece cannot hit it. Heights are measured from the plane of
+    // the first triangle; the fourth corner of a side patch may lie off that plane.
     const double fourth = n.dot(d - a);
     const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
     const double slack = kEdgeSlack * n.norm();

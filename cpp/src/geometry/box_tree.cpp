@@ -126,8 +126,8 @@ Keys makeKeys(const Boxes& boxes, double extent) {
 }
 
 /// Sorts items [first, last) by position, so that the nodes above them have compact boxes. Splits
-/// the list after `capacity` items along the widest spread of the box middles, then both parts in
-/// the same way.
+/// the list after `capacity` items along the widest spread of the box middles. Then sorts both
+/// parts in the same way, with half the capacity.
 template <class Boxes>
 void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
                    std::size_t capacity) {

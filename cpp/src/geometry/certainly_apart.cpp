@@ -9,7 +9,7 @@ namespace {
 /// Sine of the smallest angle that counts; rounding stays below 1e-15.
 constexpr double kSine = 1e-9;
 
-/// Whether x points to the same side as w, by more than rounding.
+/// Whether w and x form an acute angle, by more than rounding.
 bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
   const double along = w.dot(x);
   return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
@@ -55,7 +55,8 @@ bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
     }
   }
   if (common == 0) {
-    // A normal separates sheets that lie on one another, an edge separates neighbours in a sheet.
+    // Sheets that lie on one another are mostly separated by the plane of a triangle, neighbours in
+    // one sheet by a plane through an edge.
     const TriedTriangle a(vertices, p), b(vertices, q);
     return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
   }

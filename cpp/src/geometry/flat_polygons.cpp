@@ -15,7 +15,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// A corner of a loop: its point, and the place of this point in the plane.
+/// A corner of a loop: the index of its point, and the coordinates of the point in the plane.
 struct Corner {
   std::int32_t vertex;
   Point at;

@@ -2,8 +2,8 @@
 //
 // In: closed loops of points that lie in one plane up to rounding. Seen from the normal, outer
 // loops run counter-clockwise and holes clockwise. Out: triangles over the same points.
-// Cost: O(n log n) to O(n^2) for n points. A polygon of a shared volume has a handful of points,
-// seldom thousands.
+// Cost: O(n log n) to O(n^2) for n points. The polygons of shared volumes (overlap/) have a handful
+// of points, seldom thousands.
 // Promise: for any coordinates, the triangles have every edge of the loops once, in its direction,
 // and every other edge once in each direction. A closed surface therefore stays closed. If rounding
 // makes loops cross themselves, triangles may overlap.

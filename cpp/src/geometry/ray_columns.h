@@ -42,7 +42,8 @@ class RayColumns {
   const Eigen::Vector3d& high() const { return high_; }
 
  private:
-  /// Calls use(z, y0, y1) for each row z: the triangle covers at most its columns y0 to y1.
+  /// Calls use(z, y0, y1) for each row z that the triangle meets. In that row, the triangle covers
+  /// at most the columns y0 to y1.
   template <class Use>
   void forRows(std::size_t triangle, const Use& use) const;
   void build();

@@ -1,4 +1,4 @@
-// Counts the crossings that the surface of sampled pieces has.
+// Counts the crossings that contribute to the envelope of sampled pieces.
 //
 // In: marked edges. Out: counts. Cost: that of the signs.
 // SPDX-License-Identifier: LGPL-2.1-or-later

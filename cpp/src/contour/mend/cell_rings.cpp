@@ -6,7 +6,8 @@
 namespace swept {
 namespace {
 
-/// Distance that crossings keep (cells); far above rounding, far below what anybody can see.
+/// Distance (cells) of crossings from each other and from the ends of their edge; far above
+/// rounding, far below what anybody can see.
 constexpr double kApart = 1e-4;
 
 /// Returns the face along which a ring leaves a slot. The triangles of the slot's polygon run round

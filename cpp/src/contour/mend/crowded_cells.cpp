@@ -31,8 +31,9 @@ ListsByKey<> polygonsAround(const Surface& surface, const Polygons& polygons,
                 const Polygon polygon = polygons.of(crossing);
                 const Triangle* triangles = polygons.triangles(polygon);
                 for (std::uint32_t t = 0; t < polygon.count; ++t) {
-                  // All triangles of a fan begin with its centre, so only their second corner is
-                  // new. The second triangle of a quad has one new corner.
+                  // Use each corner of the polygon once. All triangles of a fan begin with its
+                  // centre, so in each only the second corner is new. The second triangle of a quad
+                  // has one new corner.
                   for (int n = 0; n < 3; ++n) {
                     const std::int32_t v = triangles[t][n];
                     if ((surface.cellFlagsOf(v) & Surface::kShared) == 0) continue;

@@ -5,8 +5,8 @@
 // Units: mm. Cost: one pass over the triangles per round; microseconds per rebuilt cell.
 // Promise: triangles in and between rebuilt cells do not intersect, up to rounding (cell_patch.h).
 // If a triangle outside intersects them, the next round rebuilds its cells.
-// Method: in a rebuilt cell, every piece of surface stays in the cell. It ends on the cell's walls
-// in the chords of its crossings, which do not cross. The polygons of these crossings become fans.
+// Method: in a rebuilt cell, every piece of surface stays in the cell. It meets the cell's walls in
+// the chords of its crossings, which do not cross. The polygons of these crossings become fans.
 // In the other cells round such a crossing, the polygons keep their vertices. They run through a
 // point of the chord on the wall that both cells share.
 // Source: own method; points on faces after Ju and Udeshi 2006.

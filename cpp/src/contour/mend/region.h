@@ -19,7 +19,7 @@ class TriangleBlocks {
   /// Call this after triangles or their corners have changed, or after triangles were added.
   void update(const TriMesh& mesh, const std::vector<std::int32_t>& changed);
   /// Returns the triangles whose first corner lies in a block within `reachCells` of the box of a
-  /// member. It searches the whole surface, or only `among` if given, and keeps their order.
+  /// member. Searches the whole surface, or only `among` if given; keeps the order of the list.
   std::vector<std::int32_t> near(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                  int reachCells,
                                  const std::vector<std::int32_t>* among = nullptr) const;

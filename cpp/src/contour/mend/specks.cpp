@@ -14,7 +14,7 @@ namespace {
 
 /// A shell round one or two lattice edges is smaller than this (cells).
 constexpr double kMaxSpeckSize = 2;
-/// Larger shells (cells) that are inside out are left for the checker to report.
+/// Inside-out shells larger than this (cells) are left for the checker to report.
 constexpr double kMaxTurnedSize = 4;
 
 /// Marks the shells to drop. If this would drop all shells, `found` stays empty.

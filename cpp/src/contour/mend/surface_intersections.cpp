@@ -98,8 +98,8 @@ class PolygonSorter {
     return b.inside || d.inside || (b.atEdge && d.atEdge);
   }
 
-  /// Returns which of the four cells round the edge contains this vertex, or -1 if the vertex does
-  /// not belong to the cell in which it lies.
+  /// Returns which of the four cells round the edge contains this vertex; -1 if none does, or if
+  /// the vertex has left its own cell.
   int quadrant(const PolygonEdge& edge, std::int32_t v) const {
     if (!inside(v)) return -1;
     const Eigen::Vector3d x = local(edge, v);
@@ -108,15 +108,16 @@ class PolygonSorter {
     return near ? (x[0] > 0 ? 1 : 0) + (x[1] > 0 ? 2 : 0) : -1;
   }
 
-  /// Position in cells, relative to the low end of the lattice edge; the last coordinate is along
-  /// it.
+  /// Returns the position in cells, relative to the low end of the lattice edge. The last
+  /// coordinate runs along the edge.
   Eigen::Vector3d local(const PolygonEdge& edge, std::int32_t v) const {
     const Eigen::Vector3d g =
         (surface_.mesh.vertices[v] - grid_.plan.origin) / grid_.plan.cell - edge.low.cast<double>();
     return {g[(edge.axis + 1) % 3], g[(edge.axis + 2) % 3], g[edge.axis]};
   }
 
-  /// How a segment passes the triangle between the lattice edge and s.
+  /// How a segment passes through the triangle between the lattice edge and the point s: inside the
+  /// triangle, or close to the edge.
   struct Passage {
     bool inside = false, atEdge = false;
   };

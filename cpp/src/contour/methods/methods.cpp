@@ -35,7 +35,7 @@ WalkTable::Entry walk(std::uint32_t crossed) {
   return entry;
 }
 
-constexpr int kMaxComponents = kSlots / 2;  ///< room of the caller for components
+constexpr int kMaxComponents = kSlots / 2;  ///< the caller has room for this many components
 
 /// Returns the crossings at which a walk stops. On an edge with two crossings, the walk stops at
 /// the first in its direction.
