@@ -21,7 +21,7 @@ constexpr int kEdges = 12, kSlots = 24, kFaces = 6;
 
 /// Vertices stay this far from the walls of their cell (fraction of the cell), so that the vertices
 /// of two neighbouring cells never coincide. It is a thousand times the rounding of the 32-bit
-/// local positions, and far below what anybody can see.
+/// local positions, but invisible.
 constexpr double kCellMargin = 1e-4;
 
 constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; }

@@ -7,8 +7,8 @@
 // placement).
 //
 // The solution is taken about the mass point m: (A + mu I)(x - m) = b - A m. The damping mu is far
-// below what a real crease contributes; in directions about which the planes say nothing, it keeps
-// the mass point. The papers truncate small eigenvalues instead. Damping has no threshold at which
+// below the contribution of a real crease. In directions that the planes leave open, it keeps the
+// mass point. The papers truncate small eigenvalues instead. Damping has no threshold at which
 // the vertex jumps, and a solution by cofactors is some twenty times faster than an
 // eigen-decomposition. A minimiser outside the cell is replaced by the best point of the cell's
 // faces, edges and corners.

@@ -43,8 +43,8 @@ struct VertexSplit {
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// Finds the folds. Requires that every slot has a part, that each part is one arc of the ring of
-  /// polygons, and that the arcs meet on faces with a single way to pair their crossings.
+  /// Finds the folds. Every slot must have a part, and each part must be one arc of the ring of
+  /// polygons. The arcs must meet on faces with a single way to pair their crossings.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 

@@ -97,9 +97,9 @@ struct LineSearch {
     s = std::clamp(s, 0.0, 1.0);
   }
 
-  /// Finds the point of the patch nearest to the line, by steps that are damped until they help
-  /// (Levenberg 1944, Marquardt 1963), starting at the best of a few places. This is for edges that
-  /// slide along themselves: they sweep hardly any area, and Newton's steps leave their patch.
+  /// Finds the point of the patch nearest to the line. Starts at the best of a few places and damps
+  /// its steps until they help (Levenberg 1944, Marquardt 1963). This is for edges that slide along
+  /// themselves: they sweep hardly any area, and Newton's steps leave their patch.
   void nearest(double& r, double& s) const {
     const auto square = [&](double x, double y) {
       const CurvedPatch::At at = patch.at(x, y);

@@ -82,8 +82,8 @@ class BoxTree {
   /// then neighbours in space, and large items do not enlarge the boxes of small ones. Best for few
   /// searches, or for one search over all pairs.
   /// Medians: by repeated halving along the widest spread of the box middles. Takes twice as long
-  /// to build. A search near the items takes 0.5 to 1 times as long as with Curve for balls and
-  /// tori of 82,000 and 300,000 triangles, and 0.6 to 1.4 times for a machine part of 32,000.
+  /// to build. Time of a search near the items, relative to Curve: 0.5 to 1 for balls and tori of
+  /// 82,000 and 300,000 triangles, 0.6 to 1.4 for a machine part of 32,000.
   enum class Order { Curve, Medians };
 
   BoxTree() = default;

@@ -55,8 +55,8 @@ bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
     }
   }
   if (common == 0) {
-    // Sheets that lie on one another are mostly separated by the plane of a triangle, neighbours in
-    // one sheet by a plane through an edge.
+    // The plane of a triangle mostly separates stacked sheets; a plane through an edge mostly
+    // separates neighbours in one sheet.
     const TriedTriangle a(vertices, p), b(vertices, q);
     return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
   }

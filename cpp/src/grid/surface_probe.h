@@ -22,9 +22,9 @@ struct ProbeLine {
 class SurfaceProbe {
  public:
   virtual ~SurfaceProbe() = default;
-  /// Casts the lines at the part of the surface that passes through `region` (at most a cell, in
-  /// grid coordinates) and is connected with the given crossings inside the region. Safe to call
-  /// from several threads.
+  /// Casts the lines at the part of the surface inside `region` that is connected there with the
+  /// given crossings. The region is at most a cell, in grid coordinates. Safe to call from several
+  /// threads.
   virtual void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
                     std::vector<ProbeLine>& lines) const = 0;
 };

@@ -7,7 +7,7 @@ namespace swept {
 namespace {
 
 /// Distance (cells) of crossings from each other and from the ends of their edge; far above
-/// rounding, far below what anybody can see.
+/// rounding, but invisible.
 constexpr double kApart = 1e-4;
 
 /// Returns the face along which a ring leaves a slot. The triangles of the slot's polygon run round

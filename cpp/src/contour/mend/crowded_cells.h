@@ -2,9 +2,9 @@
 //
 // In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra that its
 // own lattice edge spans with the vertices of its cells). Out: every pair of marked polygons that
-// may intersect. Either the two polygons use different vertices of one cell and no plane was found
-// to separate them, or they belong to one lattice edge and share a vertex. Cost: some dot products
-// per cell with several vertices.
+// may intersect: two polygons of different vertices of one cell that no plane was found to
+// separate, or two polygons of one lattice edge that share a vertex. Cost: some dot products per
+// cell with several vertices.
 // Promise: no pair is missing. Two polygons that intersect have a cell in common. If they use the
 // same vertex in all common cells, they lie in tetrahedra that do not overlap, unless both belong
 // to one lattice edge. If they use different vertices of a cell, the pair is reported unless a
