@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 using Cell = std::array<int, 3>;
-constexpr std::array<double, 3> kWidths{0.5, 0.25,
-                                        0.1};  // edge lengths of the cells, in radii of the part
+// Edge lengths of the cells, in radii of the part.
+constexpr std::array<double, 3> kWidths{0.5, 0.25, 0.1};
 
 State placed(const Scene& scene, const State& goal, const Cell& cell, double width) {
   return scene.moved(goal, {width * Vector3d(cell[0], cell[1], cell[2]), Vector3d::Zero()});

@@ -90,8 +90,7 @@ Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, cons
   Vector6d v = start;
   for (Limit& limit : limits) limit.least += margin;
   if (!nearest(limits, std::min(tolerance, 0.5 * margin), v)) {
-    // There is no room for the margin. Without it, a move exists: at worst the part stays where it
-    // is.
+    // There is no room for the margin. Without it, some move exists: at worst, not to move.
     for (Limit& limit : limits) limit.least = std::min(0.0, limit.least - margin);
     v = start;
     nearest(limits, tolerance, v);
