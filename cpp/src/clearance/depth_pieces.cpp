@@ -77,8 +77,8 @@ Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const 
     if (p.most > 0)
       p.most = std::min(p.most, farthestCorner(pair, R, t, piece, box.centre, cornersOf(box)));
     local = box.centre;
-    p.surfaceDepth =
-        -std::numeric_limits<double>::infinity();  // the centre of a box is not on the surface
+    // The centre of a box is not on the surface.
+    p.surfaceDepth = -std::numeric_limits<double>::infinity();
   }
   p.surfacePoint = piece.ofBody ? Vector3d(R * local + t) : local;
   return p;

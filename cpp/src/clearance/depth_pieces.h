@@ -38,8 +38,8 @@ Probe probe(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vecto
             const Piece& piece);
 /// Appends the parts of a piece: the children of a node, or four triangles of a triangle.
 void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out);
-/// Returns the root pieces of each part whose points can lie inside the other part. The other part
-/// must be closed.
+/// Returns the root piece of each part that the other part may contain. A part contains points only
+/// if it is closed.
 std::vector<Piece> roots(const PairSearch& pair);
 
 }  // namespace swept::clearance

@@ -78,8 +78,8 @@ class PairLook {
     Looked looked;
     looked.joined = std::min(one, other) <= o_.tolerance;
     if (looked.joined) return looked;
-    const bool turned =
-        other < one;  // the second part is the moving body, in the frame of the first
+    // Whether the second part is the moving body, in the frame of the first.
+    const bool turned = other < one;
     const PreparedPart& body = turned ? second : first;
     const PreparedPart& frame = turned ? first : second;
     const MotionTree motion = relativeMotion(body.motion, frame.motion, times);

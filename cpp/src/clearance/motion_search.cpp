@@ -233,7 +233,7 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
               const OverlapTest& overlaps) {
   const MotionBound b = c.motion.bound(item.node);
   const bool last = !c.motion.splits(item.node) || b.reach <= 0.5 * resolution;
-  if (item.hint.body >= 0) {  // the pair that was nearest before often decides
+  if (item.hint.body >= 0) {  // the pair that was nearest before often suffices
     const NearestPoints p = c.pair.leafDistance(b.R, b.t, item.hint);
     if (largestDistance(b, {std::sqrt(p.squared), item.hint, p.a, p.b}) < level) {
       item.outcome = Level::Below;

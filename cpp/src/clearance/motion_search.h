@@ -34,8 +34,8 @@ struct Minimum {
   double distance = 0;
   double parameter = 0;
   PairDistance at;
-  bool inside =
-      false;  ///< one part lies wholly inside the other at `parameter`; distance is then 0
+  /// One part lies wholly inside the other at `parameter`; distance is then 0.
+  bool inside = false;
   bool found() const { return inside || at.pair.body >= 0; }
 };
 
@@ -55,8 +55,8 @@ using OverlapTest =
 std::vector<std::pair<double, double>> spansBelow(SearchContext& context, double level,
                                                   double resolution, const OverlapTest& overlaps);
 
-/// Returns distances at `samples` evenly spaced times and at the parameter `extra`, each capped at
-/// context.within.
+/// Returns pairs (parameter, distance) at `samples` evenly spaced times and at the parameter
+/// `extra`. A distance above context.within is replaced by that value.
 std::vector<std::pair<double, double>> sampleDistances(SearchContext& context, int samples,
                                                        double extra);
 

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::int32_t kBucket =
-    4;  // largest number of members of a cluster without child clusters
+// Largest number of members of a cluster without child clusters.
+constexpr std::int32_t kBucket = 4;
 
 // Steps of one body between its successive poses, in world coordinates.
 class PathSteps : public MotionSteps {

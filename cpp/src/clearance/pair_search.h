@@ -31,8 +31,8 @@ struct PairDistance {
 struct Certificate {
   bool holds = false;
   LeafPair obstacle;  ///< the pair for which the proof failed; none if the effort ran out
-  double estimate =
-      0;  ///< mm, a lower bound of how near the obstacle may come; used to order the search
+  /// mm, lower bound of how near the obstacle may come; used to order the search.
+  double estimate = 0;
 };
 
 class PairSearch {

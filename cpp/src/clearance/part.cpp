@@ -107,8 +107,8 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
 }
 
 std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
-  constexpr double kSlender =
-      6;  // a triangle is cut if its longest edge exceeds this multiple of its height
+  // A triangle is cut if its longest edge exceeds this multiple of its height.
+  constexpr double kSlender = 6;
   const std::size_t count = mesh.triangles.size();
   std::vector<Piece> parts(count);
   std::vector<std::array<double, 2>> sizes(count);  // longest edge, height over it
@@ -144,8 +144,8 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
       Piece second = parts[at];
       const int next = (edge + 1) % 3;
       const Vector3d middle = 0.5 * (second.corners[edge] + second.corners[next]);
-      if (middle == second.corners[edge] || middle == second.corners[next])
-        continue;  // too short to be halved
+      // The edge is too short to be halved.
+      if (middle == second.corners[edge] || middle == second.corners[next]) continue;
       second.corners[edge] = middle;
       parts[at].corners[next] = middle;
       todo.push_back(at);

@@ -73,8 +73,8 @@ class Part {
   std::vector<std::int64_t> triangles_;  ///< by place: the triangle of the mesh
   Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;
-  std::unique_ptr<const TriMesh>
-      mesh_;  ///< on the heap, so that rays_ can refer to it even after the part is moved
+  /// On the heap, so that rays_ can refer to it even after the part is moved.
+  std::unique_ptr<const TriMesh> mesh_;
   std::optional<RayColumns> rays_;  ///< only for closed meshes
 };
 

@@ -19,7 +19,7 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Share of the radius of a piece and of the reach of its motion. A point of the piece is likely to
 /// lie deeper than its centre by about this much.
 constexpr double kPromise = 0.3;
-constexpr std::size_t kMostPieces = 1000;  // of a part: connected pieces that start the search
+constexpr std::size_t kMostPieces = 1000;  // most connected pieces of a part to start from
 constexpr std::size_t kRound = 64;         // pieces per round; fixed, see motion_search.cpp
 
 struct Item {

@@ -2,11 +2,11 @@
 // In:      a pair of meshes and a hierarchy over the motion.
 // Out:     the surface point of either mesh that lies deepest inside the other at some time.
 // Units:   mm.
-// Cost:    branch and bound over time and pieces of surface; one nearest-point query and one inside
-//          test for each pair of both.
-// Why:     Exact up to its tolerance: if a point or the surface moves by d, the depth of the point
-//          changes by at most d. So depth at the centre of a box + radius + displacement is a bound
-//          for the whole box.
+// Cost:    branch and bound over time and pieces of surface. Each pair of a time span and a piece
+//          takes one nearest-point query and one inside test.
+// Why:     It is exact up to its tolerance. If a point or the surface moves by d, the depth of the
+//          point changes by at most d. So no point of a box is deeper than the depth at its centre
+//          + its radius + the displacement.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -54,7 +54,7 @@ class RelativeSteps : public MotionSteps {
 
  private:
   struct Step {
-    double from, to;  // s
+    double from, to;  // in seconds
     TimedMotion::Slice body, frame;
     double fastest = 0;
     double bulge = 0;

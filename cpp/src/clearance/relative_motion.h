@@ -4,7 +4,7 @@
 //          moving body also serves two, because the frame is the second body and moves with it.
 // Units:   mm, s.
 // Cost:    O(n) for the n joined times of both motions, O(log n) for the pose at one time.
-// Why:     Bounds are certain: between two joined times each body follows one step at constant
+// Why:     The bounds are certain. Between two joined times each body follows one step at constant
 //          angular speed. In the moving frame, the velocity of a point is the difference of both
 //          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v (two centripetal
 //          terms and the Coriolis term), where r2 is the largest distance of the first body from

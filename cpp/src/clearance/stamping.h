@@ -30,8 +30,8 @@ StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& pose
                               const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
                               RunContext& run);
 
-/// Returns the poses of the trajectory and `between` evenly spaced poses inside each step. With
-/// Interpolation::None no pose is inserted.
+/// Returns the poses of the trajectory and `between` evenly spaced poses inside each step. If
+/// `between` is 0, returns only the poses of the trajectory.
 std::vector<Pose> densePoses(const Trajectory& trajectory, int between);
 
 }  // namespace swept::clearance

@@ -10,8 +10,7 @@
 namespace swept::clearance {
 
 struct Summary {
-  int smallest = -1;  ///< the nearest row (deepest clash first, allowed contacts last); -1 if there
-                      ///< are no rows
+  int smallest = -1;  ///< the nearest row: deepest clash first, allowed contacts last; -1: no rows
   std::string text;   ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };
 

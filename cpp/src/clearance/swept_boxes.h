@@ -27,8 +27,8 @@ class SweptBoxes {
  private:
   static constexpr std::size_t kLeaves = 256;
 
-  std::vector<BoxTree::Bounds>
-      boxes_;  ///< stored as a heap: 1 is the root, 2 n and 2 n + 1 are the halves of n
+  /// Stored as a heap: 1 is the root, 2 n and 2 n + 1 are the halves of n.
+  std::vector<BoxTree::Bounds> boxes_;
 };
 
 /// Returns, in ascending order, the pairs of bodies for which the boxes cannot exclude a distance

@@ -29,7 +29,7 @@ struct Leg {
 };
 
 struct LegResult {
-  std::vector<State> keys;  ///< empty: nothing found
+  std::vector<State> keys;  ///< empty: no path was found
   std::string method;
   bool noTranslation = false;  ///< proven: no path without turning exists
   State farthest;              ///< if no path is found: the farthest state in the tree of the goal

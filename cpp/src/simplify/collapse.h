@@ -53,8 +53,8 @@ struct CollapseState {
   TriMesh mesh;
   std::vector<std::int32_t> label;  ///< by triangle
   std::vector<VertexKind> kind;     ///< by vertex
-  std::vector<std::vector<Eigen::Vector3d>>
-      attached;            ///< by triangle: points that must stay near it
+  /// By triangle: points that must stay near it.
+  std::vector<std::vector<Eigen::Vector3d>> attached;
   std::vector<char> dead;  ///< by triangle: 1 if it was removed
   /// By vertex: 1 if new triangles around it are sampled at half the tolerance. A vertex that
   /// collapses passes this flag on. Empty: no vertex has the flag.

@@ -86,11 +86,11 @@ class Collapser {
   std::vector<std::int32_t> staying_, dying_;  // triangles
   std::vector<Corners> was_;  // vertices of the remaining triangles before the step
   std::vector<std::array<Point, 3>> corners_;  // the same after the step
-  std::vector<std::pair<Point, std::int32_t>>
-      moved_;  // points and the index in staying_ of their new triangle
+  // Points, and the index in staying_ of their new triangle.
+  std::vector<std::pair<Point, std::int32_t>> moved_;
   std::vector<std::int32_t> hits_;
-  std::vector<std::pair<std::int32_t, MovingBoxes::Box>>
-      around_;                 // triangles near those that stay, with their boxes
+  // Triangles near those that stay, with their boxes.
+  std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;
   std::int32_t nearest_ = -1;  // triangle of the original near the last point in question
   std::int32_t placed_ = -1;   // the same for the new position of the vertex that stays
 };

@@ -24,8 +24,8 @@ struct FarPlace {
 struct Deviation {
   double largest = 0;            ///< mm, largest distance of both directions
   std::vector<FarPlace> missed;  ///< points of the original
-  std::vector<FarPlace>
-      strays;  ///< the farthest point of a triangle of the result, in ascending order of triangles
+  /// The farthest point of each triangle of the result that is too far, by ascending triangle.
+  std::vector<FarPlace> strays;
 };
 
 /// `spacing`: mm, distance of the grid points. `nearOriginal` must be built with Walks::Yes.

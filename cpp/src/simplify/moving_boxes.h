@@ -66,8 +66,8 @@ class MovingBoxes {
   std::size_t memberOf(std::int32_t triangle) const;
 
   const TriMesh& mesh_;
-  std::vector<std::int32_t>
-      members_;  ///< in ascending order; removed ones stay until the next make()
+  /// In ascending order; removed triangles stay until the next make().
+  std::vector<std::int32_t> members_;
   std::vector<std::uint32_t> slot_;       ///< by member: its index in order_
   std::vector<std::int32_t> order_;       ///< along the curve; -1: removed
   std::vector<std::vector<Box>> levels_;  ///< levels_[0]: boxes of four triangles each

@@ -357,7 +357,7 @@ class Thinner {
   std::vector<Quadric> quadric_;
   std::vector<double> off_;         // by vertex: how far vertices merged into it may deviate
   std::vector<std::int32_t> into_;  // by vertex: the vertex into which it was merged; -1: none
-  double longest_ = 0;              // mm^2
+  double longest_ = 0;              // longest edge allowed, in mm^2
   Flags partOf_;
   Flags inner_;  // by vertex: 1 if all its neighbours are in its own part
 };

@@ -30,8 +30,8 @@ enum class ThinFor { Collapse, Surfaces };
 struct Thinned {
   TriMesh mesh;
   std::vector<std::int32_t> source;  ///< by vertex: its number in the input mesh
-  std::vector<std::int32_t>
-      triangle;  ///< by triangle: the triangle of the input mesh that it replaces
+  /// By triangle: the triangle of the input mesh that it replaces.
+  std::vector<std::int32_t> triangle;
 };
 
 /// `phase`: the phase for progress reports. `kept`: by vertex, 1 if it must stay together with all

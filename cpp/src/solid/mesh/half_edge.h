@@ -24,8 +24,8 @@ struct HalfEdgeMesh {
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int32_t> opposite;  ///< per half-edge
   std::vector<std::int32_t> shellOf;   ///< per triangle
-  std::vector<std::int32_t>
-      shellOwner;     ///< by shell: the outer shell around a cavity; an outer shell names itself
+  /// By shell: the outer shell around a cavity; an outer shell names itself.
+  std::vector<std::int32_t> shellOwner;
   double area = 0;    ///< mm^2
   double volume = 0;  ///< mm^3, without the cavities
 

@@ -38,8 +38,8 @@ class Borders {
 };
 
 struct Chain {
-  std::vector<std::int32_t>
-      halfEdges;  ///< in order; the two patches beside them are the same along the chain
+  /// In order; the two patches beside them are the same along the chain.
+  std::vector<std::int32_t> halfEdges;
   /// The surfaces on which the chain lies, without facets. A cutting plane comes last.
   std::vector<const Carrier*> surfaces;
   bool closed = false;

@@ -279,7 +279,7 @@ std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples) {
 }
 
 void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCount) {
-  if (surface.hasProfile()) return;  // see fit_profile.h
+  if (surface.hasProfile()) return;  // fit_profile.h refines these
   const PointSpread spread = spreadOf(samples);
   if (surface.isPlanar()) {
     if (auto plane = guessPlane(samples, spread)) {

@@ -47,7 +47,7 @@ std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples);
 /// Refines the surface by least squares on the distances of about `maxCount` points.
 void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCount = 240);
 
-/// Largest and median absolute distance of the points.
+/// Largest and median absolute distance of the points from the surface.
 struct Residuals {
   double largest = 0, median = 0;
 };

@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;  // triangles
+// Triangles of a first and of a wide region around a seed.
+constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
 constexpr double kMaxSpread = 0.03;  // sine: scatter of the normals about a direction or an axis
 constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by this much
@@ -26,7 +27,7 @@ constexpr double kFitFraction = 0.02;
 /// Of the tolerance: the triangles of a patch with a larger median distance may go to a profile ...
 constexpr double kMinLoose = 0.02;
 constexpr double kMinGain = 3;   // ... if the profile fits better by this factor
-constexpr double kMinSaved = 8;  // facets
+constexpr double kMinSaved = 8;  // facets that a patch must save
 /// In edge lengths: nearer to the axis, triangles belong to the pole and are left out.
 constexpr double kMinAxisDistance = 6;
 

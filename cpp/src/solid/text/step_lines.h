@@ -22,7 +22,7 @@ namespace swept::step {
 
 constexpr int kPointDecimals = 9;
 constexpr int kDirectionDigits = 13;
-constexpr std::size_t kFlushAt = 1U << 20U;  // characters
+constexpr std::size_t kFlushAt = 1U << 20U;  // characters; longer text is written to the stream
 
 using Id = std::int64_t;
 
@@ -127,7 +127,7 @@ class Lines {
   Id last_ = 0;
 };
 
-/// The parts of the file around the geometry.
+/// Parts of the file around the geometry.
 class FileSections {
  public:
   FileSections(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}
