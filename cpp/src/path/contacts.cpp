@@ -115,8 +115,8 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
         list.addShift((mean.dot(d) < 0 ? -sign : sign) * d);
       }
     list.addShift(mean);
-    // Ranks directions by their smallest angle with a contact: the best one leads away from all
-    // contacts.
+    // Ranks directions by their smallest component along a contact normal. The best one leads away
+    // from all contacts.
     std::vector<std::pair<double, Vector3d>> ranked;
     for (const Vector3d& d : spreadDirections()) {
       double least = 1;

@@ -1,5 +1,6 @@
 // Figures of a path that was found or improved.
 // Units:   mm, rad.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <string>

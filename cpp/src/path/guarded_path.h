@@ -1,5 +1,5 @@
-// Frame of each run that ends in a path: fills the head of the report and turns errors into its
-// status.
+// Common frame of all runs that end in a path: fills the head of the report and turns errors into
+// its status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -15,7 +15,7 @@ namespace {
 
 // Number of parallel searches. They differ in their random numbers, and the first path found wins.
 constexpr std::size_t kSearches = 2;
-constexpr int kRounds = 20;                  // of one search, before the others are checked
+constexpr int kRounds = 20;                  // rounds of a search between checks of all searches
 constexpr std::size_t kNodesAtFirst = 3000;  // in both trees, before a search starts again
 constexpr std::size_t kMostStarts = 8;       // starts for which grids are searched
 constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid

@@ -3,8 +3,9 @@
 //          are several ways out of a contact.
 // Out:     keys of a free path from a start to a goal; or how far the search came.
 // Units:   mm, rad.
-// Promise: The result depends on the seed only, not on the number of threads. Parallel searches
-//          work in rounds of fixed size, and the first search in their order that has a path wins.
+// Promise: For one seed, the result is the same for any number of threads, unless the time limit
+//          ends the search. Parallel searches work in rounds of fixed size. If several have a path
+//          after a round, the first one in their order wins.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -7,14 +7,14 @@
 // Out:     the same with fewer triangles.
 // Units:   mm.
 // Order:   smallest quadric error first (Garland, Heckbert 1997).
-// Invariants:The surface stays closed and manifold. Each attached point and each removed vertex
-//          lies within the tolerance of a triangle of open ground. Sample points on new triangles
-//          of open ground lie within the tolerance of the original. No new triangle intersects
-//          another one, unless the triangles that it replaces did. A border stays near the
-//          surface of its patch and does not pass over vertices of the patch.
-// Parallel:first a fixed number of slabs, whose triangles cannot meet those of another slab, then
-//          slabs around the limits of the first ones, then the rest in one thread. The result does
-//          not depend on the number of threads.
+// Promise: The surface stays closed and manifold. Each attached point and each removed vertex lies
+//          within the tolerance of a triangle of open ground. Sample points on new triangles of
+//          open ground lie within the tolerance of the original. No new triangle intersects another
+//          one, unless the triangles that it replaces did. A border stays near the surface of its
+//          patch and does not pass over vertices of the patch.
+// Threads: First, a fixed number of slabs is processed in parallel. Triangles of different slabs
+//          cannot meet. Then follow slabs around the limits of the first ones, and last the rest in
+//          one thread. The result does not depend on the number of threads.
 // Cost:    about 30 us per collapse.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -48,7 +48,7 @@ enum class VertexKind : char { Free, Border, Fixed };
 struct CollapseState {
   double tolerance = 0;
   Phase phase = Phase::Simplify;
-  const NearestTriangle* original = nullptr;  ///< the new triangles stay near this surface
+  const NearestTriangle* original = nullptr;  ///< new triangles stay near it; null: not checked
   std::vector<std::unique_ptr<LabelSurface>> surfaces;  ///< by label
   TriMesh mesh;
   std::vector<std::int32_t> label;  ///< by triangle
@@ -60,9 +60,9 @@ struct CollapseState {
   /// collapses passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
   /// Distance of the sample points on other new triangles, in tolerances. Trial: the bunny over 16
-  /// keys at 512 cells, tolerance 0.5 mm. After the first round, the number of places beyond the
-  /// tolerance and their largest distance in tolerances were: coarseness 1.5: 10, 1.1; 3: 11, 1.2;
-  /// 5: 48, 1.3; 8: 53, 2.1.
+  /// keys at 512 cells, tolerance 0.5 mm. After the first round, with coarseness 1.5, 10 places
+  /// were too far off, by at most 1.1 tolerances; with 3, 11 places by 1.2; with 5, 48 places by
+  /// 1.3; with 8, 53 places by 2.1.
   double coarseness = 3;
   /// By vertex: a triangle of the original near it. -1, or an empty list: not known.
   std::vector<std::int32_t> nearby;

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearFraction = 0.25;  // of the squared tolerance; nearer ends the search
+constexpr double kNearFraction = 0.25;  // of the squared tolerance: near enough to stop searching
 constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
 constexpr double kMinCosine = 0.2;     // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;     // height / longest side of a new triangle
@@ -99,7 +99,7 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
   q += state_.quadric[b];
   const double error = q.error(placeFor(a, b) - state_.origin);
   const double square = state_.tolerance * state_.tolerance;
-  // The mean squared distance from the planes never exceeds the largest one.
+  // If even the mean squared distance from the planes is too large, the largest one is as well.
   if (error > q.weight * square) return;
   const double cost = error + kLengthWeight * square * (at(a) - at(b)).squaredNorm();
   queue_.push({cost, a, b, state_.stamp[a], state_.stamp[b]});

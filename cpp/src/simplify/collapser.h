@@ -14,8 +14,8 @@
 
 namespace swept {
 
-/// What one worker may change: the vertices with its number. They stay within [low, high) of the
-/// axis.
+/// The part of one worker. The worker may change the vertices with its number in partOf, and keeps
+/// their coordinate on the axis within [low, high).
 struct WorkPart {
   /// By vertex: the number of its worker. null: all vertices belong to this worker.
   const std::vector<std::int32_t>* partOf = nullptr;
@@ -81,7 +81,7 @@ class Collapser {
   CollapseLog* log_;
   MovingBoxes boxes_;
   std::priority_queue<Entry> queue_;
-  // Members only to reuse their memory.
+  // Buffers; they are members only so that their memory is reused.
   std::vector<std::int32_t> ring_, otherRing_, common_;
   std::vector<std::int32_t> staying_, dying_;  // triangles
   std::vector<Corners> was_;  // vertices of the remaining triangles before the step

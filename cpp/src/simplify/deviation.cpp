@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 // Result for one block of the work.
 struct Found {
-  double largest = 0;  // mm^2
+  double largest = 0;  // squared, mm^2
   std::vector<FarPlace> missed, strays;
 };
 

@@ -390,7 +390,7 @@ Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase,
     thinner.work();
     Thinned thinned = thinner.result(mesh);
     const SelfIntersections found = findSelfIntersections(thinned.mesh, {}, run);
-    // Pairs whose number does not fall were in the input already.
+    // If their number does not fall, these pairs were in the input already.
     if (found.count == 0 || found.count >= before) return thinned;
     before = found.count;
     keepAbout(found, thinned, thinner, kept);

@@ -5,9 +5,10 @@
 //          input.
 // Units:   mm.
 // Promise: The displacements of the collapses add up, for each vertex, to no more than the limit.
-//          Displacements are the distance of the removed vertex from the new triangles and of the
-//          middles of new edges from the old ones. Neighbours share the limit, so the surface may
-//          deviate slightly more in places. A caller that promises a distance must measure it.
+//          A displacement is the larger of two distances: of the removed vertex from the new
+//          triangles, and of the middles of new edges from the old ones. Neighbours share the
+//          limit, so the surface may deviate slightly more in places. A caller that promises a
+//          distance must measure it.
 // Order:   rounds with growing limits instead of a queue, since the order matters little at a small
 //          part of the final tolerance.
 // Cost:    O(n), about 2 us per vertex. The parts of a round do not depend on the number of

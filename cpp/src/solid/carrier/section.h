@@ -1,4 +1,4 @@
-// Curve in which two carriers intersect, exact to the zero tolerance of a kernel.
+// Curve in which two carriers intersect, so exact that a CAD kernel sees no gap.
 // In:      points along the curve in order. The first and the last one lie on both carriers.
 // Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
 //          the carriers are nearly parallel along it, or if the curve strays from the points.

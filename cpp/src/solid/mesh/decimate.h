@@ -5,11 +5,12 @@
 //          patches move onto the surfaces of the patches.
 // Out:     the reduced mesh and its partition. The result may be the input of a further call.
 // Units:   mm.
-// Invariants:The mesh stays closed and manifold. Each removed or moved vertex outside the patches
+// Promise: The mesh stays closed and manifold. Each removed or moved vertex outside the patches
 //          stays within the tolerance of the new triangles. Borders move only along themselves.
 // Paper:   quadric error as the order of the collapses (Garland, Heckbert 1997). The bound is
 //          checked on sample points.
-// n). SPDX-License-Identifier: LGPL-2.1-or-later
+// Cost:    O(n log n).
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "geometry/nearest_triangle.h"

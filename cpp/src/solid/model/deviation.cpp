@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBlock = 2048;
-constexpr double kCommonFraction = 0.6;  // of the limit; almost each mesh has a farther vertex
+constexpr double kCommonFraction = 0.6;  // of the limit: nearly all meshes deviate more than this
 /// If a point is nearer to an edge than this fraction of the triangle's height, it splits that
 /// edge.
 constexpr double kMaxEdgeFraction = 0.1;

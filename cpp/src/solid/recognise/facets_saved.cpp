@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 
 constexpr double kFacetsOfPlane = 3;  // facets that any plane saves, whatever its size
 // Area of the largest triangle within the tolerance of a sphere, divided by tolerance times radius.
-// An equilateral triangle with vertices outside and centre inside by the tolerance has the area 3
-// sqrt(3) / 4 R^2. Its circumradius R satisfies R^2 = 4 tolerance radius.
+// An equilateral triangle with vertices outside and centre inside by the tolerance has the area
+// 3 sqrt(3) / 4 R^2. Its circumradius R satisfies R^2 = 4 tolerance radius.
 constexpr double kAreaPerFacet = 5.2;
 
 // Returns the angle about the axis that the patch spans, from the positions of its vertices. The

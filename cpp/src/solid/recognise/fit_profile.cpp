@@ -222,7 +222,7 @@ std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, doubl
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (const Vector3d& n : samples.normals) moments += n * n.transpose() / count;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-    // On a nearly plane region each direction in it would do.
+    // On a nearly plane region any direction in the plane would fit.
     if (!(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-3)) return std::nullopt;
     spread = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
     surface.axis = solver.eigenvectors().col(0).normalized();

@@ -12,11 +12,11 @@ constexpr int kSeedTriangles = 60;       // triangles of the first guess
 constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
 /// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
 constexpr double kSurfaceCosine = 0.90;
-constexpr double kMinFraction = 0.1;  // of the tolerance; never reduced below this
+constexpr double kMinFraction = 0.1;  // of the tolerance: least value to which it is reduced
 /// Of the tolerance: largest median distance of the vertices.
 constexpr double kExactFraction = 0.1;
 constexpr int kRimRings = 3;
-constexpr std::size_t kFewSamples = 80;  // of a first guess; most guesses fail
+constexpr std::size_t kFewSamples = 80;  // for a first guess: few, since most guesses fail
 constexpr double kMinMore = 1.25;   // factor of the area that a more complicated surface must cover
 constexpr double kMinMuchMore = 4;  // the same for a surface that fits less exactly
 

@@ -4,7 +4,7 @@
 // Out:     the best of plane, cylinder, sphere, cone and torus, and the triangles that it covers.
 // Units:   mm.
 // Cost:    O(triangles covered x surfaces tried).
-// Threads: It only reads the shared data, so several seekers can work in parallel.
+// Threads: a seeker only reads shared data, so several seekers can work in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /// Share of the whole area. A smaller patch must save kMinSaved facets.
 constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSaved = 8;
-constexpr double kMinCosine = 0.5;  // a triangle may lean this much from the surface that it joins
+constexpr double kMinCosine = 0.5;     // of the largest angle of a triangle to the surface it joins
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
 constexpr std::size_t kMaxSpeck = 6;   // most triangles of a speck
 constexpr double kMaxSpeckArea = 30;   // in squared tolerances
