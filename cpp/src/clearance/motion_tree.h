@@ -2,8 +2,8 @@
 // placements.
 // In:      trajectory; box of the body in its own frame. The parameter of a motion is pose index +
 //          s, where s in [0, 1] is the share of the step after that pose.
-// Out:     for each node a representative pose, and a bound on how far any point of the body lies
-//          from its position at that pose, in any direction or along one direction.
+// Out:     for each node a representative pose, and bounds on the displacement of any point of the
+//          body from its position at that pose: in all directions, and along one direction.
 // Units:   mm, rad.
 // Cost:    O(n log n), about 600 bytes per pose.
 // MotionSteps supplies the steps: of one body in the world, or of one moving body relative to

@@ -85,7 +85,7 @@ struct Item {
 };
 
 // Stack of the pairs that are not examined yet. The search goes depth first and replaces one node
-// by its four children at a time, so the stack never holds more than 1 + 3 * levels of both trees.
+// by its four children at a time. So the stack holds at most 1 + 3 * (levels of both trees) pairs.
 class Stack {
  public:
   Stack(const Part& body, const Part& neighbour) {

@@ -6,10 +6,10 @@
 // Cost:    O(n) for the n joined times of both motions, O(log n) for the pose at one time.
 // Why:     The bounds are certain. Between two joined times each body follows one step at constant
 //          angular speed. In the moving frame, the velocity of a point is the difference of both
-//          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v (two centripetal
-//          terms and the Coriolis term), where r2 is the largest distance of the first body from
-//          the rotation axis of the second. This limits how far the point departs from its tangent
-//          and from its chord.
+//          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v: two centripetal
+//          terms and the Coriolis term. Here r2 is the largest distance of the first body from the
+//          rotation axis of the second. This limits how far the point departs from its tangent and
+//          from its chord.
 // Source:  B. Mirtich, Impulse-based dynamic simulation (1996), 2.3; X. Zhang, S. Redon, M. Lee, Y.
 //          J. Kim, Continuous collision detection for articulated models (2007), section 4.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -77,8 +77,8 @@ Pose seenFrom(const Pose& a, const Pose& b);
 MotionTree relativeMotion(const TimedMotion& body, const TimedMotion& frame,
                           const std::vector<double>& times);
 
-/// Returns the largest distance, in mm, of a corner of the body's box from its position at the
-/// first of the given times, as seen from `frame`.
+/// Returns how far, in mm, any corner of the body's box moves from its first position, as seen from
+/// `frame`. Only the given times count.
 double relativeTravel(const TimedMotion& body, const TimedMotion& frame,
                       const std::vector<double>& times);
 

@@ -8,9 +8,9 @@
 
 namespace swept {
 
-/// Returns findings if the solid was simplified although no tolerance was given, if the export left
-/// a note (for example on surfaces that it gave up), or if the solid deviates from the mesh by more
-/// than the tolerance.
+/// Returns up to three findings. "SolidSimplified": the solid was simplified although no tolerance
+/// was given. "SolidNote": the note of the export, for example on surfaces that it gave up.
+/// "SolidInaccurate": the solid deviates from the mesh by more than the tolerance.
 std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options);
 
 }  // namespace swept

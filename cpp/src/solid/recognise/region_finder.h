@@ -96,8 +96,8 @@ std::vector<std::vector<std::int32_t>> connectedPieces(const HalfEdgeMesh& mesh,
   return pieces;
 }
 
-/// Whether the vertices of a triangle lie on a surface, and its normal deviates from that of the
-/// surface by at most the angle with this cosine. Needles may have any normal.
+/// Whether the vertices of a triangle lie on a surface, and the two normals there differ by at most
+/// the angle with the cosine `minCosine`. Needles may have any normal.
 bool liesOn(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, std::int32_t t,
             const Carrier& surface, double tolerance, double minCosine);
 
