@@ -94,7 +94,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   checkClearanceOptions(options, all);
   const std::vector<const ClearanceNeighbour*> neighbours = withoutIgnored(all, report);
   const Eigen::Vector3d pivot = pivotOf(trajectory);
-  // Repeated poses are kept: while the body waits, it stays equally near.
+  // Repeated poses are kept: if the body waits near a neighbour, its times there include the wait.
   CheckedTrajectory checked = checkTrajectory(trajectory, RepeatedPoses::Keep);
   report.warnings = std::move(checked.findings);
   bool mended = false;
@@ -160,8 +160,8 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
 ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
                               const std::vector<ClearanceNeighbour>& neighbours,
                               const ClearanceOptions& options, RunContext& run) {
-  // A rotating bearing may lie slightly deeper at another time, so the depth is enlarged. Whole
-  // hundredths are easier to read.
+  // The allowed depth is a tenth larger than the depth found, since a rotating bearing may lie
+  // slightly deeper at other times. It is rounded to hundredths, which are easier to read.
   constexpr double kMore = 1.1, kRound = 0.01;
   Trajectory first = trajectory;
   first.interpolation = Interpolation::None;

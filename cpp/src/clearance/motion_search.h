@@ -39,8 +39,8 @@ struct Minimum {
   bool found() const { return inside || at.pair.body >= 0; }
 };
 
-/// Returns a minimum such that no part of the motion comes nearer than its distance minus `slack`.
-/// Stops early once the distance is at most `slack`. If nothing comes nearer than `context.within`,
+/// Returns the smallest distance over the motion; it is too large by at most `slack` (mm). Stops
+/// early once the distance is at most `slack`. If nothing comes nearer than `context.within`,
 /// returns that value, and found() is false.
 Minimum searchMinimum(SearchContext& context, double slack);
 

@@ -197,8 +197,8 @@ void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& 
   }
 }
 
-// Starts with the vertices of the triangles that come near, and with the nearest points, at times
-// around the time of smallest distance.
+// Tests the first points: the vertices of the nearest pair of triangles, and its nearest points, at
+// times around the time of smallest distance.
 void DepthSearch::begin(const Minimum& touch) {
   if (touch.inside) {  // one of these points lies inside
     const auto tryPieces = [&](bool ofBody, const Part& own) {

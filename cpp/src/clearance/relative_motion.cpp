@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Steps between successive joined times. Each of them covers a slice of one step of either body.
+// Steps between successive joined times. Each of them lies within one step of the body and one step
+// of the frame.
 class RelativeSteps : public MotionSteps {
  public:
   RelativeSteps(const TimedMotion& body, const TimedMotion& frame, const std::vector<double>& times)

@@ -77,8 +77,8 @@ Pose seenFrom(const Pose& a, const Pose& b);
 MotionTree relativeMotion(const TimedMotion& body, const TimedMotion& frame,
                           const std::vector<double>& times);
 
-/// Returns how far, in mm, any corner of the body's box moves from its first position, as seen from
-/// `frame`. Only the given times count.
+/// Returns the largest distance, in mm, that a corner of the body's box has from its first
+/// position at one of the given times, as seen from `frame`.
 double relativeTravel(const TimedMotion& body, const TimedMotion& frame,
                       const std::vector<double>& times);
 

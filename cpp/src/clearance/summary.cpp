@@ -9,8 +9,8 @@ namespace swept {
 namespace clearance {
 namespace {
 
-/// Order of the rows, nearest first. Allowed contacts come last, since a distance of 0 is intended
-/// there.
+/// Whether row a counts as nearer than row b. Allowed contacts come last, since a distance of 0 is
+/// intended there.
 bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
   if (meantA != meantB) return meantB;

@@ -20,8 +20,8 @@ double smallestGuaranteed(const std::vector<NeighbourClearance>& rows);
 /// could give up to one tolerance less than what is proven.
 double certainClearance(const std::vector<NeighbourClearance>& rows, const Demand& demand);
 
-/// Checks the motion with the clearance engine, which decides. Returns rows for the neighbours that
-/// `rule` does not exclude.
+/// Checks the motion with the clearance engine, whose verdict is final. Returns one row for each
+/// neighbour that `rule` does not exclude.
 std::vector<NeighbourClearance> certificateOf(const Scene& scene, const Demand& demand,
                                               const Trajectory& motion, const Rule& rule,
                                               RunContext& run);

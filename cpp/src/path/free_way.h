@@ -1,4 +1,4 @@
-// Path of a part while no neighbour can be in its way.
+// Path of a part without neighbours to check: there are none, or rules ignore all of them.
 // In:      the part with its task or motion.
 // Out:     a report like that of a found path, with infinite clearance.
 // Units:   mm.

@@ -21,8 +21,8 @@ constexpr double kMinShape = 0.01;     // height / longest side of a new triangl
 // Limit for the sample points on new triangles, as a share of the squared tolerance. The rest
 // allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
-// Weight of the squared edge length in the cost, times the squared tolerance. It makes flat regions
-// collapse evenly.
+// Weight of the squared edge length in the cost, to be multiplied by the squared tolerance. It
+// makes flat regions collapse evenly.
 constexpr double kLengthWeight = 1e-3;
 
 bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {

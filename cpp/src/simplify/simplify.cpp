@@ -162,7 +162,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
       for (const FarPlace& place : *places) wrong.push_back(number[place.triangle]);
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
-    // Restored triangles may intersect triangles that have moved since.
+    // Undone steps restore triangles, which may intersect triangles that moved in later steps.
     const SelfIntersections met = findSelfIntersections(small, {}, run);
     if (round == 0) metBefore = met.count;
     if (met.count > metBefore) {

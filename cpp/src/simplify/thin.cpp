@@ -141,7 +141,8 @@ class Thinner {
     return sum / static_cast<double>(points.size());
   }
 
-  // Returns the first vertex of a part. Vertex numbers follow the layers of the mesh.
+  // Returns the first vertex of a part. Parts are ranges of numbers, which follow the mesh's
+  // layers.
   std::int32_t firstOf(std::size_t part) const {
     return static_cast<std::int32_t>(part * points_.size() / kParts);
   }
@@ -201,7 +202,7 @@ class Thinner {
 
   bool mayCollapse(std::int32_t edge, double limit, Scratch& scratch) {
     const std::int32_t v = target(edge);
-    // The ends must share exactly two neighbours, which must keep at least three neighbours.
+    // The two ends must share exactly two neighbours. Each of these must keep three or more.
     std::array<std::int32_t, kMaxNeighbours> ring;
     std::int32_t h = fan_[v];
     auto end = ring.begin();
@@ -390,7 +391,7 @@ Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase,
     thinner.work();
     Thinned thinned = thinner.result(mesh);
     const SelfIntersections found = findSelfIntersections(thinned.mesh, {}, run);
-    // If their number does not fall, these pairs were in the input already.
+    // If the number of pairs no longer falls, the remaining pairs were in the input already.
     if (found.count == 0 || found.count >= before) return thinned;
     before = found.count;
     keepAbout(found, thinned, thinner, kept);

@@ -39,8 +39,8 @@ Eigen::VectorXd equations(const Vector3d& p, const std::vector<const Carrier*>& 
   for (std::size_t k = 0; k < touching.size(); ++k) {
     const Carrier& a = *surfaces[touching[k].first];
     const Carrier& b = *surfaces[touching[k].second];
-    // This row has less weight than the distances, since it only decides the direction that they
-    // leave open.
+    // These rows have less weight than the distances, since they only decide the direction that the
+    // distances leave open.
     const double scale = 0.1 * std::min(lengthScale(a), lengthScale(b));
     value.segment<3>(surfaces.size() + 3 * k) = scale * (a.normal(p) - b.normal(p));
   }

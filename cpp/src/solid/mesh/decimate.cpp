@@ -73,7 +73,7 @@ class Decimator {
 
  private:
   // Moves border vertices onto the surfaces of their patches, where facets will end in the solid.
-  // The deviation of the facets then counts from there.
+  // This happens before the collapses, so that the move counts within the tolerance of the facets.
   void putBordersOnSurfaces() {
     std::vector<std::vector<std::int32_t>> around(in_.points.size());
     for (std::size_t t = 0; t < in_.triangles.size(); ++t) {
@@ -125,8 +125,8 @@ class Decimator {
     return true;
   }
 
-  // Border: exactly one patch and open ground around the vertex, with two border edges. Fixed: all
-  // other vertices of patches.
+  // Sets the kind of each vertex. Border: exactly one patch and open ground around the vertex, with
+  // two border edges. Fixed: all other vertices of patches. Free: vertices without a patch.
   void classify() {
     std::vector<std::int32_t> borders(state_.mesh.vertices.size(), 0),
         patch(state_.mesh.vertices.size(), -1);

@@ -26,8 +26,8 @@ std::optional<Carrier> guessPlane(const Samples& samples, const PointSpread& spr
   return surface;
 }
 
-// Solves p = centre + s n for centre and s by least squares. Points and normals must be projected
-// already.
+// Solves p = centre + s n for centre and s by least squares. For a cylinder or a torus, points and
+// normals must already be projected to a plane.
 bool centreAlongNormals(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
                         Vector3d& centre, double& s) {
   const auto count = static_cast<double>(points.size());
@@ -167,7 +167,7 @@ Carrier moved(const Carrier& from, const Vector3d& e1, const Vector3d& e2, const
 
 // Derivative of the distance of p with respect to the parameters of moved().
 using Gradient = Eigen::Matrix<double, 7, 1>;
-// Sized by the number of free parameters, without heap allocation.
+// One row per free parameter, at most 7, so that no heap allocation is needed.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
 Gradient gradientOf(const Carrier& s, const Vector3d& p, const Vector3d& e1, const Vector3d& e2,

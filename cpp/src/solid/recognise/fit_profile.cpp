@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
-/// More spans must reduce the sum of squares to this share.
+/// More spans must reduce the sum of squares to this share of its previous value.
 constexpr double kMaxRemaining = 0.6;
 constexpr double kSmoothing = 1e-7;
 constexpr double kEndFraction = 0.08;  // of the length: straight pieces at the ends

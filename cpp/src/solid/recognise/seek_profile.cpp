@@ -24,9 +24,9 @@ constexpr double kExactFraction = 0.1;  // of the tolerance: largest median dist
 constexpr double kRoughFraction = 0.2;  // of the tolerance: the same for a quick first test
 /// Of the tolerance: spans are halved until their points are this near.
 constexpr double kFitFraction = 0.02;
-/// Of the tolerance: a patch with a larger median distance may give its triangles to a profile ...
+/// Of the tolerance: only patches with a larger median distance may give triangles to a profile.
 constexpr double kMinLoose = 0.02;
-constexpr double kMinGain = 3;   // ... if the profile fits better by this factor
+constexpr double kMinGain = 3;   // factor by which the profile must fit better than the patch
 constexpr double kMinSaved = 8;  // facets that a patch must save
 /// In edge lengths: nearer to the axis, triangles belong to the pole and are left out.
 constexpr double kMinAxisDistance = 6;

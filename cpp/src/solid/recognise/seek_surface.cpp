@@ -97,8 +97,8 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
   Candidate candidate;
   candidate.surface = *surface;
   candidate.region = grow(seed, candidate.surface, tolerance_, 2 * first.points.size());
-  // Reduces the tolerance to what the surface really needs, so that it does not grow into its
-  // neighbours.
+  // Reduces the tolerance to what the surface really needs, so that the region does not grow into
+  // neighbouring surfaces.
   std::size_t before = 0;
   for (int round = 0; round < 8; ++round) {
     if (candidate.region.size() < 4) return std::nullopt;

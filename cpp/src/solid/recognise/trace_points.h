@@ -21,7 +21,8 @@ struct Trace {
   double reach = 0;           ///< mm, how far a point may lie from the path
   bool closed = false;        ///< the first point is repeated at the end
 
-  /// Returns the path length at a point with this normal; -1 if the point is not on the path.
+  /// Returns the path length from the first point to a point with this normal; -1 if the point does
+  /// not lie on the path.
   double parameterOf(const Eigen::Vector2d& p, const Eigen::Vector2d& normal) const;
 };
 

@@ -194,7 +194,7 @@ class Writer {
     for (std::size_t s = 0; s < shells.size(); ++s) {
       const std::int32_t owner = model_.shellOwner[s];
       if (owner == static_cast<std::int32_t>(s)) continue;
-      // The faces of a cavity already face away from the material.
+      // The faces of a cavity already face away from the material, so the shell is not reversed.
       voids[owner].push_back(lines_.begin("ORIENTED_CLOSED_SHELL"));
       lines_.raw("'',*,").id(shells[s]).raw(",.T.").end();
     }
