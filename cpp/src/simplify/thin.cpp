@@ -141,8 +141,7 @@ class Thinner {
     return sum / static_cast<double>(points.size());
   }
 
-  // Returns the first vertex of a part. Parts are ranges of numbers, which follow the mesh's
-  // layers.
+  // Returns the first vertex of a part: a range of vertex numbers, which follow the layers.
   std::int32_t firstOf(std::size_t part) const {
     return static_cast<std::int32_t>(part * points_.size() / kParts);
   }
