@@ -34,7 +34,7 @@ void checkClearanceOptions(const ClearanceOptions& o,
   }
 }
 
-constexpr std::size_t kMostFirst = 8;  // indices that a finding names
+constexpr std::size_t kMostFirst = 8;  // most indices that a finding lists
 
 void summarise(ClearanceReport& report) {
   std::vector<const NeighbourClearance*> rows;
@@ -45,7 +45,7 @@ void summarise(ClearanceReport& report) {
   report.summary = summary.text;
 }
 
-/// Those that are looked at; the names of the others go into the report.
+/// Returns the neighbours to check, and adds the names of the ignored ones to the report.
 std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<ClearanceNeighbour>& all,
                                                       ClearanceReport& report) {
   std::vector<const ClearanceNeighbour*> kept;
@@ -61,7 +61,8 @@ std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<Clearanc
   return kept;
 }
 
-/// Contacts that are allowed, where deeper ones could not be ruled out: the deepest, in words.
+/// Adds a finding about allowed contacts for which a greater depth could not be excluded. Its text
+/// names the deepest one.
 void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   Finding finding{"ContactNotProven", 0, {}, ""};
   const NeighbourClearance* worst = nullptr;
@@ -93,7 +94,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   checkClearanceOptions(options, all);
   const std::vector<const ClearanceNeighbour*> neighbours = withoutIgnored(all, report);
   const Eigen::Vector3d pivot = pivotOf(trajectory);
-  // A body that waits is as near for as long.
+  // Repeated poses are kept: if the body waits near a neighbour, its times there include the wait.
   CheckedTrajectory checked = checkTrajectory(trajectory, RepeatedPoses::Keep);
   report.warnings = std::move(checked.findings);
   bool mended = false;
@@ -159,7 +160,8 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
 ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
                               const std::vector<ClearanceNeighbour>& neighbours,
                               const ClearanceOptions& options, RunContext& run) {
-  // A bearing that turns lies a little deeper elsewhere; whole hundredths are easier to read.
+  // The allowed depth is a tenth larger than the depth found, since a rotating bearing may lie
+  // slightly deeper at other times. It is rounded to hundredths, which are easier to read.
   constexpr double kMore = 1.1, kRound = 0.01;
   Trajectory first = trajectory;
   first.interpolation = Interpolation::None;

@@ -19,14 +19,14 @@ double radiusOf(const Triangle3d& c) {
       std::max({(c[0] - m).squaredNorm(), (c[1] - m).squaredNorm(), (c[2] - m).squaredNorm()}));
 }
 
-// Into the frame of the other part.
+// Transforms a point into the frame of the other part.
 Vector3d seen(const Matrix3d& R, const Vector3d& t, bool ofBody, const Vector3d& local) {
   return ofBody ? Vector3d(R * local + t) : Vector3d(R.transpose() * (local - t));
 }
 
-// No point of a piece with these corners (in its own frame) is farther from the surface of the
-// other part than the farthest corner is from one triangle of it: that distance is convex. Where
-// faces lie flat on each other this is the depth itself, whatever the size of the piece.
+// Bounds the distance of a piece's points from the surface of the other part. The distance from one
+// triangle of that surface is convex, so it is largest at a corner of the piece. Where faces lie
+// flat on each other, the bound equals the depth, whatever the size of the piece.
 template <class Corners>
 double farthestCorner(const PairSearch& pair, const Matrix3d& R, const Vector3d& t,
                       const Piece& piece, const Vector3d& centre, const Corners& corners) {
@@ -77,7 +77,8 @@ Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const 
     if (p.most > 0)
       p.most = std::min(p.most, farthestCorner(pair, R, t, piece, box.centre, cornersOf(box)));
     local = box.centre;
-    p.surfaceDepth = -std::numeric_limits<double>::infinity();  // the centre is not on the surface
+    // The centre of a box is not on the surface.
+    p.surfaceDepth = -std::numeric_limits<double>::infinity();
   }
   p.surfacePoint = piece.ofBody ? Vector3d(R * local + t) : local;
   return p;

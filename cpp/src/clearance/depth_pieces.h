@@ -1,7 +1,8 @@
 // Pieces of the surfaces of two parts, for the search for their deepest overlap.
-// In:    two parts and how one stands to the other. Out: bounds on how deep the points of a piece
-// lie
-//        inside the other part. Units: mm. Cost: one nearest-point and inside query a piece.
+// In:      two parts and their relative placement.
+// Out:     bounds on how deep the points of a piece lie inside the other part.
+// Units:   mm.
+// Cost:    one nearest-point query and one inside test per piece.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,7 +12,7 @@
 
 namespace swept::clearance {
 
-/// A piece of surface: a box of the hierarchy, or a triangle cut out of a leaf's triangle.
+/// A piece of surface: a node of the hierarchy, or a triangle cut from a leaf's triangle.
 struct Piece {
   bool ofBody = true;
   BoxTree::Node node;
@@ -20,23 +21,25 @@ struct Piece {
 };
 
 struct Probe {
-  double depth = 0;  // at the piece's centre
+  double depth = 0;  // at the centre of the piece
   double radius = 0;
-  double most = 0;               // no point of the piece is deeper
-  Eigen::Vector3d surfacePoint;  // world, at the representative pose
+  double most = 0;               // no point of the piece lies deeper
+  Eigen::Vector3d surfacePoint;  // in the neighbour's frame, at the representative pose
   double surfaceDepth = 0;
 };
 
 inline Eigen::Vector3d centroid(const Triangle3d& c) { return (c[0] + c[1] + c[2]) / 3.0; }
 
-/// Depth of a point of one mesh, given in that mesh's frame, below the other's surface.
+/// Returns how deep a point of one mesh lies below the surface of the other; negative if outside.
+/// `local` is in the frame of the mesh to which the point belongs.
 double depthIn(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                bool ofBody, const Eigen::Vector3d& local);
 Probe probe(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
             const Piece& piece);
-/// Appends the parts of a piece: what a box of the hierarchy holds, four of a triangle.
+/// Appends the parts of a piece: the children of a node, or four triangles of a triangle.
 void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out);
-/// The surfaces whose points can lie inside the other part, which has to be closed.
+/// Returns the root piece of each part that the other part may contain. A part contains points only
+/// if it is closed.
 std::vector<Piece> roots(const PairSearch& pair);
 
 }  // namespace swept::clearance

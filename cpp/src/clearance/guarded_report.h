@@ -1,5 +1,5 @@
-// A run that fills a report and never throws but for want of memory: failures become its status,
-// code and message.
+// Runs a computation that fills a report. Errors become the status, code and message of the report;
+// only std::bad_alloc is thrown.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace swept::clearance {
 
-/// Calls work() with the threads of the run. Where it fails, takeBack(report) removes what it has
-/// filled in: a run that did not finish must not look like a result. `what` runs, on `inputs`, for
-/// messages.
+/// Calls work() with the thread count of the run. If work() fails, takeBack(report) removes partial
+/// results, since an unfinished run must not look like a result. Messages name the computation by
+/// `what` and its input by `inputs`.
 template <class Report, class TakeBack, class Work>
 void fillGuarded(Report& report, RunContext& run, const std::string& what,
                  const std::string& inputs, const TakeBack& takeBack, const Work& work) {

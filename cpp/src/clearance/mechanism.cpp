@@ -1,5 +1,6 @@
-// Parts are prepared side by side; boxes over time leave the pairs that come near; each of these is
-// searched like one moving body, in the frame of that part as seen from which the other moves less.
+// The parts are prepared in parallel. Boxes over time discard the pairs that stay far apart. Each
+// remaining pair is searched like one moving body, in the frame of the part from which the other
+// moves less.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 
@@ -34,7 +35,7 @@ void checkMechanismOptions(const std::vector<MechanismPart>& parts, const Mechan
     requireLength("part '" + part.name + "': chord error", part.chordError, true);
 }
 
-/// Up to here pairs are measured, and all verdicts need no more.
+/// Returns the distance up to which pairs are measured. It is large enough for all verdicts.
 double rangeOf(const std::vector<MechanismPart>& parts, const std::vector<PreparedPart>& prepared,
                const PairRules& rules, const MechanismOptions& options) {
   double range = options.range;
@@ -50,7 +51,7 @@ double rangeOf(const std::vector<MechanismPart>& parts, const std::vector<Prepar
   return std::max(range, rules.largestRequired() + 2 * chord + 2 * options.tolerance);
 }
 
-/// What was found out about a pair of parts that boxes could not tell apart.
+/// Result for one pair of parts that the boxes could not separate.
 struct Looked {
   bool joined = false;
   std::optional<PairClearance> near;
@@ -77,7 +78,8 @@ class PairLook {
     Looked looked;
     looked.joined = std::min(one, other) <= o_.tolerance;
     if (looked.joined) return looked;
-    const bool turned = other < one;  // the second part moves, as seen from the first one
+    // Whether the second part is the moving body, in the frame of the first.
+    const bool turned = other < one;
     const PreparedPart& body = turned ? second : first;
     const PreparedPart& frame = turned ? first : second;
     const MotionTree motion = relativeMotion(body.motion, frame.motion, times);
@@ -107,7 +109,8 @@ class PairLook {
     return backFromPivot(part.motion.poseAt(time), part.pivot);
   }
 
-  /// Points and boxes of the search, which knows the frame of one part only.
+  /// Transforms points and boxes from the frame of one part, in which the search works, to the
+  /// world.
   static void toWorld(NeighbourClearance& row, const PreparedPart& frame) {
     const Pose at = frame.motion.poseAt(row.timeSeconds);
     for (Vector3d* x : {&row.pointOnBody, &row.pointOnNeighbour})
@@ -137,7 +140,8 @@ class PairLook {
   RunContext& run_;
 };
 
-/// Pairs that may come near and are to be looked at.
+/// Returns the pairs that may come near, of which at least one part moves, and that no rule
+/// excludes.
 std::vector<PartPair> candidates(const std::vector<PreparedPart>& prepared, const PairRules& rules,
                                  const MechanismReport& report) {
   std::vector<std::optional<SweptBoxes>> built(prepared.size());
@@ -153,7 +157,7 @@ std::vector<PartPair> candidates(const std::vector<PreparedPart>& prepared, cons
   return pairs;
 }
 
-/// Pairs of which at least one part moves and that no rule leaves out.
+/// Counts the pairs of which at least one part moves and that no rule excludes.
 std::int64_t askedPairs(const std::vector<PreparedPart>& prepared, const PairRules& rules) {
   const std::int64_t all = std::ssize(prepared);
   const std::int64_t still = std::count_if(prepared.begin(), prepared.end(),
@@ -206,7 +210,8 @@ void runCheck(MechanismReport& report, const std::vector<MechanismPart>& parts,
   const PairLook look(parts, prepared, rules, options, report, run);
   std::atomic<std::uint64_t> done{0};
   parallelFor(pairs.size(), [&](std::size_t i) {
-    // A thread that waits for others of its pair takes no second pair on: that would cost memory.
+    // While a thread waits for the others that work on its pair, it must not start a second pair:
+    // that would cost memory.
     tbb::this_task_arena::isolate([&] { looked[i] = look(pairs[i]); });
     run.checkpoint(Phase::Check, ++done, pairs.size());
   });

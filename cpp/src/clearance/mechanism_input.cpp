@@ -65,7 +65,8 @@ Trajectory timedPoses(const MechanismPart& part, std::vector<Finding>& findings)
 std::vector<PreparedPart> prepareParts(const std::vector<MechanismPart>& parts, RunContext& run) {
   requireNames(parts);
   std::vector<std::optional<PreparedPart>> prepared(parts.size());
-  // Motions first: they take no time, and what is wrong with them is told before meshes are built.
+  // Motions come first: checking them is fast, so their errors are reported before the slow
+  // preparation of the meshes.
   std::vector<Trajectory> motions;
   std::vector<std::vector<Finding>> findings(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)

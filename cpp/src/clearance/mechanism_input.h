@@ -1,6 +1,9 @@
-// The parts of a mechanism as the search takes them: checked, prepared, joined over their common
-// time. In:    parts as given. Units: mm, s. Out:   hierarchies and timed motions in coordinates
-// whose origin is the pivot of each part. Cost:  O(n log n) in the triangles, parts side by side.
+// Checks and prepares the parts of a mechanism for the search, and finds their common time span.
+// In:      parts as the caller gives them.
+// Out:     hierarchies and timed motions, with the pivot of each part as the origin of its
+//          coordinates.
+// Units:   mm, s.
+// Cost:    O(n log n) in the number of triangles; parts are prepared in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,19 +17,20 @@ namespace swept::clearance {
 
 struct PreparedPart {
   Part part;
-  bool mended;  ///< the numbers of its triangles mean nothing to the caller
+  bool mended;  ///< a repaired copy, whose triangle numbers mean nothing to the caller
   Eigen::Vector3d pivot;
   TimedMotion motion;
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) as checkMechanism() says; every message names the part.
+/// Throws Error(InvalidInput) with the codes of checkMechanism(). Each message names the part.
 std::vector<PreparedPart> prepareParts(const std::vector<MechanismPart>& parts, RunContext& run);
 
-/// The motion of one part, checked, with its pivot's poses.
+/// Returns the checked motion of one part, as poses of its pivot.
 Trajectory timedPoses(const MechanismPart& part, std::vector<Finding>& findings);
 
-/// Common to all motions. Throws NothingMoves, NoCommonTime; says of motions that go on beyond it.
+/// Returns the time span that all motions share. Throws NothingMoves or NoCommonTime. Adds a
+/// finding about motions that extend beyond the span.
 TimeInterval commonTime(const std::vector<MechanismPart>& parts,
                         const std::vector<PreparedPart>& prepared, std::vector<Finding>& findings);
 

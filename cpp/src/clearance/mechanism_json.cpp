@@ -27,7 +27,7 @@ Json pairJson(const MechanismReport& report, const PairClearance& pair) {
 
 std::string toJson(const MechanismReport& report) {
   Json json = reportHead("mechanism", report.status, report.code, report.message);
-  if (!report.summary.empty()) {  // also where only an output failed
+  if (!report.summary.empty()) {  // a report also has a summary if only writing an output failed
     json["summary"] = report.summary;
     json["parts"] = report.names;
     json["required"] = report.required;

@@ -13,18 +13,18 @@ namespace swept::clearance {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kRound =
-    16;  // nodes a round; fixed, so that results do not depend on threads
+constexpr std::size_t kRound = 16;  // nodes per round; fixed: results do not depend on threads
 
 struct QueuedNode {
-  double key = 0;           // mm, how near this node may come, as far as known
-  std::int64_t number = 0;  // order of creation, breaks ties
+  double key = 0;           // mm, lower bound of the distance in this node
+  std::int64_t number = 0;  // order of creation; breaks ties
   MotionNode node;
   LeafPair hint;
   int level = 0;
 };
 
-// Effort for a proof: little at the top, where it mostly fails, more with every split.
+// Effort for a proof. Proofs mostly fail near the root, so the effort is small there and doubles
+// with each split.
 std::int64_t effortAt(int level) { return std::int64_t{1000} << std::min(level, 11); }
 
 struct Examined {
@@ -56,7 +56,8 @@ class MinimumSearch {
     queue_.push({key, number_++, node, hint, level});
   }
 
-  // A few spread representatives give the first bound; the nodes start the queue.
+  // Measures the distance at a few spread representatives for a first bound, and starts the queue
+  // with their nodes.
   void seed() {
     std::vector<MotionNode> nodes{c_.motion.root()};
     for (bool grown = true; grown && nodes.size() < 32;) {
@@ -73,12 +74,13 @@ class MinimumSearch {
       nodes.swap(finer);
     }
     result_.distance = c_.within;
-    std::optional<double> overlapping;  // a moment at which the solids share a point
+    std::optional<double> overlapping;  // a parameter at which the solids overlap
     for (const MotionNode& node : nodes) {
       const MotionBound b = c_.motion.bound(node);
       const bool overlap = c_.pair.containedAt(b.R, b.t);
-      // Then all that matters is whether the surfaces meet: how far they are from each other where
-      // one part lies in the middle of the other is a long search (all around is about as near).
+      // Here it only matters whether the surfaces intersect. Their exact distance would take a long
+      // search if one part lies in the middle of the other, where all directions are about equally
+      // near.
       const double below = overlap ? std::min(meeting(), result_.distance) : result_.distance;
       const PairDistance d = c_.pair.distanceAt(b.R, b.t, below, result_.at.pair);
       ++c_.queries;
@@ -89,7 +91,7 @@ class MinimumSearch {
     if (overlapping && result_.distance > slack_) takeInside(*overlapping);
   }
 
-  /// mm, from which on surfaces count as apart.
+  /// mm; surfaces at this distance or farther apart count as not touching.
   double meeting() const { return std::max(slack_, std::numeric_limits<double>::min()); }
 
   void takeInside(double parameter) {
@@ -153,7 +155,8 @@ class MinimumSearch {
     }
   }
 
-  // Golden section round the best moment: sharpens its time, can only lower the distance.
+  // Refines the time of the minimum by a golden section search around it. The distance can only
+  // decrease.
   void polish() {
     constexpr double kRatio = 0.6180339887498949;
     const double width = span_ > 0 ? span_ : 1.0;
@@ -167,7 +170,7 @@ class MinimumSearch {
       take(d, u, span_);
       return d.distance;
     };
-    measure(low);  // a minimum at the very start or end of the motion is met exactly
+    measure(low);  // finds a minimum at the very start or end of the motion exactly
     measure(high);
     double a = high - kRatio * (high - low);
     double b = low + kRatio * (high - low);
@@ -214,8 +217,9 @@ struct LevelItem {
   Level outcome = Level::Clear;
 };
 
-/// mm, at most so far apart the nearest points of a moment are in the whole node: along the line
-/// between them they part by what the one on the body advances, beside it by the reach at most.
+/// Upper bound, in mm, of the distance of these nearest points anywhere in the node. Along the line
+/// between them the distance grows at most by the advance of the body's point, across it by at most
+/// the reach.
 double largestDistance(const MotionBound& b, const PairDistance& d) {
   if (d.pair.body < 0 || d.distance <= 0) return d.distance + b.reach;
   const Eigen::Vector3d n = (d.onBody - d.onNeighbour) / d.distance;
@@ -229,7 +233,7 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
               const OverlapTest& overlaps) {
   const MotionBound b = c.motion.bound(item.node);
   const bool last = !c.motion.splits(item.node) || b.reach <= 0.5 * resolution;
-  if (item.hint.body >= 0) {  // the pair that was nearest before is often near enough
+  if (item.hint.body >= 0) {  // the pair that was nearest before often suffices
     const NearestPoints p = c.pair.leafDistance(b.R, b.t, item.hint);
     if (largestDistance(b, {std::sqrt(p.squared), item.hint, p.a, p.b}) < level) {
       item.outcome = Level::Below;
@@ -252,7 +256,7 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
   if (d.pair.body >= 0) item.hint = d.pair;
   const bool below = d.pair.body >= 0 || c.pair.containedAt(b.R, b.t);
   if (last) {
-    // A step that could not be proven clear counts as below: spans may be long, never short.
+    // A step without proof counts as below the level: spans may be too long, never too short.
     item.outcome = below || b.reach > 0 ? Level::Below : Level::Clear;
   } else if (below && (largestDistance(b, d) < level ||
                        (d.distance <= 0 && overlaps(b.R, b.t, b.reach - level)))) {
@@ -303,7 +307,7 @@ std::vector<std::pair<double, double>> spansBelow(SearchContext& c, double level
     items.swap(next);
   }
   std::sort(spans.begin(), spans.end());
-  const double join = c.motion.isContinuous() ? 0.0 : 1.0;  // poses next to each other form a run
+  const double join = c.motion.isContinuous() ? 0.0 : 1.0;  // adjacent poses form one span
   std::vector<std::pair<double, double>> joined;
   for (const auto& s : spans) {
     if (!joined.empty() && s.first <= joined.back().second + join)
@@ -336,7 +340,7 @@ std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int sam
   std::sort(parameters.begin(), parameters.end());
   parameters.erase(std::unique(parameters.begin(), parameters.end()), parameters.end());
   std::vector<std::pair<double, double>> result(parameters.size());
-  constexpr std::size_t kRun = 8;  // neighbours in time hand on their nearest pair
+  constexpr std::size_t kRun = 8;  // successive samples that pass on their nearest pair as a hint
   tbb::parallel_for(std::size_t{0}, (parameters.size() + kRun - 1) / kRun, [&](std::size_t r) {
     LeafPair hint;
     for (std::size_t i = r * kRun; i < std::min(parameters.size(), (r + 1) * kRun); ++i) {

@@ -1,7 +1,11 @@
-// Smallest distance over a whole motion; spans of it nearer than a level; samples for a graph.
-// In:    a pair of meshes, a hierarchy over the motion. Units: mm.
-// Out:   plain values; the same for any number of threads (rounds of fixed size, merged in order).
-// Cost:  a proof or a distance query for each node that cannot be dropped with its parent.
+// Smallest distance over a whole motion, time spans below a given distance, and samples for a
+// graph.
+// In:      a pair of meshes and a hierarchy over the motion.
+// Out:     plain values. They do not depend on the number of threads: nodes are examined in rounds
+//          of fixed size and merged in order.
+// Units:   mm.
+// Cost:    one proof or distance query for each node that is not discarded together with its
+//          parent.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,12 +19,12 @@
 
 namespace swept::clearance {
 
-/// What one neighbour's searches have in common.
+/// Data that all searches for one neighbour share.
 struct SearchContext {
   const PairSearch& pair;
   const MotionTree& motion;
   RunContext& run;
-  /// mm, nothing farther apart than this is measured.
+  /// mm; larger distances are not measured.
   double within = std::numeric_limits<double>::infinity();
   std::atomic<std::int64_t> queries{0};
   std::atomic<std::int64_t> certificates{0};
@@ -30,24 +34,29 @@ struct Minimum {
   double distance = 0;
   double parameter = 0;
   PairDistance at;
-  bool inside = false;  ///< one part wholly inside the other at `parameter`; distance is then 0
+  /// One part lies wholly inside the other at `parameter`; distance is then 0.
+  bool inside = false;
   bool found() const { return inside || at.pair.body >= 0; }
 };
 
-/// No part of the motion comes nearer than the result minus `slack`; stops early at or below slack.
-/// Where nothing comes nearer than `context.within`, that is the distance, and nothing is found.
+/// Returns the smallest distance over the motion; it is too large by at most `slack` (mm). Stops
+/// early once the distance is at most `slack`. If nothing comes nearer than `context.within`,
+/// returns that value, and found() is false.
 Minimum searchMinimum(SearchContext& context, double slack);
 
-/// Says whether the parts overlap by at least this much at a pose (a sufficient test).
+/// Returns true only if the parts overlap by at least `atLeast` at a pose. May return false
+/// although they do.
 using OverlapTest =
     std::function<bool(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double atLeast)>;
 
-/// Spans of the motion's parameter that hold every moment nearer than `level` (> 0), ascending,
-/// at most `resolution` of travel too long at each end. Single poses: from == to.
+/// Returns spans of the motion parameter, in ascending order, that contain each time with a
+/// distance below `level` (> 0). Each end is too long by at most `resolution` of travel. Without
+/// interpolation, a single pose gives a span with from == to.
 std::vector<std::pair<double, double>> spansBelow(SearchContext& context, double level,
                                                   double resolution, const OverlapTest& overlaps);
 
-/// Distances at `samples` moments even in time, plus the one at `extra`; none above context.within.
+/// Returns pairs (parameter, distance) at `samples` evenly spaced times and at the parameter
+/// `extra`. A distance above context.within is replaced by that value.
 std::vector<std::pair<double, double>> sampleDistances(SearchContext& context, int samples,
                                                        double extra);
 

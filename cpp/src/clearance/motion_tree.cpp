@@ -12,12 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::int32_t kBucket = 4;  // members of a cluster without child clusters
+// Largest number of members of a cluster without child clusters.
+constexpr std::int32_t kBucket = 4;
 
-// The steps of one body in the world.
+// Steps of one body between its successive poses, in world coordinates.
 class PathSteps : public MotionSteps {
  public:
-  /// None where nothing lies between the poses.
+  /// Returns nullptr if the trajectory is not interpolated or has fewer than two poses.
   static std::unique_ptr<const PathSteps> of(const Trajectory& trajectory, const Vector3d& centre,
                                              const Vector3d& half) {
     if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2)
@@ -45,7 +46,7 @@ class PathSteps : public MotionSteps {
  private:
   struct Step {  // from pose i to pose i + 1
     StepPath path;
-    double radius = 0;  ///< of the body's box about the axis of the turn
+    double radius = 0;  ///< of the body's box about the rotation axis
   };
   std::vector<Step> steps_;
 };

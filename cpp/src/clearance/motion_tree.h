@@ -1,13 +1,15 @@
-// Hierarchy over a motion: single poses, or steps between poses, clustered by how the body lies.
-// In:    trajectory; box of the body in its own frame. Units: mm, rad.
-//        The parameter of a motion is pose + s, s in [0, 1] within the step after it.
-// Out:   for every node a representative pose and a bound on how far any point of the body lies
-//        from where the representative puts it, also along one direction only.
-// Cost:  O(n log n), about 600 bytes a pose.
-// The steps are asked through MotionSteps: those of one body in the world, or of one moving body as
-// seen from another one (relative_motion.h).
-// Why the corners of a box suffice: a displacement is affine in the point, so its length is convex
-// and largest at a corner of any box round the body.
+// Hierarchy over a motion. Single poses, or steps between poses, form clusters of similar
+// placements.
+// In:      trajectory; box of the body in its own frame. The parameter of a motion is pose index +
+//          s, where s in [0, 1] is the share of the step after that pose.
+// Out:     for each node a representative pose, and bounds on the displacement of any point of the
+//          body from its position at that pose: in all directions, and along one direction.
+// Units:   mm, rad.
+// Cost:    O(n log n), about 600 bytes per pose.
+// MotionSteps supplies the steps: of one body in the world, or of one moving body relative to
+// another (relative_motion.h).
+// Why:     The corners of a box suffice: a displacement is affine in the point, so its length is
+//          convex and largest at a corner of any box that contains the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,24 +21,24 @@
 
 namespace swept::clearance {
 
-/// What a hierarchy has to know of the steps between successive poses; s in [0, 1] within a step.
-/// The body is the box that the hierarchy was given.
+/// Steps between successive poses, as the hierarchy needs them. s in [0, 1] is the share of a step.
+/// All bounds hold for the box of the body that the hierarchy uses.
 class MotionSteps {
  public:
   struct Flow {
     Pose pose;       ///< at s
     Twist twist;     ///< at s, per unit of s, in the frame of the poses
-    double fastest;  ///< mm per unit of s, of any point, anywhere in the step
+    double fastest;  ///< mm per unit of s; no point is faster anywhere in the step
   };
   virtual ~MotionSteps() = default;
   virtual Pose poseAt(std::int64_t step, double s) const = 0;
   virtual Flow flowAt(std::int64_t step, double s) const = 0;
-  /// In the step no point leaves the chord of its two ends by more than this, mm: an eighth of the
-  /// largest acceleration.
+  /// mm; in the step no point departs farther from the chord between its two end positions. This is
+  /// an eighth of the largest acceleration.
   virtual double bulge(std::int64_t step) const = 0;
 };
 
-/// f(corner) for the eight corners of a box.
+/// Calls f(corner) for the eight corners of a box.
 template <typename F>
 void forCorners(const Eigen::Vector3d& centre, const Eigen::Vector3d& half, F&& f) {
   for (int k = 0; k < 8; ++k) {
@@ -45,11 +47,13 @@ void forCorners(const Eigen::Vector3d& centre, const Eigen::Vector3d& half, F&& 
   }
 }
 
-/// mm, how far a corner of the box (body frame) lies from the line that the step turns about.
+/// Returns the largest distance, in mm, of a corner of the box (body frame) from the rotation axis
+/// of the step.
 double largestRadius(const StepPath& path, const Eigen::Vector3d& centre,
                      const Eigen::Vector3d& half);
 
-/// A part of the motion: a cluster of members, or [from, to] of one member (a step or a pose).
+/// A node: a cluster of members, or the part [from, to] of one member. A member is a step, or a
+/// single pose without interpolation.
 struct MotionNode {
   std::int32_t cluster = -1;
   std::int32_t member = -1;
@@ -64,19 +68,21 @@ struct MotionBound {
   double parameter = 0;
   double reach = 0;  ///< mm, largest displacement of any point of the body from the representative
 
-  /// Largest advance along the unit vector n of any body point in the box (body frame).
+  /// Largest advance along the unit vector n of any body point in the given box (body frame).
   double advance(const Eigen::Vector3d& n, const Eigen::Vector3d& centre,
                  const Eigen::Vector3d& half) const;
 
  private:
   friend class MotionTree;
   enum class Kind { Point, Flow, Cluster } kind_ = Kind::Point;
-  // Flow: v(x) = linear + angular x position at the representative, half a span, second-order rest.
+  // Flow: velocity v(x) = linear + angular x position at the representative, half the span, and a
+  // second-order bound.
   Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
   double span_ = 0;
   double rest_ = 0;
-  // Cluster: intervals of the entries of (R - R_rep | shift at the body's centre) of the members.
+  // Cluster: the interval of each matrix entry over all members. Columns 0 to 2 are R - R_rep,
+  // column 3 is the displacement of the body's centre.
   const Eigen::Matrix<double, 3, 4>* low_ = nullptr;
   const Eigen::Matrix<double, 3, 4>* high_ = nullptr;
   Eigen::Vector3d bodyCentre_ = Eigen::Vector3d::Zero();
@@ -86,14 +92,14 @@ class MotionTree {
  public:
   MotionTree(const Trajectory& trajectory, const Eigen::Vector3d& bodyCentre,
              const Eigen::Vector3d& bodyHalf);
-  /// `poses`: at the ends of the steps, one more than there are steps; two or more.
+  /// `poses`: the ends of the steps, so one more than there are steps; at least two.
   MotionTree(std::vector<Pose> poses, std::unique_ptr<const MotionSteps> steps,
              const Eigen::Vector3d& bodyCentre, const Eigen::Vector3d& bodyHalf);
 
   MotionNode root() const;
   MotionBound bound(const MotionNode& node) const;
   bool splits(const MotionNode& node) const;
-  /// Appends the parts of a node that splits() says can be split.
+  /// Appends the children of a node. Call it only if splits(node).
   void split(const MotionNode& node, std::vector<MotionNode>& out) const;
 
   bool isContinuous() const { return continuous_; }
@@ -102,16 +108,17 @@ class MotionTree {
   Pose poseAt(double parameter) const;
   double timeAt(double parameter) const;
   const std::vector<Pose>& poses() const { return poses_; }
-  /// First and last member of a node, all members of it: clusters list theirs.
+  /// Appends all members of a node.
   void listMembers(const MotionNode& node, std::vector<std::int32_t>& out) const;
 
  private:
   struct Cluster {
-    std::int32_t first, last;  ///< members_ order, half open
-    std::int32_t right = -1;   ///< second child; the first one follows; -1: children are members
+    std::int32_t first, last;  ///< range of order_, half open
+    /// Index of the second child; the first child is the next node. -1: members, no child clusters.
+    std::int32_t right = -1;
     std::int32_t representative = 0;
     double reach = 0;
-    double bulge = 0;  ///< largest departure of a member step from its chord, mm
+    double bulge = 0;  ///< mm, largest departure of a member step from its chord
     Eigen::Matrix<double, 3, 4> low, high;
   };
   using Affine = Eigen::Matrix<double, 3, 4>;
@@ -121,13 +128,13 @@ class MotionTree {
   static std::int32_t clusterNodes(std::int32_t members);
 
   std::vector<Pose> poses_;
-  std::unique_ptr<const MotionSteps> steps_;  ///< none: single poses
+  std::unique_ptr<const MotionSteps> steps_;  ///< nullptr: only single poses, no interpolation
   Eigen::Vector3d centre_;
   Eigen::Vector3d half_;
   bool continuous_ = false;
   std::int64_t members_ = 0;
-  std::vector<Affine> affine_;       ///< per pose: R | R centre + t
-  std::vector<std::int32_t> order_;  ///< members sorted into clusters
+  std::vector<Affine> affine_;       ///< for each pose the columns R | R centre + t
+  std::vector<std::int32_t> order_;  ///< members, sorted by cluster
   std::vector<Cluster> clusters_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kAllowed =
     "allowed: a required distance in mm, contact, contact:MM (how deep at most) or ignore";
-/// Neighbours that one sentence names.
+/// Largest number of neighbours that one message names.
 constexpr std::size_t kMostNames = 12;
 
 [[noreturn]] void badRule(const std::string& text) {
@@ -39,7 +39,8 @@ double lengthOf(const std::string& text, const std::string& whole) {
 
 bool isPattern(const std::string& text) { return text.find_first_of("*?") != std::string::npos; }
 
-/// Takes back to the last * where letters differ.
+/// Whether the name matches the pattern, which may contain * and ?. At a mismatch, the last * takes
+/// one more character.
 bool matches(const std::string& pattern, const std::string& name) {
   std::size_t p = 0, n = 0, star = std::string::npos, resume = 0;
   while (n < name.size()) {
@@ -71,7 +72,7 @@ std::string listOf(const std::vector<std::string>& names) {
   return list + (names.size() > kMostNames ? ", ..." : "");
 }
 
-/// One strength at a time: names as they are written, then patterns.
+/// Assigns rules to names. Rules with exact names take precedence over rules with patterns.
 class Assignment {
  public:
   Assignment(const std::vector<std::string>& names, const std::vector<NamedRule>& rules)

@@ -1,4 +1,4 @@
-// What clearance checks ask of the numbers that they are given.
+// Checks of the numeric options of clearance checks.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace swept::clearance {
 
-/// Throws Error(InvalidInput, "BadOption") unless the length, mm, is finite, not negative and at
-/// most 1e9 mm; 0 where it may be.
+/// Throws Error(InvalidInput, "BadOption") unless the length (mm) is finite, at most 1e9 and
+/// positive, or 0 if `mayBeZero`.
 void requireLength(const std::string& name, double value, bool mayBeZero);
 
-/// Throws the same for what a setting must not be.
+/// Throws Error(InvalidInput, "BadOption") if a setting is out of its range.
 void checkSettings(const ClearanceOptions& options);
 
 }  // namespace swept::clearance

@@ -29,7 +29,7 @@ class PairCheck {
     if (!least.found()) least.distance = std::numeric_limits<double>::infinity();
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
-      // Where contact is allowed, parts lie in each other more than once: the search goes on
+      // Where contact is allowed, parts overlap slightly in many places, so the search may take
       // longer.
       const std::int64_t effort = row.rule.contact ? 200000 : o_.penetration ? 40000 : 4000;
       row.penetration = deepestPenetration(context, least, o_.tolerance, effort);
@@ -43,7 +43,7 @@ class PairCheck {
       row.verdict = ClearanceVerdict::Contact;
     }
     fillMinimum(row, least, pair);
-    // The numbers of a mended copy mean nothing to the caller.
+    // The triangle numbers of a repaired copy mean nothing to the caller.
     if (parts_.neighbourMended) row.neighbourTriangle = -1;
     if (parts_.bodyMended) row.bodyTriangle = -1;
     row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);
@@ -110,7 +110,7 @@ class PairCheck {
   RunContext& run_;
 };
 
-/// Neighbours that one sentence names; a reader asks for the first few.
+/// Largest number of neighbours that one warning names.
 constexpr std::size_t kMaxNamedOpen = 8;
 
 }  // namespace
@@ -125,7 +125,7 @@ Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bo
     return Part(checked.mesh, who);
   } catch (const Error& error) {
     if (error.status() == Status::InvalidInput)
-      return part;  // e.g. a flat sheet: still a neighbour
+      return part;  // for example a flat sheet, which is still a valid neighbour
     throw;
   }
 }

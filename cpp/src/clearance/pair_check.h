@@ -1,6 +1,8 @@
-// The whole answer about one neighbour: from two parts and a motion to its row of the report.
-// In:    parts that are prepared once and serve many motions; a motion's hierarchy. Units: mm.
-// Out:   as docs/clearance.md says. Cost: some hundred distance queries, more where parts clash.
+// Checks one neighbour: from two parts and a motion to one row of the report.
+// In:      parts, which are prepared once and serve many motions, and the hierarchy over a motion.
+// Out:     the row that docs/clearance.md describes.
+// Units:   mm.
+// Cost:    some hundred distance queries, more if the parts overlap.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,8 +14,8 @@
 
 namespace swept::clearance {
 
-/// The mesh as a part; of a welded and turned copy (`mended`) if the mesh itself is not closed but
-/// that is. Throws as Part does.
+/// Prepares the mesh as a part. If the mesh is not closed but a repaired copy is (vertices merged,
+/// orientation made consistent), uses the copy and sets `mended`. Throws the errors of Part.
 Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended);
 
 struct CheckedPair {
@@ -21,19 +23,19 @@ struct CheckedPair {
   bool bodyMended;
   const Part& neighbour;
   bool neighbourMended;
-  /// mm, a pair that never comes nearer gets the distance infinity and no curve. More than the
-  /// required distance, the chord errors and two tolerances together.
+  /// mm; a pair that never comes nearer gets an infinite distance and no curve. Must exceed the
+  /// required distance plus the chord errors plus two tolerances.
   double within = std::numeric_limits<double>::infinity();
 };
 
-/// What is known of a neighbour besides its mesh.
+/// Properties of a neighbour besides its mesh.
 struct CheckedNeighbour {
   std::string name;
-  double chordError = 0;  ///< mm; that of the body stands in the options
-  NeighbourRule rule;     ///< as askedOf() gives it
+  double chordError = 0;  ///< mm; the chord error of the body is in the options
+  NeighbourRule rule;     ///< the result of askedOf()
 };
 
-/// The rule that holds for a neighbour with this rule of its own: a distance or contact.
+/// Returns the rule that holds for a neighbour: its own, or else the common required distance.
 NeighbourRule askedOf(const NeighbourRule& own, double commonRequired);
 
 /// Throws Error(Cancelled).
@@ -41,8 +43,8 @@ NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& n
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run);
 
-/// What is said of neighbours (and of the body) where "inside" has no meaning. `one`, `many`: what
-/// a report calls them.
+/// Returns warnings about open meshes, for which "inside" is not defined. `one` and `many` are the
+/// words for the parts in the texts.
 std::vector<Finding> openFindings(const std::vector<std::string>& names,
                                   const std::vector<char>& closed, bool bodyClosed,
                                   const std::string& one = "neighbour",

@@ -1,4 +1,4 @@
-// What is asked of two parts of a mechanism. The only place that knows it.
+// The one place that decides which rule holds for two parts of a mechanism.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,16 +12,16 @@ namespace swept::clearance {
 
 class PairRules {
  public:
-  /// Throws Error(InvalidInput): "UnknownPart" where a rule names a part that there is not, or a
-  /// part twice; "BadRule" where one is impossible or two contradict each other for a pair.
+  /// Throws Error(InvalidInput). "UnknownPart": a rule names an unknown part or the same part
+  /// twice. "BadRule": a rule is impossible, or two rules contradict each other for a pair.
   PairRules(const std::vector<std::string>& names, const MechanismOptions& options);
 
-  /// A distance, contact or ignored.
+  /// Returns the rule of a pair: a required distance, contact or ignored.
   NeighbourRule of(PartPair pair) const;
-  /// mm, over all pairs.
+  /// mm, the largest required distance of all pairs.
   double largestRequired() const;
   bool ignores(PartPair pair) const { return of(pair).ignored; }
-  /// Ascending.
+  /// Pairs that a rule excludes, in ascending order.
   std::vector<PartPair> ignored() const;
 
  private:

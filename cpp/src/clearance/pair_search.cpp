@@ -11,19 +11,19 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Gap of two boxes at one pose: lower bound of the distance, and the direction in which it is a
-// slab.
+// Gap of two boxes at one pose. The gap is a lower bound of the distance, and the boxes are at
+// least so far apart along the direction of the gap.
 class BoxGap {
  public:
   BoxGap(const Matrix3d& R, const Vector3d& t) : R_(R), t_(t), absolute_(R.cwiseAbs()) {}
 
-  // Box against box in the neighbour's axes. The moving box is replaced by its box in these axes.
+  // Gap in the axes of the neighbour. The moving box is replaced by its bounding box in these axes.
   double inWorld(const Box& moving, const Box& still) {
     offset_ = still.centre - (R_ * moving.centre + t_);
     world_ = (offset_.cwiseAbs() - absolute_ * moving.half - still.half).cwiseMax(0.0);
     return world_.norm();
   }
-  // The same in the body's axes; after inWorld() of the same pair.
+  // Gap in the axes of the body. Call inWorld() for the same pair first, because it sets offset_.
   double inBody(const Box& moving, const Box& still) {
     local_ = R_.transpose() * offset_;
     gap_ = (local_.cwiseAbs() - moving.half - absolute_.transpose() * still.half).cwiseMax(0.0);
@@ -43,20 +43,21 @@ class BoxGap {
   Vector3d offset_, world_, local_, gap_;
 };
 
-// Gap of two nodes at one pose, by their boxes and, where these are not far enough apart, plates.
+// Gap of two nodes at one pose. Plates are compared only if the boxes are not far enough apart.
 class NodeGap {
  public:
   NodeGap(const Part& body, const Part& neighbour, const Matrix3d& R, const Vector3d& t)
       : body_(body), neighbour_(neighbour), boxes_(R, t), plates_(R, t) {}
 
-  /// mm; a bound of at least `enough` is not sharpened.
+  /// Returns a lower bound of the distance in mm. Stops refining the bound as soon as it reaches
+  /// `enough`.
   double between(BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b, double enough) {
     double gap = boxes_.inWorld(a, b);
     if (gap < enough) gap = std::max(gap, boxes_.inBody(a, b));
     if (gap < enough) gap = std::max(gap, betweenPlates(i, j));
     return gap;
   }
-  /// 0 where one of the nodes has no plate.
+  /// Returns 0 if one of the nodes has no plate.
   double betweenPlates(BoxTree::Node i, BoxTree::Node j) {
     const Plate* a = body_.plate(i);
     const Plate* b = neighbour_.plate(j);
@@ -83,8 +84,8 @@ struct Item {
   }
 };
 
-// The pairs still to be opened. A search goes into depth first and opens one node of one tree at a
-// time, so three more than there are levels in both trees is the most that waits.
+// Stack of the pairs that are not examined yet. The search goes depth first and replaces one node
+// by its four children at a time. So the stack holds at most 1 + 3 * (levels of both trees) pairs.
 class Stack {
  public:
   Stack(const Part& body, const Part& neighbour) {
@@ -104,7 +105,8 @@ class Stack {
   int size_ = 0;
 };
 
-// Opens the larger of two boxes: visit(node of the body, its box, node of the neighbour, its box).
+// Replaces the node with the larger box by its children and calls visit(body node, its box,
+// neighbour node, its box) for each.
 template <class Visit>
 void openLarger(const Part& body, const Part& neighbour, const Item& item, const Visit& visit) {
   const Box a = body.box(item.body), b = neighbour.box(item.neighbour);
@@ -122,7 +124,7 @@ void openLarger(const Part& body, const Part& neighbour, const Item& item, const
   }
 }
 
-// The nearest of the last ones on top.
+// Sorts the entries from `first` on, so that the nearest pair comes out first.
 void sortFrom(int first, Stack& stack) {
   for (int i = first + 1; i < stack.size(); ++i) {
     for (int at = i; at > first && stack[at - 1].gap < stack[at].gap; --at)
@@ -134,15 +136,16 @@ Triangle3d posed(const Matrix3d& R, const Vector3d& t, const Triangle3d& c) {
   return {Vector3d(R * c[0] + t), Vector3d(R * c[1] + t), Vector3d(R * c[2] + t)};
 }
 
-// Largest advance along n of a triangle: displacements are affine, so a corner has the largest.
+// Largest advance of a triangle along n. Displacements are affine, so a vertex has the largest one.
 double advanceOf(const MotionBound& motion, const Vector3d& n, const Triangle3d& c) {
   double a = 0;
   for (const Vector3d& x : c) a = std::max(a, motion.advance(n, x, Vector3d::Zero()));
   return a;
 }
 
-// Gap of two triangles along a direction that stands on one of them or joins their middles; the
-// direction is turned from a to b. A lower bound of the distance that costs a tenth of it.
+// Gap of two triangles along a direction from a to b: the normal of either triangle or the line
+// between their centroids. The gap is a lower bound of the distance and costs a tenth of the exact
+// distance.
 struct Slab {
   double gap = -1;
   Vector3d direction = Vector3d::Zero();
@@ -261,7 +264,7 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
   };
   if (hint.body >= 0 && !pairHolds(hint)) return result;
   NodeGap gap(body_, neighbour_, motion.R, motion.t);
-  // -1: proven apart; otherwise the gap, for ordering.
+  // Returns -1 if the nodes are proven to stay apart, otherwise their gap, which orders the search.
   const auto openGap = [&](BoxTree::Node i, const Box& a, BoxTree::Node j, const Box& b) {
     const double first = gap.boxes().inWorld(a, b);
     if (first - motion.reach >= apart) return -1.0;
@@ -296,7 +299,7 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
     }
     const int before = stack.size();
     openLarger(body_, neighbour_, item, push);
-    sortFrom(before, stack);  // an obstacle, if there is one, is met soon
+    sortFrom(before, stack);  // the pair most likely to come too near is examined first
   }
   result.holds = true;
   return result;

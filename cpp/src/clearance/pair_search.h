@@ -1,10 +1,12 @@
-// Two meshes, one of them moving: distance at a pose, and proof that they stay apart for a while.
-// In:    two box hierarchies, a pose or a motion node. Units: mm.
-// Out:   nearest pair of triangles; or "no pair comes nearer than x anywhere in this node".
-// Cost:  proportional to the surface that lies nearer than the distance asked about.
-// How a proof works: two convex things, gap g along the unit vector n. If no point of the moving
-// one advances by more than a along n, they stay g - a apart (on two sides of a slab). Boxes are
-// tried first, then triangles. Sliding along a wall costs nothing: n stands on the wall.
+// Distance of two meshes at one pose, and proof that they stay apart during a part of a motion.
+// In:      the hierarchies of both meshes; a pose, or a node of the hierarchy over the motion.
+// Out:     the nearest pair of triangles, or "no pair comes nearer than x anywhere in this node".
+// Units:   mm.
+// Cost:    proportional to the surface area that lies nearer than the distance in question.
+// Method:  Two convex shapes have the gap g along the unit vector n. If no point of the moving
+//          shape advances by more than a along n, the shapes stay g - a apart. Boxes are tried
+//          first, then triangles. A part that slides along a wall needs no extra work, since n is
+//          the normal of the wall.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +15,7 @@
 
 namespace swept::clearance {
 
-/// A pair of triangles by their places in the trees; -1: none.
+/// A pair of triangles, given by their places in the two trees; -1 means none.
 struct LeafPair {
   std::int32_t body = -1;
   std::int32_t neighbour = -1;
@@ -21,41 +23,43 @@ struct LeafPair {
 
 struct PairDistance {
   double distance = 0;
-  LeafPair pair;  ///< none if nothing nearer than asked for was found
+  LeafPair pair;  ///< none if no pair is nearer than the limit of the query
   Eigen::Vector3d onBody = Eigen::Vector3d::Zero();       ///< world
   Eigen::Vector3d onNeighbour = Eigen::Vector3d::Zero();  ///< world
 };
 
 struct Certificate {
   bool holds = false;
-  LeafPair obstacle;    ///< pair that spoilt the proof, none if the effort ran out
-  double estimate = 0;  ///< mm, how near the obstacle might come; for ordering only
+  LeafPair obstacle;  ///< the pair for which the proof failed; none if the effort ran out
+  /// mm, lower bound of how near the obstacle may come; used to order the search.
+  double estimate = 0;
 };
 
 class PairSearch {
  public:
   PairSearch(const Part& body, const Part& neighbour) : body_(body), neighbour_(neighbour) {}
 
-  /// Smallest distance at a pose if below `below`; otherwise distance = below and no pair.
+  /// Returns the smallest distance at a pose. If it is not less than `below`, returns `below` and
+  /// no pair.
   PairDistance distanceAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
                           LeafPair hint = {}) const;
 
-  /// A pair of triangles nearer than `below` at a pose, not the nearest; none: there is no such
-  /// pair.
+  /// Returns some pair of triangles nearer than `below` at a pose (not always the nearest), or none
+  /// if no pair is nearer.
   LeafPair anyNearerThan(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
                          LeafPair hint = {}) const;
 
-  /// Tries to show that throughout the node no two points come nearer than `apart` (> 0).
-  /// Gives up after `effort` pairs of boxes; `hint` is a pair to try first.
+  /// Tries to prove that no two points come nearer than `apart` (> 0) anywhere in the node. Gives
+  /// up after `effort` pairs of boxes. `hint` is a pair to try first.
   Certificate certify(const MotionBound& motion, double apart, std::int64_t effort,
                       LeafPair hint = {}) const;
 
-  /// One part has a point of one of its pieces inside the other: they overlap. Where the surfaces
-  /// do not meet at this pose, nothing else can make them overlap.
+  /// Returns whether the solids overlap at this pose because a point of one lies inside the other.
+  /// Tests one point of each connected piece, which suffices if the surfaces do not intersect.
   bool containedAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) const;
 
-  /// All pairs of triangles that are at most `apart` from each other at this pose (0: that meet),
-  /// at most `limit`.
+  /// Returns the pairs of triangles that are at most `apart` from each other at this pose, but no
+  /// more than `limit` pairs. With apart = 0, these are the pairs that touch or intersect.
   std::vector<LeafPair> pairsWithin(const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                                     double apart, std::size_t limit) const;
 

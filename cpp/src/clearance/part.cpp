@@ -47,7 +47,7 @@ std::pair<int, double> longestEdge(const Triangle3d& c) {
   return {longest, best};
 }
 
-// Every edge is used as often one way as the other; edges without extent do not count.
+// Whether each edge is used equally often in both directions. Edges of length 0 do not count.
 bool balanced(const TriMesh& welded) {
   bool any = false, even = true;
   EdgeTable(welded).forEachEdge([&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
@@ -97,7 +97,7 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
     triangles_[place] = piece.triangle;
   }
   plates_ = Plates(tree_, corners_);
-  // Vertices at the same place are one, so that triangle soups (STL) have edges in common.
+  // Vertices at the same position are merged, so that triangle soups (STL) share edges.
   auto welded = std::make_unique<TriMesh>(mesh);
   applyMap(exactWeld(mesh.vertices), *welded);
   pieces_ = onePointAPiece(*welded);
@@ -107,7 +107,8 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
 }
 
 std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
-  constexpr double kSlender = 6;  // longest edge over height from which a triangle is cut
+  // A triangle is cut if its longest edge exceeds this multiple of its height.
+  constexpr double kSlender = 6;
   const std::size_t count = mesh.triangles.size();
   std::vector<Piece> parts(count);
   std::vector<std::array<double, 2>> sizes(count);  // longest edge, height over it
@@ -120,7 +121,8 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
     sizes[i] = {edge, edge > 0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / edge : 0.0};
     sum += edge;
   }
-  // The length to which slivers are cut grows until the pieces are no more than the triangles.
+  // The length to which slivers are cut grows until there are at most half as many new pieces as
+  // triangles.
   double least = sum / static_cast<double>(count) / 16;
   const auto lengthFor = [&](std::size_t i) { return std::max(3 * sizes[i][1], least); };
   const auto extra = [&] {
@@ -142,7 +144,8 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
       Piece second = parts[at];
       const int next = (edge + 1) % 3;
       const Vector3d middle = 0.5 * (second.corners[edge] + second.corners[next]);
-      if (middle == second.corners[edge] || middle == second.corners[next]) continue;  // rounded
+      // The edge is too short to be halved.
+      if (middle == second.corners[edge] || middle == second.corners[next]) continue;
       second.corners[edge] = middle;
       parts[at].corners[next] = middle;
       todo.push_back(at);

@@ -1,10 +1,12 @@
 // One of the parts of a clearance check, in its own frame, prepared once for all poses.
-// In:    triangles, mm. Out: their hierarchy of boxes; nearest point, inside test.
-// Cost:  O(n) to build, about 220 bytes a triangle; O(log n) a query on well-shaped parts.
-// Long thin triangles, plentiful on tessellated solids, are cut in pieces first (at most half as
-// many more): a box round a long oblique sliver is nearly empty and would be opened for nothing.
-// The boxes keep the axes of their mesh: one rotation then serves every pair of boxes of two
-// meshes, which makes a box test several times cheaper than for boxes with axes of their own.
+// In:      triangles.
+// Out:     their bounding volume hierarchy, nearest point, inside test.
+// Units:   mm.
+// Cost:    O(n) to build, about 220 bytes per triangle; O(log n) per query on well-shaped parts.
+// Long thin triangles are frequent on tessellated solids. They are cut into pieces first (at most
+// half as many more triangles): a box around a long oblique sliver is nearly empty and would be
+// visited in vain. The boxes keep the axes of their mesh, so one rotation serves each pair of boxes
+// of two meshes. A box test is then several times cheaper than with individually oriented boxes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,24 +41,24 @@ class Part {
   Part(const TriMesh& mesh, const std::string& who);
 
   const BoxTree& tree() const { return tree_; }
-  /// Exact for the root, else rounded outward.
+  /// Returns the box of a node. The box of the root is exact; others are rounded outward.
   Box box(BoxTree::Node node) const;
   const Plate* plate(BoxTree::Node node) const { return plates_.of(node); }
-  /// Of the triangle, or piece of one, at a place of the tree.
+  /// Vertices of the triangle, or of the piece of a triangle, at a place of the tree.
   const Triangle3d& corners(std::uint32_t place) const { return corners_[place]; }
   std::int64_t triangle(std::uint32_t place) const { return triangles_[place]; }
 
-  /// Every edge is used as often in one direction as in the other, so "inside" has a meaning.
+  /// Whether each edge is used equally often in both directions, so that "inside" has a meaning.
   bool closed() const { return rays_.has_value(); }
-  /// One surface point of every connected piece.
+  /// One surface point of each connected piece.
   const std::vector<Eigen::Vector3d>& pieces() const { return pieces_; }
 
-  /// Nearest surface point; `within`: give up beyond this distance (place stays -1).
+  /// Returns the nearest surface point. If no point is nearer than `within`, place is -1.
   NearestOnPart nearest(const Eigen::Vector3d& point, double within) const;
-  /// Winding number not zero. false if open.
+  /// Whether the winding number of the point is not 0. Always false if the mesh is open.
   bool inside(const Eigen::Vector3d& point) const;
-  /// Depth below the surface: positive inside, negative outside. Outside the box only a bound from
-  /// above (minus the distance to the box) is returned.
+  /// Depth below the surface: positive inside, negative outside. For a point outside the bounding
+  /// box, returns only an upper bound (minus the distance to the box).
   double depth(const Eigen::Vector3d& point) const;
 
  private:
@@ -67,12 +69,13 @@ class Part {
   static std::vector<Piece> cutSlivers(const TriMesh& mesh);
 
   BoxTree tree_;
-  std::vector<Triangle3d> corners_;      ///< by place, like all below
-  std::vector<std::int64_t> triangles_;  ///< of the mesh
+  std::vector<Triangle3d> corners_;      ///< by place in the tree
+  std::vector<std::int64_t> triangles_;  ///< by place: the triangle of the mesh
   Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;
-  std::unique_ptr<const TriMesh> mesh_;  ///< where rays_ finds it when the part moves
-  std::optional<RayColumns> rays_;       ///< of closed meshes
+  /// On the heap, so that rays_ can refer to it even after the part is moved.
+  std::unique_ptr<const TriMesh> mesh_;
+  std::optional<RayColumns> rays_;  ///< only for closed meshes
 };
 
 }  // namespace swept::clearance

@@ -16,26 +16,25 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
-/// Of a piece's radius and of the reach of a motion: how much deeper than its centre a point of it
-/// may well be.
+/// Share of the radius of a piece and of the reach of its motion. A point of the piece is likely to
+/// lie deeper than its centre by about this much.
 constexpr double kPromise = 0.3;
-constexpr std::size_t kMostPieces = 1000;  // of a part that are tried to begin with
-constexpr std::size_t kRound = 64;         // pieces a round; fixed, see motion_search.cpp
+constexpr std::size_t kMostPieces = 1000;  // most connected pieces of a part to start from
+constexpr std::size_t kRound = 64;         // pieces per round; fixed, see motion_search.cpp
 
 struct Item {
-  double bound = 0;    // mm, no point of the piece can be deeper in this part of the motion
-  double promise = 0;  // mm, how deep some point may well be: going by it finds deep points early
+  double bound = 0;    // mm, no point of the piece can lie deeper in this part of the motion
+  double promise = 0;  // mm, depth that some point is likely to reach
   std::int64_t number = 0;
   MotionNode motion;
   Piece piece;
-  double excess =
-      0;  // mm, of the bound over the depth at the centre: what a smaller piece may save
+  double excess = 0;  // mm, `bound` minus the depth at the centre of the piece
   double radius = 0;
   double reach = 0;
 };
 
-// Order of the queue: first by promise, to find deep points; then by bound, to prove there are none
-// much deeper.
+// Order of the queue: first by promise, to find deep points; later by bound, to prove that no point
+// is much deeper.
 struct Before {
   bool byBound = false;
   bool operator()(const Item& a, const Item& b) const {
@@ -86,7 +85,7 @@ class DepthSearch {
  private:
   double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
 
-  // `bound`: what holds for the item this one is a part of.
+  // `bound`: the bound of the item from which this item is split.
   Item makeItem(const MotionNode& node, const Piece& piece, double bound) {
     Item item;
     item.bound = bound;
@@ -157,11 +156,10 @@ class DepthSearch {
   std::int64_t spent_ = 0;
   std::int64_t number_ = 0;
   PenetrationResult best_;
-  Triangle3d
-      bestCorners_;  // the piece of triangle that holds the deepest point, in its mesh's frame
+  Triangle3d bestCorners_;  // piece of triangle with the deepest point, in its mesh's frame
   double bestSpan_ = 0;
   bool bestHasPiece_ = false;
-  std::vector<Item> queue_;  // a heap
+  std::vector<Item> queue_;  // a heap, ordered by before_
   Before before_;
   std::vector<Item> fresh_;
   std::vector<Probe> probes_;
@@ -184,7 +182,8 @@ double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
   return depth;
 }
 
-// Section search for the moment at which a point is deepest, `width` of the parameter round u.
+// Section search for the time at which a point is deepest, in [u - width, u + width] of the
+// parameter.
 void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& local) {
   double low = std::max(0.0, u - width);
   double high = std::min(c_.motion.largestParameter(), u + width);
@@ -198,10 +197,10 @@ void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& 
   }
 }
 
-// Corners of the triangles that come near, and the nearest points, at moments round the nearest
-// one.
+// Tests the first points: the vertices of the nearest pair of triangles, and its nearest points, at
+// times around the time of smallest distance.
 void DepthSearch::begin(const Minimum& touch) {
-  if (touch.inside) {  // one of these points is why
+  if (touch.inside) {  // one of these points lies inside
     const auto tryPieces = [&](bool ofBody, const Part& own) {
       const std::size_t count = std::min(own.pieces().size(), kMostPieces);
       for (std::size_t i = 0; i < count; ++i) tryAt(touch.parameter, ofBody, own.pieces()[i]);
@@ -223,7 +222,8 @@ void DepthSearch::begin(const Minimum& touch) {
   for (const Vector3d& x : c_.pair.neighbour().corners(touch.at.pair.neighbour)) tryPoint(false, x);
 }
 
-// Moves the deepest point to better corners of its piece and to a better moment; only ever deeper.
+// Moves the deepest point to better corners of its piece and to a better time. The depth never
+// decreases.
 void DepthSearch::sharpen() {
   if (!bestHasPiece_) return;
   const bool ofBody = best_.pointOfBody;
@@ -253,9 +253,9 @@ void DepthSearch::finish() {
   measureRegion(R, t);
 }
 
-// Box round the crossing of the surfaces and all corners that lie inside the other part. A box of
-// the hierarchy that is deeper than its radius lies inside as a whole, one that is as far off
-// outside.
+// Box around the intersection of the surfaces and all vertices inside the other part. A box of the
+// hierarchy whose centre is deeper than its radius lies wholly inside; if its centre is farther
+// outside than its radius, it lies wholly outside.
 void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
   Vector3d low = best_.point.cwiseMin(best_.surface);
   Vector3d high = best_.point.cwiseMax(best_.surface);
@@ -276,7 +276,7 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
       if (node.isItem()) {
         for (const Vector3d& x : own.corners(node.index)) {
           const Vector3d world = root.ofBody ? Vector3d(R * x + t) : x;
-          // Nothing new inside the box found so far: no need to ask.
+          // A point within the box found so far cannot enlarge it.
           if ((world.array() >= low.array()).all() && (world.array() <= high.array()).all())
             continue;
           if (depthIn(c_.pair, R, t, root.ofBody, x) > 0) grow(world);
@@ -308,7 +308,7 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
 bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
-    double promise;  // as in DepthSearch: one deep point is enough, so that those are looked for
+    double promise;  // as in DepthSearch; one deep point suffices, so likely pieces come first
     Piece piece;
     bool operator<(const Open& other) const { return promise < other.promise; }
   };

@@ -1,9 +1,12 @@
-// How deep two closed meshes overlap during a motion, and where.
-// In:    a pair of meshes, a hierarchy over the motion. Units: mm.
-// Out:   the surface point (of either mesh) that lies deepest inside the other at some moment.
-// Cost:  branch and bound over moments and surface pieces; each one nearest-point and inside query.
-// Why it is exact up to its tolerance: the depth of a point changes by no more than the point or
-// the surface moves, so depth at a box's centre + radius + displacement bounds them all.
+// Finds how deep two closed meshes overlap during a motion, and where.
+// In:      a pair of meshes and a hierarchy over the motion.
+// Out:     the surface point of either mesh that lies deepest inside the other at some time.
+// Units:   mm.
+// Cost:    branch and bound over time and pieces of surface. Each pair of a time span and a piece
+//          takes one nearest-point query and one inside test.
+// Why:     It is exact up to its tolerance. If a point or the surface moves by d, the depth of the
+//          point changes by at most d. So no point of a box is deeper than the depth at its centre
+//          + its radius + the displacement.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,14 +15,14 @@
 
 namespace swept::clearance {
 
-/// Deepest point over the motion to within max(tolerance, 1 % of the depth), if `effort` suffices;
-/// depthBound tells. known = false if neither mesh is closed or nothing lies inside. `touch`: where
-/// the surfaces are known to come near, a good place to begin.
+/// Finds the deepest point over the motion to within max(tolerance, 1 % of the depth), if `effort`
+/// suffices; depthBound is the proven limit. known = false if neither mesh is closed or no point
+/// lies inside. The search starts at `touch`, where the surfaces are known to come near.
 PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touch, double tolerance,
                                      std::int64_t effort);
 
-/// A surface point of one mesh lies at least `atLeast` deep inside the other at this pose. May say
-/// no although there is one, if a small effort does not find it.
+/// Returns true only if a surface point of one mesh lies at least `atLeast` deep inside the other
+/// at this pose. May return false although such a point exists, because the effort is limited.
 bool overlapsBy(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                 double atLeast);
 

@@ -10,11 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::int32_t kLevels = 4;  // up to 256 triangles: larger groups are seldom flat
+constexpr std::int32_t kLevels = 4;  // groups of up to 256 triangles; larger groups are seldom flat
 
 Vector3d doubleArea(const Triangle3d& c) { return (c[1] - c[0]).cross(c[2] - c[0]); }
 
-/// The mean normal; triangles of an open soup may be turned either way.
+/// Returns the mean normal; its sign has no meaning. Neighbouring triangles of an open surface may
+/// be oriented in opposite ways, so each normal is first turned to the side of the largest one.
 Vector3d meanNormal(const Triangle3d* begin, const Triangle3d* end) {
   const Vector3d first = doubleArea(*std::max_element(begin, end, [](const auto& a, const auto& b) {
     return doubleArea(a).squaredNorm() < doubleArea(b).squaredNorm();

@@ -1,10 +1,13 @@
-// Thin cylinders round small groups of triangles: on a curved or slanted surface a box with the
-// axes of the mesh is as thick as it is wide, a cylinder whose axis is the surface's normal is
-// flat. In:    the places of a tree of boxes. Units: mm. Out:   for a pair of nodes a gap, and the
-// direction along which it is one. Cost:  about 20 bytes a triangle, a pass over the triangles for
-// each of the lowest levels; a gap
-//        costs about as much as that of two boxes.
-// Promise: every corner of a node's triangles lies in its plate.
+// Thin cylinders ("plates") that enclose small groups of triangles. On a curved or slanted surface
+// a box with the axes of the mesh is as thick as it is wide. A cylinder whose axis is the surface
+// normal is flat there.
+// In:      the leaves of a bounding volume hierarchy.
+// Out:     for a pair of nodes, a lower bound of their distance and the direction in which it
+//          holds.
+// Units:   mm.
+// Cost:    about 20 bytes per triangle and one pass over the triangles for each of the lowest
+//          levels. The gap of two plates costs about as much as the gap of two boxes.
+// Promise: each vertex of a node's triangles lies in the plate of the node.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,33 +23,35 @@ namespace swept::clearance {
 struct Plate {
   Eigen::Vector3d centre;
   Eigen::Vector3d axis;  ///< unit length
-  double half = 0;       ///< of the height
+  double half = 0;       ///< half the height
   double radius = 0;
 };
 
-/// The plates of the lowest levels of a tree; items have none: their triangle says more.
+/// Plates of the lowest levels of a tree. Single triangles have none, since the triangle itself is
+/// more exact.
 class Plates {
  public:
   Plates() = default;
-  /// `corners`: by place.
+  /// `corners[place]` are the vertices of the triangle at that place of the tree.
   Plates(const BoxTree& tree, const std::vector<Triangle3d>& corners);
-  /// nullptr: this node has none.
+  /// Returns nullptr if the node has no plate.
   const Plate* of(BoxTree::Node node) const {
     const auto level = static_cast<std::size_t>(node.level);
     return level > 0 && level <= levels_.size() ? &levels_[level - 1][node.index] : nullptr;
   }
 
  private:
-  std::vector<std::vector<Plate>> levels_;  ///< the first is that of the tree's level 1
+  std::vector<std::vector<Plate>> levels_;  ///< levels_[0] belongs to level 1 of the tree
 };
 
-/// Gap of two plates at one pose of the first one. No two points of them are nearer along
-/// direction(), which is turned from the first to the second.
+/// Lower bound of the distance of two plates, with the first one at pose (R, t). Along direction(),
+/// which points from the first plate to the second, no two of their points are nearer than this
+/// gap.
 class PlateGap {
  public:
   PlateGap(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : R_(R), t_(t) {}
 
-  /// mm; not above 0: the plates may meet.
+  /// mm; if the gap is 0 or negative, the plates may intersect.
   double between(const Plate& moving, const Plate& still) {
     if (&moving != moving_) {
       moving_ = &moving;
@@ -75,16 +80,18 @@ class PlateGap {
   const Eigen::Vector3d& direction() const { return direction_; }
 
  private:
-  /// Half of what the plate takes up along a direction that makes this cosine with its axis.
+  /// Half of the plate's extent along a direction, given the cosine between the direction and the
+  /// axis.
   static double extent(const Plate& plate, double cosine) {
-    constexpr double kRounding = 1e-15;  // of the cosine's square, so that the root is no smaller
+    constexpr double kRounding = 1e-15;  // keeps the root from being too small after rounding
     return std::abs(cosine) * plate.half +
            std::sqrt(std::max(0.0, 1 - cosine * cosine) + kRounding) * plate.radius;
   }
 
   const Eigen::Matrix3d& R_;
   const Eigen::Vector3d& t_;
-  const Plate* moving_ = nullptr;  ///< whose centre and axis are known in the still one's frame
+  /// The plate to which centre_ and axis_ belong; both are in the frame of the still part.
+  const Plate* moving_ = nullptr;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Steps between joined times; a slice of one step of each body is followed in each.
+// Steps between successive joined times. Each of them lies within one step of the body and one step
+// of the frame.
 class RelativeSteps : public MotionSteps {
  public:
   RelativeSteps(const TimedMotion& body, const TimedMotion& frame, const std::vector<double>& times)
@@ -54,13 +55,13 @@ class RelativeSteps : public MotionSteps {
 
  private:
   struct Step {
-    double from, to;  // s
+    double from, to;  // in seconds
     TimedMotion::Slice body, frame;
     double fastest = 0;
     double bulge = 0;
   };
 
-  // Bounds for the whole step; all speeds are per step.
+  // Sets bounds that hold for the whole step. Speeds are in mm or rad per step.
   void measure(Step& step) const {
     const StepPath& a = body_.path(step.body);
     const StepPath& b = frame_.path(step.frame);
@@ -68,8 +69,8 @@ class RelativeSteps : public MotionSteps {
     const double rateB = step.frame.to - step.frame.from;
     const double own = rateA * a.fastest(body_.radius(step.body));
     const double drift = rateB * b.drift();
-    // The distance from the frame's line changes by what the body and the line move, not by
-    // turning.
+    // The rotation of the frame does not change the distance of a point from the frame's axis. So
+    // only the motion of the body and the drift along the axis enlarge it.
     const Pose middle = seenFrom(a.poseAt(step.body.at(0.5)), b.poseAt(step.frame.at(0.5)));
     double reach = 0;
     forCorners(body_.centre(), body_.half(), [&](const Vector3d& c) {

@@ -1,16 +1,17 @@
-// Two bodies that both move: the motion of one as seen from the other, and where one is when.
-// In:    timed motions that are interpolated between their poses; boxes of the bodies. Units: mm,
-// s. Out:   a hierarchy over the relative motion (motion_tree.h), so that every search for one
-// moving
-//        body serves two: the frame is that of the second body, and moves with it.
-// Cost:  O(n) for the n joined times of both motions, O(log n) for a moment.
-// Why it is certain: between two joined times both bodies follow one step each, with constant
-// turning speeds. In the moving frame a point's velocity is the difference of both velocity fields,
-// and its acceleration at most w1^2 r1 + w2^2 r2 + 2 w2 v (centripetal of each, Coriolis), with r2
-// the largest distance of the first body from the second one's turning line. That bounds how far
-// the point leaves its tangent and its chord. Source: B. Mirtich, Impulse-based dynamic simulation
-// (1996), 2.3; X. Zhang, S. Redon, M. Lee, Y. J. Kim, Continuous collision detection for
-// articulated models (2007), section 4.
+// Motion of one moving body as seen from another moving body.
+// In:      timed motions that are interpolated between their poses, and the boxes of the bodies.
+// Out:     a hierarchy over the relative motion (motion_tree.h). With it, each search for one
+//          moving body also serves two, because the frame is the second body and moves with it.
+// Units:   mm, s.
+// Cost:    O(n) for the n joined times of both motions, O(log n) for the pose at one time.
+// Why:     The bounds are certain. Between two joined times each body follows one step at constant
+//          angular speed. In the moving frame, the velocity of a point is the difference of both
+//          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v: two centripetal
+//          terms and the Coriolis term. Here r2 is the largest distance of the first body from the
+//          rotation axis of the second. This limits how far the point departs from its tangent and
+//          from its chord.
+// Source:  B. Mirtich, Impulse-based dynamic simulation (1996), 2.3; X. Zhang, S. Redon, M. Lee, Y.
+//          J. Kim, Continuous collision detection for articulated models (2007), section 4.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,36 +23,37 @@
 
 namespace swept::clearance {
 
-/// A body's way over time. A body that stands still has one pose.
+/// Motion of a body over time. A body that stands still has a single pose.
 class TimedMotion {
  public:
-  /// Poses with ascending times, none twice; interpolated unless there is one only. centre, half:
-  /// box of the body in its own frame.
+  /// The times of the poses must ascend strictly. Poses are interpolated if there are two or more.
+  /// `centre` and `half` describe the box of the body in its own frame.
   TimedMotion(const Trajectory& trajectory, const Eigen::Vector3d& centre,
               const Eigen::Vector3d& half);
 
   bool moves() const { return times_.size() > 1; }
-  /// Of the given poses; of a body that stands still, all times.
+  /// Time from the first to the last pose; for a body that stands still, all times.
   TimeInterval span() const;
-  /// Clamped to the ends of the span.
+  /// Pose at a time, which is clamped to span().
   Pose poseAt(double time) const;
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& half() const { return half_; }
-  /// Of the poses.
+  /// Times of the poses.
   const std::vector<double>& times() const { return times_; }
 
-  /// A part of one step.
+  /// An interval of one step; `from` and `to` are shares of the step, in [0, 1].
   struct Slice {
     std::int32_t step = 0;
     double from = 0, to = 0;
     double at(double s) const { return from + s * (to - from); }
   };
-  /// The step that holds the middle of [from, to], which lies between two successive times.
+  /// Returns [from, to] as a slice of the step that contains its middle. No pose may lie inside
+  /// [from, to].
   Slice slice(double from, double to) const;
   const StepPath& path(const Slice& slice) const { return paths_[slice.step]; }
-  /// Of the body's box about the line of the slice's step.
+  /// Largest distance of the body's box from the rotation axis of the slice's step, mm.
   double radius(const Slice& slice) const { return radii_[slice.step]; }
-  /// mm: in the slice no point of the body leaves the chord of its ends by more.
+  /// mm; no point of the body departs farther from the chord of its path within the slice.
   double bulge(const Slice& slice) const;
 
  private:
@@ -59,24 +61,24 @@ class TimedMotion {
 
   Eigen::Vector3d centre_, half_;
   std::vector<double> times_;
-  std::vector<StepPath> paths_;  ///< one that stays where it is for a body that stands still
+  std::vector<StepPath> paths_;  ///< a body that stands still has one path, which does not move
   std::vector<double> radii_;
 };
 
-/// All times of both motions within the span, with its ends.
+/// Returns all times of both motions that lie within the span, and both ends of the span.
 std::vector<double> joinedTimes(const TimedMotion& a, const TimedMotion& b,
                                 const TimeInterval& span);
 
-/// The placement of a as seen from b.
+/// Returns the placement of `a` in the frame of `b`.
 Pose seenFrom(const Pose& a, const Pose& b);
 
-/// Hierarchy over the motion of `body` as seen from `frame`, at the given times (two or more) and
-/// between them. Both must outlive it.
+/// Builds the hierarchy over the motion of `body` relative to `frame`. `times` has two or more
+/// joined times. Both motions must outlive the hierarchy.
 MotionTree relativeMotion(const TimedMotion& body, const TimedMotion& frame,
                           const std::vector<double>& times);
 
-/// mm, how far a corner of the body's box comes from where it is first, as seen from `frame`, at
-/// the given times.
+/// Returns the largest distance, in mm, that a corner of the body's box has from its first
+/// position at one of the given times, as seen from `frame`.
 double relativeTravel(const TimedMotion& body, const TimedMotion& frame,
                       const std::vector<double>& times);
 

@@ -1,4 +1,4 @@
-// One row of a clearance report as JSON, for reports of one moving body and of mechanisms.
+// Writes one row of a clearance report as JSON, for one moving body or for mechanisms.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,7 +1,11 @@
-// Reference: distance at every pose, one query each, by FCL's own hierarchy. Slow and simple.
-// In: body, poses, neighbour, mm. Out: the smallest distance and its pose. Cost: one query a pose.
-// Kept as an independent witness for tests and for `swept clearance --stamp`; shares no search code
-// with the fast way. Sees nothing between the poses it is given.
+// Slow reference computation: one distance query at each pose, with the hierarchy of the library
+// FCL.
+// In:      body, poses, neighbour.
+// Out:     the smallest distance and the pose at which it occurs.
+// Units:   mm.
+// Cost:    one query per pose.
+// An independent check for tests and for `swept clearance --stamp`. It shares no search code with
+// the fast computation and sees nothing between the given poses.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,13 +24,14 @@ struct StampedMinimum {
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, RunContext& run);
 
-/// The same if the neighbour moves too. `neighbourPoses` has one pose for each of `poses`, at the
-/// same time.
+/// As above, for a neighbour that also moves. `neighbourPoses[i]` is the pose of the neighbour at
+/// the time of `poses[i]`.
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
                               RunContext& run);
 
-/// The trajectory's poses with `between` more, evenly spaced, inside every step (none: unchanged).
+/// Returns the poses of the trajectory and `between` evenly spaced poses inside each step. If
+/// `between` is 0, returns only the poses of the trajectory.
 std::vector<Pose> densePoses(const Trajectory& trajectory, int between);
 
 }  // namespace swept::clearance

@@ -9,7 +9,8 @@ namespace swept {
 namespace clearance {
 namespace {
 
-/// Allowed contacts come last: that they are at 0 is meant.
+/// Whether row a counts as nearer than row b. Allowed contacts come last, since a distance of 0 is
+/// intended there.
 bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
   if (meantA != meantB) return meantB;
@@ -18,7 +19,7 @@ bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   return a.penetration.depth > b.penetration.depth;
 }
 
-/// mm; less than a nanometre is rounding.
+/// Length in mm; less than a nanometre counts as rounding and becomes 0.
 std::string lengthText(double length) {
   return numberText(std::abs(length) < 1e-6 ? 0 : length, 4);
 }

@@ -1,4 +1,4 @@
-// One line about many rows of a clearance report, and which of them is the nearest.
+// One line of text about all rows of a clearance report, and the nearest row.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,14 +10,15 @@
 namespace swept::clearance {
 
 struct Summary {
-  int smallest = -1;  ///< the nearest row (deepest clash first, allowed contacts last); -1: no rows
+  int smallest = -1;  ///< the nearest row: deepest clash first, allowed contacts last; -1: no rows
   std::string text;   ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };
 
-/// Whether the text says when.
+/// Whether the text gives the time of the smallest distance.
 enum class Timed { Yes, No };
 
-/// `head`: what the text begins with, as "12 checked". `ignored`: how many rules left out.
+/// `head` begins the text, for example "12 checked". `ignored` is the number of neighbours that
+/// rules exclude.
 Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
                   std::size_t ignored = 0, Timed timed = Timed::Yes);
 

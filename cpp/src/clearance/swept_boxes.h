@@ -1,8 +1,9 @@
-// Boxes (world axes) of a moving body over spans of time, as a binary tree over the time.
-// In:    a timed motion, the span. Units: mm, s.
-// Out:   whether two bodies stay farther apart than a distance at all times, as far as boxes tell.
-// Cost:  O(poses + leaves) to build; a pair of bodies opens only the times at which their boxes
-// meet.
+// Bounding boxes (world axes) of a moving body over intervals of time, in a binary tree over time.
+// In:      a timed motion and the time span.
+// Out:     whether the boxes prove that two bodies always stay farther apart than a given distance.
+// Units:   mm, s.
+// Cost:    O(poses + leaves) to build. A pair of bodies visits only the intervals in which their
+//          boxes come near each other.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,19 +18,21 @@ class SweptBoxes {
  public:
   SweptBoxes(const TimedMotion& motion, const TimeInterval& span);
 
-  /// Of everything that the body passes.
+  /// The box of the whole motion.
   const BoxTree::Bounds& whole() const { return boxes_[1]; }
-  /// True: no two points of the bodies, which move over the same span, are ever nearer than
-  /// `within`.
+  /// Returns true only if no two points of the two bodies are ever `within` or less apart. Both
+  /// trees must cover the same time span.
   bool staysApart(const SweptBoxes& other, double within) const;
 
  private:
   static constexpr std::size_t kLeaves = 256;
 
-  std::vector<BoxTree::Bounds> boxes_;  ///< a heap: 1 is the root, 2 n and 2 n + 1 the halves of n
+  /// Stored as a heap: 1 is the root, 2 n and 2 n + 1 are the halves of n.
+  std::vector<BoxTree::Bounds> boxes_;
 };
 
-/// Pairs of bodies, ascending, that the boxes do not prove to stay farther apart than `within`.
+/// Returns, in ascending order, the pairs of bodies for which the boxes cannot exclude a distance
+/// of `within` or less.
 std::vector<std::pair<std::int32_t, std::int32_t>> nearPairs(const std::vector<SweptBoxes>& bodies,
                                                              double within);
 

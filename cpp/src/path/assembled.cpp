@@ -35,7 +35,7 @@ std::vector<std::string> namesOf(const std::vector<SequencePart>& parts,
   return names;
 }
 
-// Everything that can be refused without looking at a mesh.
+// Checks everything that needs no mesh. Throws Error(InvalidInput).
 void checkPart(const SequencePart& part, const SequenceOptions& options) {
   try {
     PathTask task = part.task;
@@ -122,7 +122,8 @@ std::vector<ClearanceNeighbour> Assembled::neighboursOf(std::size_t part,
   return list;
 }
 
-// What lies in each other, or nearer than asked for without a release, cannot be assembled.
+// Throws if two parts overlap at their goals, or are nearer than required and have no release
+// distance: such parts cannot be assembled.
 void Assembled::requireApart(std::size_t parts, const PathOptions& o, RunContext& run) const {
   std::vector<std::unique_ptr<const Part>> prepared(placed_.size());
   std::vector<char> mended(placed_.size(), 0);
@@ -169,7 +170,8 @@ void Assembled::requireApart(std::size_t parts, const PathOptions& o, RunContext
   if (!pairs.empty()) refuseWorst(pairs, o);
 }
 
-// The deepest pair, or the nearest one, and how many others there are.
+// Throws an error that names the deepest overlap, or else the nearest pair, and the number of other
+// pairs.
 void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOptions& o) const {
   const auto rank = [](const NearPair& pair) {
     return pair.intersect ? pair.row.penetration.depth : -1 - pair.row.distance;

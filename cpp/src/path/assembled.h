@@ -1,6 +1,8 @@
-// The parts of a sequence where they belong, checked before any search begins.
-// In:    parts, what stands still, what pairs ask for. Out: the neighbours of each step.
-// Units: mm. Cost: an exact check of every pair whose boxes are near.
+// The parts of a sequence at their goals, checked before any search begins.
+// In:      the moving parts, the parts that stand still, and the rules for pairs.
+// Out:     the neighbours of each step.
+// Units:   mm.
+// Cost:    one exact check for each pair of parts whose boxes are near each other.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,7 +13,7 @@
 
 namespace swept::path {
 
-/// Two parts that are too near where they belong, or lie in each other.
+/// Two parts that overlap at their goals, or are too near each other there.
 struct NearPair {
   PartPair parts;
   NeighbourClearance row;
@@ -20,16 +22,17 @@ struct NearPair {
 
 class Assembled {
  public:
-  /// Throws Error(InvalidInput) as findSequence() says, Error(Cancelled).
+  /// Throws Error(InvalidInput) with the codes of findSequence(), and Error(Cancelled).
   Assembled(const std::vector<SequencePart>& parts, const std::vector<StillPart>& still,
             const SequenceOptions& options, RunContext& run);
 
-  /// Of one part, where those marked in `installed` are in their places.
+  /// Returns the neighbours of one part while exactly the parts marked in `installed` are at their
+  /// goals.
   std::vector<ClearanceNeighbour> neighboursOf(std::size_t part,
                                                const std::vector<char>& installed) const;
-  /// Round everything, mm.
+  /// Box around all parts at their goals, mm.
   const Eigen::AlignedBox3d& box() const { return box_; }
-  /// Where a part belongs.
+  /// Returns the goal of a part.
   static const Pose& goalOf(const SequencePart& part);
   std::vector<PartPair> ignored() const { return rules_.ignored(); }
 
@@ -40,7 +43,7 @@ class Assembled {
                                 const PathOptions& options) const;
 
   clearance::PairRules rules_;
-  std::vector<ClearanceNeighbour> placed_;  ///< the parts, behind them what stands still
+  std::vector<ClearanceNeighbour> placed_;  ///< the moving parts, then the parts that stand still
   std::size_t parts_;
   Eigen::AlignedBox3d box_;
 };

@@ -14,7 +14,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostPairs = 4000, kMostContacts = 200;
 
-// How fast a contact opens by a twist, both in the metric of moves.
+// Speed at which a contact opens, as a linear function of the twist. Rotations are scaled by the
+// radius, as in the length of moves.
 Vector6d opening(const Scene& scene, const State& state, const Contact& contact) {
   Vector6d row;
   row << contact.normal, (contact.point - state.middle).cross(contact.normal) / scene.radius();
@@ -25,7 +26,8 @@ Twist unscaled(const Scene& scene, const Vector6d& v) {
   return {v.head<3>(), v.tail<3>() / scene.radius()};
 }
 
-// Triangles that touch have no nearest points to tell the normal by: the neighbour's own tells it.
+// Normal of a contact. Triangles that touch have no line between their nearest points, so the
+// normal of the neighbour's triangle is used.
 Vector3d normalOf(const NearestPoints& near, const Triangle3d& still) {
   const double distance = std::sqrt(near.squared);
   if (distance > 1e-6) return (near.a - near.b) / distance;
@@ -34,7 +36,7 @@ Vector3d normalOf(const NearestPoints& near, const Triangle3d& still) {
   return size > 0 ? Vector3d(n / size) : Vector3d::Zero();
 }
 
-// 200 directions spread evenly over the sphere.
+// Returns 200 directions, spread evenly over the sphere.
 std::vector<Vector3d> spreadDirections() {
   constexpr int kCount = 200;
   std::vector<Vector3d> list;
@@ -113,7 +115,8 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
         list.addShift((mean.dot(d) < 0 ? -sign : sign) * d);
       }
     list.addShift(mean);
-    // Directions by how far they keep off the contact that they approach most.
+    // Ranks directions by their smallest component along a contact normal. The best one leads away
+    // from all contacts.
     std::vector<std::pair<double, Vector3d>> ranked;
     for (const Vector3d& d : spreadDirections()) {
       double least = 1;
@@ -124,7 +127,7 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k < 4; ++k) list.addShift(ranked[k].second);
   }
-  // Axes of the neighbours, of the world and of the part.
+  // Axes of the neighbours, then of the world, then of the part.
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {1.0, -1.0}) list.addShift(sign * Vector3d::Unit(axis));
   for (int axis = 0; axis < 3; ++axis)

@@ -1,10 +1,10 @@
-// Which way the part can move where it stands: directions that no contact blocks.
-// In:    a placement, the neighbours near it. Out: moves of unit length, the most promising first.
-// Units: mm, rad; a twist has length 1 if no point of the part travels more than 1 mm by it.
-// Source: instantaneous motions under contacts, M. Mason, Mechanics of Robotic Manipulation (2001),
-// 4;
-//         directions that a blocked part keeps are the weakest eigenvectors of its contacts'
-//         matrix.
+// Directions in which the part can move at a placement, because no contact blocks them.
+// In:      a placement and the neighbours near it.
+// Out:     moves of unit length, the most promising first.
+// Units:   mm, rad. A twist has length 1 if no point of the part travels more than 1 mm.
+// Source:  instantaneous motions under contacts: M. Mason, Mechanics of Robotic Manipulation
+//          (2001), 4. The directions that remain for a blocked part are the eigenvectors of its
+//          contact matrix with the smallest eigenvalues.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,11 +14,12 @@
 
 namespace swept::path {
 
-/// Contacts with all neighbours nearer than their entry of `within` (negative: left out), at most
-/// some hundred a neighbour, spread over the surface.
+/// Returns contacts with all neighbours nearer than their entry of `within`; a negative entry
+/// excludes a neighbour. At most 200 contacts per neighbour, spread over the surface.
 std::vector<Contact> contactsOf(const Scene& scene, const State& state, const Rule& within);
 
-/// Shifts, and with `turns` turns and screws. Includes +-x, +-y, +-z of the world and of the part.
+/// Returns shifts and, with `turns`, also rotations and screws. Always includes both directions of
+/// the axes of the world and of the part.
 std::vector<Twist> freeMoves(const Scene& scene, const State& state,
                              const std::vector<Contact>& contacts, bool turns);
 

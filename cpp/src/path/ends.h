@@ -1,7 +1,11 @@
-// Where a path begins and ends: is the part free there, and if it touches, how it comes free.
-// In:    a placement that a path has to reach. Out: the ways from there to placements that keep the
-//        clearance of every neighbour; or an Error that names who is in the way, and how much.
-// Units: mm. Cost: one exact check a neighbour; where parts touch, one a direction that is tried.
+// Start and goal of a path: checks whether the part is free there, and finds ways out of contact if
+// it touches a neighbour.
+// In:      a placement that a path has to reach.
+// Out:     ways from there to placements that keep the required distance from each neighbour; or an
+//          Error that names the neighbour in the way and the distance or depth.
+// Units:   mm.
+// Cost:    one exact check per neighbour; if parts touch, also one for each direction that is
+//          tried.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,11 +17,11 @@
 
 namespace swept::path {
 
-/// What the search asks of every neighbour: the clearance with chord errors and tolerance.
+/// What the search requires of each neighbour.
 struct Demand {
-  Rule apart;                      ///< mm between the triangles
-  std::vector<double> required;    ///< mm, as asked for
-  std::vector<double> chordError;  ///< mm, of the neighbour's mesh
+  Rule apart;  ///< mm, distance to keep between the triangles, with chord errors and tolerance
+  std::vector<double> required;    ///< mm, the required distance of the caller
+  std::vector<double> chordError;  ///< mm, chord error of the neighbour's mesh
   std::vector<std::string> names;
   double bodyChordError = 0;
   double tolerance = 0;
@@ -25,45 +29,48 @@ struct Demand {
   bool turns = true;
 };
 
-/// mm between the triangles, a hair more than what counts as clear, so that rounding does not
-/// decide. `chordErrors`: of both parts together.
+/// Returns the distance, in mm, that the triangles must keep. It is slightly larger than what the
+/// check accepts as clear, so that rounding does not matter. `chordErrors`: sum for both parts.
 double apartBy(double required, double chordErrors, double tolerance);
 
-/// What neighbours and options ask for together.
+/// Combines the rules of the neighbours and the options.
 Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options);
 
 struct End {
   State state;
-  /// mm that the part may lie inside a neighbour while it is released from this end; negative: the
-  /// common clearance holds for this neighbour.
+  /// mm, by neighbour: how deep the part may lie inside it within the release distance of this end.
+  /// Negative: the part must keep the usual clearance.
   std::vector<double> allowedDepth;
-  /// Ways out of contact: each is a list of keys, from this state to one that keeps all required
-  /// distances. A list with one key means that this state keeps them already.
+  /// Ways out of contact. Each is a list of keys from this state to a state that keeps all required
+  /// distances. A list with one key means that this state already keeps them.
   std::vector<std::vector<State>> exits;
 
   bool touches() const { return exits.empty() || exits.front().size() > 1; }
-  /// The neighbours that do not count while the part is released.
+  /// Distances to keep within the release distance. Neighbours that the part touches at this end
+  /// get -1 (ignored).
   Rule ruleInside(const Demand& demand) const;
 };
 
-/// mm that the part may lie in a neighbour that it touches at an end, by the row of that end.
+/// Returns how deep, in mm, the part may lie in a neighbour that it touches at an end. `row` is the
+/// check at that end.
 double mostDepth(const NeighbourClearance& row, double tolerance, double release);
 
-/// What the clearance check finds about one neighbour; `required`: mm asked for.
+/// Checks one neighbour with the clearance engine. `required`: mm.
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
                                   const clearance::MotionTree& motion, double required,
                                   RunContext& run);
 
-/// The end without ways out, which are not looked for. Throws as examineEnd().
+/// As examineEnd(), but does not search for ways out; the result has no exits.
 End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
               RunContext& run);
 
-/// `what`: "goal", "start" or "via". Throws Error(InvalidInput) GoalBlocked, StartBlocked,
-/// ViaBlocked; Error(Cancelled).
+/// Examines an end of the path. `what`: "goal", "start" or "via". Throws Error(InvalidInput) with
+/// GoalBlocked, StartBlocked or ViaBlocked, and Error(Cancelled).
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run);
 
-/// Whether the part stays no deeper in the neighbours it touches at this end than allowed.
+/// Whether the part lies nowhere deeper in the neighbours that it touches at this end than `end`
+/// allows.
 bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
                    const Trajectory& motion, RunContext& run);
 

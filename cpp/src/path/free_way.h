@@ -1,6 +1,7 @@
-// The way of a part while nothing is there that could be in its way.
-// In:    the part, how it comes, how far `along a direction` is. Units: mm.
-// Out:   a report as of a path that is found; its clearance is infinite.
+// Path of a part without neighbours to check: there are none, or rules ignore all of them.
+// In:      the part with its task or motion.
+// Out:     a report like that of a found path, with infinite clearance.
+// Units:   mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,8 +9,8 @@
 
 namespace swept::path {
 
-/// Straight from the start, from so far along the direction, or from the radius above; or the
-/// part's own motion.
+/// Returns the motion of the part if it has one. Otherwise a straight path from the start, from
+/// `far` along the direction, or from the given radius above the goal.
 PathReport freeWay(const SequencePart& part, const PathOptions& options, double far);
 
 }  // namespace swept::path

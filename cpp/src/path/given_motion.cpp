@@ -14,7 +14,7 @@
 namespace swept::path {
 namespace {
 
-constexpr int kHalvings = 40;  // until the place where a release zone ends is known
+constexpr int kHalvings = 40;  // steps of bisection to find the end of a release zone
 
 class GivenMotion {
  public:
@@ -75,7 +75,8 @@ class GivenMotion {
     return scene_.distance(state, end) <= o_.release;
   }
 
-  // A key where the motion comes to its goal's zone for the last time; its number.
+  // Adds a key where the motion enters the release zone of its goal for the last time. Returns its
+  // index.
   std::size_t cutAtGoal() {
     const State goal = keys_.back().state;
     std::size_t i = keys_.size() - 1;
@@ -83,7 +84,8 @@ class GivenMotion {
     return i == 0 ? 0 : insertBetween(i - 1, goal, false);
   }
 
-  // The same where it leaves the zone of its start for the first time.
+  // Adds a key where the motion leaves the release zone of its start for the first time. Returns
+  // its index.
   std::size_t cutAtStart() {
     const State start = keys_.front().state;
     std::size_t i = 0;
@@ -91,7 +93,8 @@ class GivenMotion {
     return i + 1 == keys_.size() ? i : insertBetween(i, start, true);
   }
 
-  // Between key i and the next, one of which lies in the zone: a key just within it. Its number.
+  // Adds a key at the end of the zone, between key i and the next key, exactly one of which lies in
+  // the zone. The new key is just inside. Returns its index.
   std::size_t insertBetween(std::size_t i, const State& end, bool zoneFirst) {
     const Key a = keys_[i], b = keys_[i + 1];
     double in = zoneFirst ? 0 : 1, out = 1 - in;
@@ -115,7 +118,8 @@ class GivenMotion {
     return cut;
   }
 
-  // In a zone the neighbours that do not touch keep their clearance, and no other is entered.
+  // In a release zone, the part keeps its clearance from neighbours that it does not touch at the
+  // end. It enters the others no deeper than at that end.
   void checkZone(const End& end, const Trajectory& motion) {
     if (motion.poses.size() < 2) return;
     checked(motion, end.ruleInside(demand_));
@@ -168,7 +172,7 @@ PathReport checkGivenMotion(const TriMesh& part, const Trajectory& motion,
   PathOptions o = options;
   o.interpolation = motion.interpolation;
   return guardedPath(part, neighbours, o, run, [&](PathReport& report, const auto& counted) {
-    // Straight is straight for the pivot: there all is done in coordinates whose origin it is.
+    // The pivot moves straight, so all work is done in coordinates with the pivot as origin.
     const Eigen::Vector3d pivot = pivotOf(motion);
     GivenMotion given(seenFromPivot(part, pivot), carriedByPivot(motion, pivot), counted, o, run,
                       report);

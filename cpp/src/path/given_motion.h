@@ -1,8 +1,10 @@
-// A motion that exists already, certified as a path is; nothing of it is changed.
-// In:    part, motion, neighbours with what they ask for. Out: a report as findPath() gives it:
-//        found where the whole motion keeps every clearance outside the release zones; else what
-//        is in the way, when, and how far the part is from its goal there.
-// Units: mm, s. Cost: an exact check a neighbour.
+// Checks an existing motion like a found path, without changing it.
+// In:      part, motion, and neighbours with their rules.
+// Out:     a report like that of findPath(). Found: the whole motion keeps all clearances outside
+//          the release zones. Otherwise the report names the neighbour in the way, the time, and
+//          how far the part is from its goal then.
+// Units:   mm, s.
+// Cost:    one exact check per neighbour.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,8 +14,8 @@
 
 namespace swept::path {
 
-/// The motion has at least two keys and times that grow. Failures are in report.status, as for
-/// findPath(); BadOption also where the motion is too short for its release zones.
+/// The motion must have at least two keys and ascending times. Failures are in report.status, as
+/// for findPath(). BadOption can also mean that the motion is too short for its release zones.
 PathReport checkGivenMotion(const TriMesh& part, const Trajectory& motion,
                             const std::vector<ClearanceNeighbour>& neighbours,
                             const PathOptions& options, RunContext& run);

@@ -1,4 +1,5 @@
-// What every run that ends in a path does: the head of its report, the wall round it.
+// Common frame of all runs that end in a path: fills the head of the report and turns errors into
+// its status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,8 +12,8 @@
 
 namespace swept::path {
 
-/// work(report, neighbours) fills the report and gives the seconds that it took; it may throw. Its
-/// neighbours are those that the rules do not ignore.
+/// Calls work(report, neighbours), which fills the report and returns the seconds that it took; it
+/// may throw. Ignored neighbours are left out.
 template <class Work>
 PathReport guardedPath(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
                        const PathOptions& options, RunContext& run, const Work& work) {

@@ -13,14 +13,14 @@
 namespace swept::path {
 namespace {
 
-// Searches side by side, for as many threads; luck differs, and the first one counts.
+// Number of parallel searches. They differ in their random numbers, and the first path found wins.
 constexpr std::size_t kSearches = 2;
-constexpr int kRounds = 20;                           // of one search before the others are asked
-constexpr std::size_t kNodesAtFirst = 3000;           // of both trees, before a search begins anew
-constexpr std::size_t kMostStarts = 8;                // that are looked for on grids, one by one
-constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // of one grid
+constexpr int kRounds = 20;                  // rounds of a search between checks of all searches
+constexpr std::size_t kNodesAtFirst = 3000;  // in both trees, before a search starts again
+constexpr std::size_t kMostStarts = 8;       // starts for which grids are searched
+constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid
 
-// One search. Begins anew, with other numbers, when its trees have grown too large.
+// One search. When its trees have grown too large, it starts again with other random numbers.
 class Search {
  public:
   Search(const Scene& scene, const Rule& rule, const Leg& leg, std::uint64_t seed)
@@ -91,7 +91,7 @@ class SixDimensions {
   }
 
  private:
-  // Asked only where all searches stand still, so that the answer is the same for any threads.
+  // Call this only between rounds, so that the result does not depend on the number of threads.
   bool stepsOver() const {
     if (limits_.mostSteps == 0) return false;
     std::int64_t steps = 0;
@@ -118,8 +118,8 @@ MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
   return [&scene, &space](const State& a, const State& b) {
     if (!space.turns()) return a.pose.rotation.angularDistance(b.pose.rotation) < 1e-9;
     if (space.largestTurn >= std::numbers::pi) return true;
-    // Turns of less than a quarter about one centre are a convex set; beyond, some places between
-    // have to be looked at.
+    // Rotations of less than 90 degrees about one centre form a convex set. Beyond that, placements
+    // in between must be tested too.
     const int pieces = space.largestTurn <= std::numbers::pi / 2 ? 1 : 32;
     for (int k = 0; k <= pieces; ++k) {
       const State at = k == 0 ? a : k == pieces ? b : scene.stateBetween(a, b, double(k) / pieces);
@@ -142,7 +142,8 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
   }
   const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
   const int places = std::max(kPlaces / 10, kPlaces / std::max(1, pairs));
-  // Turned starts are linked to places where the part stands as at the goal.
+  // The grid search keeps the orientation of the goal. It links starts with other orientations to a
+  // placement with that orientation.
   for (const State& start : leg.starts) {
     if (leg.starts.size() > kMostStarts || !result.keys.empty() || limits.over()) break;
     for (const State& goal : leg.goals) {

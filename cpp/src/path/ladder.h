@@ -1,8 +1,11 @@
-// The methods one after the other, from the cheapest, until one finds a path.
-// In:    where to start and where to end (each perhaps with several ways out of a contact).
-// Out:   free keys from one to the other; or how far the search came. Units: mm, rad.
-// Promise: the same for a seed and any count of threads: searches side by side take turns of fixed
-//          size, and the first one in their order that has a path is the one that counts.
+// Tries one search method after the other, the cheapest first, until one finds a path.
+// In:      placements to start from and to reach. One end of the path may have several, if there
+//          are several ways out of a contact.
+// Out:     keys of a free path from a start to a goal; or how far the search came.
+// Units:   mm, rad.
+// Promise: For one seed, the result is the same for any number of threads, unless the time limit
+//          ends the search. Parallel searches work in rounds of fixed size. If several have a path
+//          after a round, the first one in their order wins.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,21 +21,20 @@
 
 namespace swept::path {
 
-/// What one search is about. `starts` may be places anywhere outside, where the part is only to
-/// get out.
+/// The task of one search. If the part only has to get out, `starts` may be any placements outside.
 struct Leg {
   std::vector<State> starts, goals;
   SearchSpace space;
-  bool provable = false;  ///< one goal, and no contact is allowed round it
-  double far = 0;  ///< mm, so long that a straight move along it leaves all neighbours behind
+  bool provable = false;  ///< there is one goal, and no contact is allowed around it
+  double far = 0;         ///< mm; a straight move of this length leaves all neighbours behind
 };
 
 struct LegResult {
-  std::vector<State> keys;  ///< empty: nothing found
+  std::vector<State> keys;  ///< empty: no path was found
   std::string method;
-  bool noTranslation = false;         ///< proven
-  State farthest;                     ///< of the goal's tree, if nothing is found
-  std::vector<std::int64_t> blocked;  ///< how often each neighbour was in the way
+  bool noTranslation = false;  ///< proven: no path without turning exists
+  State farthest;              ///< if no path is found: the farthest state in the tree of the goal
+  std::vector<std::int64_t> blocked;  ///< by neighbour: how often it was in the way
   std::int64_t steps = 0;
 };
 
@@ -45,7 +47,8 @@ struct Limits {
   bool over() const { return timer.seconds() > seconds; }
 };
 
-/// Whether a move keeps the largest turn from how the part stands at the goal.
+/// Returns a test of a move: whether the part stays within the largest turn from its orientation at
+/// the goal.
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space);
 
 LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,

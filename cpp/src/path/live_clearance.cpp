@@ -26,7 +26,7 @@ struct LiveClearance::Parts {
       : scene(part, atLeastOne(neighbours), PathOptions{}, run), memory(scene.memory()) {}
 
   path::Scene scene;
-  path::Memory memory;  ///< the nearest pairs of the last placement, a good guess for the next one
+  path::Memory memory;  ///< nearest pairs at the last placement, as first guess for the next one
 };
 
 LiveClearance::LiveClearance(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
@@ -45,7 +45,8 @@ LiveDistance LiveClearance::at(const Pose& pose) {
   const Eigen::Vector3d& t = state.pose.translation;
   LiveDistance best;
   best.distance = std::numeric_limits<double>::infinity();
-  // The nearest one of the last placement first: what lies farther off is then soon left out.
+  // The neighbour that was nearest last time comes first, so that farther ones are quickly
+  // discarded.
   const std::size_t first = memory.last;
   for (std::size_t k = 0; k < scene.count() && best.distance > 0; ++k) {
     const std::size_t i = (first + k) % scene.count();

@@ -9,16 +9,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostSamples = 20000;  // triangles that are asked
+constexpr std::size_t kMostSamples = 20000;  // largest number of triangles that are sampled
 constexpr std::size_t kMostDirections = 256;
-constexpr double kSame = 0.9998;  // cosine of about one degree
+constexpr double kSame = 0.9998;  // cosine of about one degree; nearer directions count as the same
 
 struct Direction {
-  Vector3d sum;  ///< of normals times areas, turned to one side
+  Vector3d sum;  ///< sum of normals times areas, all turned to the same side
   double area = 0;
 };
 
-// Directions of the triangles and the area that looks along each.
+// Returns the directions of the sampled triangles and the area that faces each, largest area first.
 std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
   std::size_t triangles = 0;
   for (const TriMesh* mesh : meshes) triangles += mesh->triangles.size();
@@ -30,7 +30,7 @@ std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
     for (const auto& t : mesh->triangles) {
       if (counted++ % step != 0) continue;
       if (std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return v < 0 || v >= count; }))
-        continue;  // refused where the mesh becomes a part
+        continue;  // invalid index; it is reported when the mesh becomes a part
       const Vector3d& a = mesh->vertices[t[0]];
       const Vector3d n = (mesh->vertices[t[1]] - a).cross(mesh->vertices[t[2]] - a);
       const double area = n.norm();

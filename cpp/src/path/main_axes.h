@@ -1,7 +1,10 @@
-// The directions in which most of a surface looks: the axes of a machine part, however it is
-// turned. In:    triangles. Out: a rotation whose columns are these directions. Cost: O(n). Boxes
-// round triangles keep the axes of their mesh; in these axes they are thin, and questions about
-// pairs of parts take a fraction of the time (docs/paths.md).
+// Finds the directions in which most of a surface faces: the axes of a machine part, whatever its
+// orientation.
+// In:      triangles.
+// Out:     a rotation matrix whose columns are these directions.
+// Cost:    O(n).
+// Why:     Boxes around triangles keep the axes of their mesh. In the main axes these boxes are
+//          thin, and queries about pairs of parts take a fraction of the time (docs/paths.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +16,7 @@ namespace swept::path {
 
 Eigen::Matrix3d mainAxes(const std::vector<const TriMesh*>& meshes);
 
-/// The mesh turned about the origin.
+/// Returns the mesh rotated about the origin.
 TriMesh turnedMesh(const TriMesh& mesh, const Eigen::Matrix3d& rotation);
 
 }  // namespace swept::path

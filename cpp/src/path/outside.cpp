@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 double largest(const Rule& rule) { return *std::max_element(rule.begin(), rule.end()); }
 
-// How far the part, turned as it is, reaches against the direction d from its middle.
+// Returns how far the part extends from its middle in the direction -d, in its present orientation.
 double reachBack(const Scene& scene, const State& state, const Vector3d& d) {
   const Vector3d local = state.pose.rotation.conjugate() * d;
   double reach = 0;
@@ -21,7 +21,7 @@ double reachBack(const Scene& scene, const State& state, const Vector3d& d) {
   return reach;
 }
 
-// The farthest that the box of the neighbours reaches along d.
+// Returns how far the box of the neighbours extends along d.
 double front(const Scene& scene, const Vector3d& d) {
   const Vector3d half = 0.5 * scene.box().sizes();
   return d.dot(scene.box().center()) + d.cwiseAbs().dot(half);

@@ -1,5 +1,6 @@
-// "Just get it out": placements that are out, and whether one is.
-// Units: mm. Cost: a question about a placement for each candidate.
+// Placements that are outside all neighbours, for tasks that only have to get the part out.
+// Units:   mm.
+// Cost:    one placement query per candidate.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,12 +10,13 @@
 
 namespace swept::path {
 
-/// Placements that are free and out, standing as at the goal, each a way out of its own.
+/// Returns free placements outside, with the orientation of the goal. Each of them is an exit of
+/// the End.
 End outside(const Scene& scene, const Demand& demand, const State& goal,
             const Extraction& extraction);
 
-/// At least the radius away from the goal; or, along the direction, past all neighbours with the
-/// clearance asked for.
+/// Returns a test whether a state is outside: at least the radius away from the goal; or, with a
+/// direction, past all neighbours by the required clearance.
 std::function<bool(const State&)> outTest(const Scene& scene, const Demand& demand,
                                           const State& goal, const Extraction& extraction);
 

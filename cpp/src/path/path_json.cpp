@@ -15,7 +15,7 @@ void addAnswer(Json& json, const PathReport& report) {
     json["keys"] = report.path.poses.size();
     json["length"] = report.length;
     json["turn_degrees"] = report.turn * 180 / std::numbers::pi;
-    // Where nothing is in the way, no distance is.
+    // Without neighbours the clearance is infinite, which JSON cannot express.
     if (std::isfinite(report.clearance)) json["clearance"] = report.clearance;
     json["contacts"] = report.contacts;
     json["path"] = Json::array();

@@ -1,4 +1,4 @@
-// What a search has found, as it stands in reports of one path and of sequences.
+// Writes the result of a search, for reports of a single path and of sequences.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace swept::path {
 
-/// Verdict and summary; the path with its figures and its certificate, or how far the search came.
+/// Adds verdict and summary; then the path with its figures and its certificate, or how far the
+/// search came.
 void addAnswer(Json& json, const PathReport& report);
 
 }  // namespace swept::path

@@ -1,6 +1,6 @@
-// Random numbers of a search: the same for a seed on every machine, which the distributions of the
-// standard library do not promise.
-// Source: uniform rotations, K. Shoemake, Uniform random rotations (Graphics Gems III, 1992).
+// Random numbers of a search. A seed gives the same numbers on every machine, which the
+// distributions of the standard library do not guarantee.
+// Source:  uniform rotations: K. Shoemake, Uniform random rotations (Graphics Gems III, 1992).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ class RandomNumbers {
  public:
   explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double fraction() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * fraction(); }
   std::size_t index(std::size_t count) {

@@ -15,9 +15,10 @@ using clearance::MotionNode;
 using clearance::PairSearch;
 using Eigen::Vector3d;
 
-// A longer turn between two keys has no clear sense (input/trajectory_check.h asks for 179).
+// The sense of a larger rotation between two keys is ambiguous (input/trajectory_check.h requires
+// less than 179 degrees).
 constexpr double kLargestTurn = 170 * std::numbers::pi / 180;
-constexpr std::int64_t kEffort = 300;  // pairs of boxes for the first proof, doubled at every split
+constexpr std::int64_t kEffort = 300;  // box pairs for the first proof; doubled with each split
 
 Vector3d rotationVector(const Eigen::Quaterniond& q) {
   const Eigen::AngleAxisd turn(q.w() < 0 ? Eigen::Quaterniond(-q.coeffs()) : q);
@@ -63,7 +64,7 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
 }
 
-// x_world = R x + t with both frames turned: W (R (own^T x')) + W t.
+// x_world = R x + t with both frames rotated: W (R (own^T x')) + W t.
 State Scene::inside(const Pose& pose) const {
   Pose turned = pose;
   turned.rotation =
@@ -151,7 +152,8 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
   return result;
 }
 
-// Spans of the move from its start on; each is proven free, or halved, or the end of what is free.
+// Processes spans of the move from its start. Each span is proven free, halved, or the end of the
+// free part.
 void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double apart,
                       double finest, Follow& result, Memory& memory) const {
   struct Span {

@@ -19,7 +19,8 @@ namespace {
 
 using namespace path;
 
-// Moves that searches for an order may try, from round to round: first the quick methods alone.
+// Limits of the moves per search while the order is sought. They grow from round to round; round 0
+// allows only the quick methods.
 constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMostMoves = 1000000000;
 
 class Sequencer {
@@ -57,12 +58,12 @@ class Sequencer {
   }
 
  private:
-  // One part of those that are left while an order is looked for.
+  // A part whose place in the order is still unknown.
   struct Left {
     std::size_t part;
     PathReport last = {};
-    int tried = -1;      // round of the last search with what is still in its way; -1: none
-    bool final = false;  // proven: not while the others are there
+    int tried = -1;      // round of its last search; -1: none since a blocking part was removed
+    bool final = false;  // proven: cannot leave while the other parts are there
   };
 
   void inOrder() {
@@ -81,8 +82,9 @@ class Sequencer {
     }
   }
 
-  // The last one to come is the first that can be taken out. Among those that can, the later one
-  // as given, so that an order that was good is kept.
+  // Finds the order backwards: the part that comes last is the first that can be removed. If
+  // several can, takes the one that is last in the given order, so that a valid given order is
+  // kept.
   void takeApart() {
     std::vector<Left> left;
     for (std::size_t i = parts_.size(); i-- > 0;) left.push_back({i});
@@ -109,9 +111,8 @@ class Sequencer {
     std::reverse(report_.steps.begin(), report_.steps.end());
   }
 
-  // Of the parts that are left the first that can be taken out; searches grow from round to round.
-  // Quick methods are always asked again. A longer search that met nothing of what has gone since
-  // would be the same again.
+  // Finds the next part that can be removed. Searches grow from round to round. Quick methods are
+  // always repeated. A longer search is repeated only if a part that blocked it has been removed.
   std::vector<Left>::iterator firstOut(std::vector<Left>& left,
                                        const std::vector<char>& installed) {
     for (int round = 0;; ++round) {
@@ -140,12 +141,13 @@ class Sequencer {
     }
   }
 
-  // Whichever of these goes first in any order, the others are there then: a proof.
+  // Whether all parts are proven to be blocked. One of them would have to leave first, while all
+  // others are still there, so no order exists.
   static bool hopeless(const std::vector<Left>& left) {
     return std::all_of(left.begin(), left.end(), [](const Left& part) { return part.final; });
   }
 
-  // While others are left where a part comes from, it only has to wait.
+  // If other parts still occupy the start of a part, the part has to wait. This is not an error.
   void takeBlockedStart(std::size_t part, PathReport& path) const {
     if (path.code != "StartBlocked" || path.status != Status::InvalidInput)
       throw Error(path.status, path.code, "part '" + parts_[part].name + "': " + path.message);
@@ -191,7 +193,7 @@ class Sequencer {
     report_.warnings.push_back(std::move(finding));
   }
 
-  // Every part waits at its first key, moves when it is its turn, and stays where it belongs.
+  // Each part waits at its first key, moves when its turn comes, and then stays at its goal.
   void layTimeline() {
     report_.timeline.resize(parts_.size());
     report_.clearance = std::numeric_limits<double>::infinity();

@@ -16,7 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 using Cell = std::array<int, 3>;
-constexpr std::array<double, 3> kWidths{0.5, 0.25, 0.1};  // of cells, in radii of the part
+// Edge lengths of the cells, in radii of the part.
+constexpr std::array<double, 3> kWidths{0.5, 0.25, 0.1};
 
 State placed(const Scene& scene, const State& goal, const Cell& cell, double width) {
   return scene.moved(goal, {width * Vector3d(cell[0], cell[1], cell[2]), Vector3d::Zero()});
@@ -27,7 +28,7 @@ bool within(const SearchSpace& space, const State& state) {
          (state.middle.array() <= space.high.array()).all();
 }
 
-// Best-first over one grid: shortest way so far plus the way that is left.
+// Best-first search over one grid, ordered by the shortest way so far plus the remaining distance.
 class GridSearch {
  public:
   GridSearch(const Scene& scene, const Rule& rule, const SearchSpace& space, const State& start,
@@ -53,7 +54,7 @@ class GridSearch {
       const bool root = entry.cell == Cell{0, 0, 0};
       if (!root && scene_.follow(from, here, rule_, memory_, 0.05).fraction < 1) continue;
       closed_[entry.cell] = entry.before;
-      // A place in sight of the start ends the search.
+      // The search ends as soon as a straight free move leads to the start.
       if (scene_.follow(here, start_, rule_, memory_, 0.05).fraction >= 1)
         return pathFrom(entry.cell);
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -103,7 +104,7 @@ class GridSearch {
   std::map<Cell, Cell> closed_;
 };
 
-// Nowhere in the cube can the part stand.
+// Whether the part is blocked at each placement in the cube around `middle`.
 bool blocked(const Scene& scene, const Rule& rule, const State& middle, double halfDiagonal) {
   const Eigen::Matrix3d R = middle.pose.rotation.toRotationMatrix();
   const Vector3d t = middle.pose.translation;
@@ -113,7 +114,7 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
     if (distance > 0 && distance + halfDiagonal < rule[i]) return true;
     if (distance > 0 && !pair.containedAt(R, t)) continue;
     const double depth = halfDiagonal - rule[i];
-    // Where the surfaces meet, any cube smaller than the distance to keep is blocked.
+    // Where the surfaces intersect, a cube smaller than the required distance is always blocked.
     if (depth < 0 || clearance::overlapsBy(pair, R, t, depth)) return true;
   }
   return false;
@@ -138,7 +139,7 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
   for (const double fraction : kWidths) {
     const double width = fraction * scene.radius();
     std::set<Cell> seen{{0, 0, 0}};
-    // From the goal outward, the farthest first: what leads out ends the flood soon.
+    // Floods from the goal, the farthest cell first, so that a way out is found early.
     std::priority_queue<std::pair<int, Cell>> queue;
     queue.push({0, {0, 0, 0}});
     bool out = false;

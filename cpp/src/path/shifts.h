@@ -1,14 +1,16 @@
-// Moves without turning: a search over a grid of places, and the proof that there are none.
-// In:    the part standing as at the goal. Out: keys from a start to the goal, every move proven
-//        free; or that the part cannot leave its goal without turning.
-// Units: mm. Grids stand on the goal, along the main axes, and get finer.
-// Cost:  a question about a move, or a depth, for every place that is looked at.
-// Promise: "proven" is a proof. A cube of places is blocked if in its middle the part lies deeper
-//          in a neighbour than half the cube's diagonal reaches, or is nearer by as much than
-//          asked; a way without turning from an unblocked cube to another crosses their faces, and
-//          the cubes that can be reached from the goal's neither hold the start nor lead out.
-// Source: best-first search over cells, J. Barraquand, J.-C. Latombe, Robot motion planning: a
-//         distributed representation approach (1991).
+// Moves without turning: a search over a grid of placements, and a proof that none exists.
+// In:      the part in its orientation at the goal.
+// Out:     keys from a start to the goal with each move proven free; or a proof that the part
+//          cannot leave its goal without turning.
+// Units:   mm. Grids are centred on the goal, follow the main axes, and become finer.
+// Cost:    one query about a move, or one depth, per placement that is examined.
+// Promise: "Proven" means a proof. A cube of placements is blocked if, at its middle, the part lies
+//          deeper in a neighbour than half the diagonal of the cube. It is also blocked if the part
+//          is nearer than required by more than that length. A path without turning passes from
+//          cube to cube through their faces. So no path exists if the unblocked cubes that connect
+//          to the goal neither contain the start nor lead out.
+// Source:  best-first search over cells: J. Barraquand, J.-C. Latombe, Robot motion planning: a
+//          distributed representation approach (1991).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,13 +21,14 @@
 
 namespace swept::path {
 
-/// Empty if none is found within `places` on every grid.
+/// Returns keys from start to goal, or nothing if none are found within `places` placements on any
+/// grid.
 std::vector<State> shiftsOnly(const Scene& scene, const Rule& rule, const SearchSpace& space,
                               const State& start, const State& goal, int places, Memory& memory,
                               RunContext& run);
 
-/// True: proven that no path without turning leads from the goal to the start, or, without a
-/// start, out of the space that is searched.
+/// Returns true only if it is proven that no path without turning leads from the goal to the start;
+/// without a start, out of the search space.
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
               const State& goal, int places, RunContext& run);
 

@@ -10,16 +10,17 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostTouches = 12;
-constexpr double kMargin = 2e-3;  // radii of the part, kept from a contact where there is room
+constexpr double kMargin = 2e-3;  // in radii of the part; kept from contacts if there is room
 constexpr int kRounds = 40;
 
-/// row . v >= least
+/// Linear inequality for a move v: row . v >= least.
 struct Limit {
   Vector6d row = Vector6d::Zero();
   double least = 0, size = 0, weight = 0;
 };
 
-// Of the move nearest to `wanted` that keeps all limits; false if they are not kept yet.
+// Changes v to the nearest move that satisfies all limits. Returns false if the iteration does not
+// converge.
 bool nearest(std::vector<Limit>& limits, double tolerance, Vector6d& v) {
   for (Limit& limit : limits) limit.weight = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -89,7 +90,7 @@ Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, cons
   Vector6d v = start;
   for (Limit& limit : limits) limit.least += margin;
   if (!nearest(limits, std::min(tolerance, 0.5 * margin), v)) {
-    // No room for the margin: where the part stands the limits themselves can be kept.
+    // There is no room for the margin. Without it, some move exists: at worst, not to move.
     for (Limit& limit : limits) limit.least = std::min(0.0, limit.least - margin);
     v = start;
     nearest(limits, tolerance, v);

@@ -1,12 +1,13 @@
-// Moves along what is in the way: of a wanted move as much as the contacts met so far allow.
-// In:    a scene, distances to keep, a state, the wanted move. Out: the allowed move nearest to it.
-// Units: mm, rad; the metric is that of moves (scene.h).
-// Cost:  a microsecond or two for ten contacts; they are found by moves that were blocked, and
-//        kept as pairs of triangles, so that nothing has to be searched for.
-// Promise: none: the move is right to first order; Scene::follow() says how far it is free.
-// Sources: contacts as inequalities of twists, M. S. Ohwovoriole, B. Roth, An extension of screw
-//        theory (1981); the nearest twist by dual coordinate ascent, C. Hildreth, A quadratic
-//        programming procedure (1957).
+// Moves along obstacles: the part of a wanted move that the known contacts allow.
+// In:      a scene, the distances to keep, a state, and the wanted move.
+// Out:     the allowed move nearest to the wanted one.
+// Units:   mm, rad; the metric is that of moves (scene.h).
+// Cost:    one or two microseconds for ten contacts. Blocked moves supply the contacts as pairs of
+//          triangles, so no search is needed.
+// Promise: The move is right to first order only; Scene::follow() finds how far it is free.
+// Source:  contacts as inequalities of twists: M. S. Ohwovoriole, B. Roth, An extension of screw
+//          theory (1981). Nearest twist by dual coordinate ascent: C. Hildreth, A quadratic
+//          programming procedure (1957).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace swept::path {
 
-/// A pair of triangles that was in the way.
+/// A pair of triangles that blocked a move.
 struct Touch {
   int neighbour = -1;
   clearance::LeafPair pair;
@@ -26,19 +27,19 @@ struct Touch {
   }
 };
 
-/// The pairs that limit moves near one state; the newest ones are kept.
+/// Pairs that limit moves near one state. The oldest is dropped when the list is full.
 using Touches = std::vector<Touch>;
 
-/// Adds what stopped a move: the pair in the memory. False if it is known already.
+/// Adds the pair that stopped the last move, which `memory` holds. Returns false if it is already
+/// in the list.
 bool addTouch(const Memory& memory, int neighbour, Touches& touches);
 
-/// Drops what is farther away than `reach` at the state.
+/// Removes pairs that are farther apart at the state than the required distance plus `reach`.
 void dropFar(const Scene& scene, const State& state, const Rule& rule, double reach,
              Touches& touches);
 
-/// The move nearest to `wanted` after which no pair of the list is nearer than its rule asks for,
-/// to first order; pairs that are nearer than a small margin are moved away from where there is
-/// room.
+/// Returns the move nearest to `wanted` that, to first order, keeps each listed pair at its
+/// required distance. If there is room, pairs also keep a small margin.
 Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, const Touches& touches,
                   const Twist& wanted);
 

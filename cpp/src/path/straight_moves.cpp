@@ -6,7 +6,7 @@
 namespace swept::path {
 namespace {
 
-// Where straight shifts from a placement lead: to their ends, and half way there.
+// A straight shift from a placement. Its end and its middle are candidates for the next move.
 struct Ray {
   State from, to;
 };

@@ -1,4 +1,4 @@
-// What a search is asked for, refused before anything is computed where it makes no sense.
+// Checks of the input of a search, before anything is computed.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,12 +9,13 @@
 
 namespace swept::path {
 
-/// Throws Error(InvalidInput) BadOption, NoNeighbours, NoStart with what, how much and what is
-/// allowed.
+/// Throws Error(InvalidInput) with BadOption, NoNeighbours or NoStart. The text names the value and
+/// what is allowed.
 void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour>& neighbours,
                       const PathOptions& options);
 
-/// Normalised. `what`: "goal", "start", ... Throws Error(InvalidInput) BadPose, OutOfRange.
+/// Returns the pose with a unit quaternion. `what`: "goal", "start" and so on, for messages. Throws
+/// Error(InvalidInput) with BadPose or OutOfRange.
 Pose checkedPose(const Pose& pose, const std::string& what);
 
 }  // namespace swept::path

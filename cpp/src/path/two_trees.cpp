@@ -12,11 +12,11 @@ using Eigen::Vector3d;
 
 constexpr int kStart = 0, kGoal = 1;
 constexpr int kSlides = 5, kPushes = 60;  // moves of one extension, of one push
-constexpr double kPushed = 0.5;           // of the rounds
-constexpr double kPush = 3;               // radii of the part, or rad, at most
-constexpr double kLost = 1e-9;            // of a move, by rounding
-constexpr double kOnward = 0.05;          // of a wanted move, or it leads nowhere
-// Of a move: how exactly the tree finds out where it is blocked.
+constexpr double kPushed = 0.5;           // share of the rounds that push
+constexpr double kPush = 3;               // longest push, in radii of the part or in rad
+constexpr double kLost = 1e-9;            // share of a move that rounding may change
+constexpr double kOnward = 0.05;          // least share of a wanted move that must remain
+// Share of a move: resolution at which the tree finds where a move is blocked.
 constexpr double kFinest = 1.0 / 16;
 
 }  // namespace
@@ -68,12 +68,12 @@ int TwoTrees::nearest(int tree, const State& to) const {
   return best;
 }
 
-// Of a few nodes the one whose cell has been tried least.
+// Returns, of a few random nodes, the one with the fewest trials and the sparsest cell.
 int TwoTrees::sparse(int tree) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 6; ++k) {
-    // Half of them among the younger nodes, which stand at the front.
+    // Every second candidate is one of the younger nodes, at the end of the list.
     const Tree& nodes = trees_[tree];
     const double u = random_.fraction();
     const double fraction = k % 2 == 0 ? u : 1 - 0.3 * u * u;
@@ -100,7 +100,7 @@ State TwoTrees::sampleNear(int tree, int node) {
   const double scale = scene_.radius() * std::pow(10.0, random_.between(-2, 0.5));
   Twist twist;
   if (random_.fraction() < 0.4) {
-    // On in the direction of the last moves.
+    // Continue in the direction of the last moves.
     int before = node;
     for (int k = 0; k < 6; ++k) {
       const int parent = trees_[tree][static_cast<std::size_t>(before)].parent;
@@ -112,7 +112,7 @@ State TwoTrees::sampleNear(int tree, int node) {
     if (length > 0) twist = twist * (scale / length);
   }
   const double noise = scene_.length(twist) > 0 ? 0.3 * scale : scale;
-  // Shifts, turns and both, as often.
+  // A third each: only a shift, only a turn, both.
   const double kind = random_.fraction();
   if (kind < 0.67 || !space_.turns())
     twist.shift += noise * random_.fraction() * random_.direction();
@@ -121,7 +121,7 @@ State TwoTrees::sampleNear(int tree, int node) {
   return limited(state, scene_.moved(state, twist));
 }
 
-// The same with its turn from upright cut to what is allowed.
+// Returns `to`, with its turn from upright reduced to the largest one allowed.
 State TwoTrees::limited(const State& from, const State& to) const {
   if (!space_.turns()) return scene_.at(from.pose.rotation, to.middle);
   const State upright = scene_.at(space_.upright, to.middle);
@@ -146,7 +146,8 @@ int TwoTrees::push(int tree, int from) {
   return slide(tree, from, {nullptr, drive, step, kPush * scene_.radius(), kPushes}, reached);
 }
 
-// Along an axis of the world or of the part, or any; farther than any push goes.
+// Returns a direction along an axis of the world or of the part, or a random one. The twist is
+// longer than any push.
 Twist TwoTrees::randomDrive(const State& at) {
   const double kind = random_.fraction();
   Vector3d d = random_.direction();
@@ -172,7 +173,7 @@ int TwoTrees::slide(int tree, int from, const Drive& drive, bool& reached) {
     const double length = (1 + 1e-6) * std::min(step, left);
     const Twist asked = wanted <= length ? whole : whole * (length / wanted);
     const Twist allowed = allowedMove(scene_, at, rule_, touches, asked);
-    // What the contacts leave of it has to lead on.
+    // The allowed move must still lead in the wanted direction.
     const double onward =
         allowed.shift.dot(asked.shift) + radius * radius * allowed.turn.dot(asked.turn);
     const double most = scene_.length(asked);
@@ -236,7 +237,7 @@ void TwoTrees::finish(int startNode, int goalNode) {
   }
 }
 
-// The harder end gets more of the work: there most moves are blocked.
+// The tree with more blocked moves gets more of the rounds.
 int TwoTrees::chooseTree() {
   if (trees_[kStart].empty()) return kGoal;
   const double fraction = hardness_[kGoal] / (hardness_[kGoal] + hardness_[kStart]);

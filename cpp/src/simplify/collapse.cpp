@@ -17,13 +17,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Points of long edges that are watched like vertices: their distance, in tolerances, and number.
+// Distance, in tolerances, and largest number of the attached points on a long edge.
 constexpr double kWatchSpacing = 3;
 constexpr int kMaxWatched = 3;
-// Slabs that are worked on at the same time: fixed, so that the result does not depend on the
+// Number of slabs that are processed in parallel; fixed, so that the result does not depend on the
 // number of threads.
 constexpr std::size_t kSlabs = 16;
-constexpr std::size_t kWorthSlabs = 4000;  // triangles
+// Meshes with fewer triangles are processed in one piece.
+constexpr std::size_t kWorthSlabs = 4000;
 
 void prepare(CollapseState& state) {
   const std::size_t count = state.mesh.vertices.size(), triangles = state.mesh.triangles.size();
@@ -56,8 +57,8 @@ void prepare(CollapseState& state) {
   state.spacing = state.coarseness * state.tolerance;
 }
 
-// Slabs across the longest side with about the same number of vertices each; `shifted`: their
-// limits lie in the middle of the others.
+// Slabs across the longest side, with about the same number of vertices each. With `shifted`, their
+// limits lie in the middle of the unshifted slabs.
 class Slabs {
  public:
   Slabs(const CollapseState& state, bool shifted) : state_(state) {
@@ -88,7 +89,7 @@ class Slabs {
 
   const std::vector<std::int32_t>& partOf() const { return partOf_; }
 
-  /// `done`: vertices of a part before, where nothing is left to do; null: none.
+  /// `done`: by vertex, >= 0 if an earlier pass has finished it; null: no earlier pass.
   std::vector<WorkPart> parts(const std::vector<std::int32_t>* done) const {
     std::vector<WorkPart> parts(limits_.size() + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {

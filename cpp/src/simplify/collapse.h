@@ -1,15 +1,21 @@
-// Edge collapses with a bound that holds both ways at every step: the accurate stage of the one
-// simplifier, for envelopes (no labels) and solids (a label is a patch with a surface of its own).
-// In: CollapseState: a closed manifold mesh with labels (-1: open ground), what every vertex may
-// do, and by triangle the points that must stay near it. Out: the same with fewer triangles.
-// Units: mm. Order: cheapest quadric error first (Garland, Heckbert 1997).
-// Invariants: the surface stays closed and manifold; every attached point, and every vertex that
-// goes, lies within the tolerance of a triangle of open ground; points spread over new triangles of
-// open ground lie within it of the original; no new triangle meets another, unless the ones it
-// stands for did; a border stays near its patch's surface and does not pass over vertices of the
-// patch.
-// Parallel: slabs of fixed number, between which nothing can meet; then slabs between those, then
-// what is left. Cost: about 30 us a collapse; the result does not depend on the threads.
+// Edge collapses that keep the surface within a tolerance, in both directions and after each step.
+// This is the accurate stage of simplification, for envelopes (no labels) and for solids. On a
+// solid, a label is a patch with a surface of its own. Triangles without a patch (label -1) are
+// called open ground.
+// In:      CollapseState: a closed manifold mesh with labels, the kind of each vertex, and for each
+//          triangle the points that must stay near it.
+// Out:     the same with fewer triangles.
+// Units:   mm.
+// Order:   smallest quadric error first (Garland, Heckbert 1997).
+// Promise: The surface stays closed and manifold. Each attached point and each removed vertex lies
+//          within the tolerance of a triangle of open ground. Sample points on new triangles of
+//          open ground lie within the tolerance of the original. No new triangle intersects another
+//          one, unless the triangles that it replaces did. A border stays near the surface of its
+//          patch and does not pass over vertices of the patch.
+// Threads: First, a fixed number of slabs is processed in parallel. Triangles of different slabs
+//          cannot meet. Then follow slabs around the limits of the first ones, and last the rest in
+//          one thread. The result does not depend on the number of threads.
+// Cost:    about 30 us per collapse.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,7 +33,7 @@ namespace swept {
 
 class CollapseLog;
 
-/// What the triangles of one label lie on.
+/// The surface of the patch with one label.
 class LabelSurface {
  public:
   virtual ~LabelSurface() = default;
@@ -36,50 +42,54 @@ class LabelSurface {
   virtual Eigen::Vector3d normal(const Eigen::Vector3d& p) const = 0;
 };
 
-/// Border: goes along the border of its patch only. Fixed: stays.
+/// A Border vertex moves only along the border of its patch; a Fixed vertex does not move.
 enum class VertexKind : char { Free, Border, Fixed };
 
 struct CollapseState {
   double tolerance = 0;
   Phase phase = Phase::Simplify;
-  const NearestTriangle* original = nullptr;            ///< what the new triangles stay near
+  const NearestTriangle* original = nullptr;  ///< new triangles stay near it; null: not checked
   std::vector<std::unique_ptr<LabelSurface>> surfaces;  ///< by label
   TriMesh mesh;
-  std::vector<std::int32_t> label;                     ///< by triangle
-  std::vector<VertexKind> kind;                        ///< by vertex
-  std::vector<std::vector<Eigen::Vector3d>> attached;  ///< by triangle: points that stay near it
-  std::vector<char> dead;                              ///< by triangle; out
-  /// By vertex: points on new triangles about it, and about what it goes into, are as dense as half
-  /// the tolerance asks for. Empty: none.
+  std::vector<std::int32_t> label;  ///< by triangle
+  std::vector<VertexKind> kind;     ///< by vertex
+  /// By triangle: points that must stay near it.
+  std::vector<std::vector<Eigen::Vector3d>> attached;
+  std::vector<char> dead;  ///< by triangle: 1 if it was removed
+  /// By vertex: 1 if new triangles around it are sampled at half the tolerance. A vertex that
+  /// collapses passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
-  /// Points on other new triangles are so many tolerances apart. Bunny over 16 keys at 512 cells,
-  /// 0.5 mm: with 3, 11 places lay too far off at first, by 1.2 tolerances; with 5, 48 by 1.3;
-  /// with 8, 53 by 2.1; with 1.5, 10 by 1.1.
+  /// Distance of the sample points on other new triangles, in tolerances. Trial: the bunny over 16
+  /// keys at 512 cells, tolerance 0.5 mm. After the first round, with coarseness 1.5, 10 places
+  /// were too far off, by at most 1.1 tolerances; with 3, 11 places by 1.2; with 5, 48 places by
+  /// 1.3; with 8, 53 places by 2.1.
   double coarseness = 3;
-  /// By vertex: a triangle of the original near it; -1, or an empty list: not known.
+  /// By vertex: a triangle of the original near it. -1, or an empty list: not known.
   std::vector<std::int32_t> nearby;
 
-  // Made by collapseEdges().
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the quadrics
-  double spacing = 0;                                ///< of the points spread over new triangles
-  std::vector<std::vector<std::int32_t>> around;     ///< by vertex: its triangles
+  // collapseEdges() sets the members below.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< origin of the quadrics
+  double spacing = 0;  ///< distance of the sample points on new triangles, mm
+  std::vector<std::vector<std::int32_t>> around;  ///< by vertex: its triangles
   std::vector<Quadric> quadric;
-  std::vector<char> gone;  ///< by vertex
+  std::vector<char> gone;  ///< by vertex: 1 if it was removed
   std::vector<std::uint32_t> stamp;
 };
 
-/// Points along long edges and in the middle of long triangles are attached: with the corners alone
-/// the inside of a long triangle would be free. `watched`: by triangle, those that have theirs.
+/// Attaches points along long edges and in the middle of long triangles. Without them, nothing
+/// would keep the inside of a long triangle in place. `watched`: by triangle, 1 if it already has
+/// such points.
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched);
 
-/// `quick`: only what can be done in slabs. `log` receives every step; null: none is kept.
+/// `quick`: stop after the slabs. `log`, unless null, receives each step.
 void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLog* log = nullptr);
 
-/// Goes on at the corners of these triangles of a state in which edges were collapsed.
+/// Continues at the vertices of these triangles, after collapseEdges().
 void collapseAgain(CollapseState& state, const std::vector<std::int32_t>& triangles,
                    RunContext& run, CollapseLog& log);
 
-/// What is left, without labels; `triangles` receives the number of each triangle in the state.
+/// Returns the remaining triangles, without labels. `triangles` receives their numbers in the
+/// state.
 TriMesh takeMesh(const CollapseState& state, std::vector<std::int32_t>* triangles = nullptr);
 
 }  // namespace swept

@@ -1,6 +1,7 @@
-// What an edge collapse did, step by step, to take back steps at a few places where the surface
-// turns out to lie too far off: the rest stays as it is.
-// Units: mm. Memory: about 200 bytes a step. Cost of taking back: O(steps).
+// Records the steps of an edge collapse, so that some of them can be undone where the surface
+// deviates too far. The rest of the surface stays as it is.
+// Units:   mm.
+// Cost:    about 200 bytes per step; undoing takes O(steps).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,16 +17,18 @@ class CollapseLog {
  public:
   using Corners = std::array<std::int32_t, 3>;
 
-  /// `from` went into `to`, which was at `place`; triangles that stayed, their corners before, and
-  /// those that went.
+  /// Records that vertex `from` was merged into `to`, which had the position `place` before.
+  /// `staying` are the triangles that remain, `corners` their vertices before the step, and `going`
+  /// the removed triangles.
   void add(std::int32_t from, std::int32_t to, const Eigen::Vector3d& place,
            const std::vector<std::int32_t>& staying, const std::vector<Corners>& corners,
            const std::vector<std::int32_t>& going);
   void append(const CollapseLog& later);
 
-  /// Takes back the last `depth` steps at each of the triangles, and all later ones that build on
-  /// them. Points that were attached to their triangles find the nearest of those that are there
-  /// again. Returns the triangles that have changed, rising; empty: no step has touched any.
+  /// Undoes the last `depth` steps at each of the triangles, and all later steps that depend on
+  /// them. Points that were attached to the changed triangles move to the nearest restored
+  /// triangle. Returns the changed triangles in ascending order; empty if no step touched any of
+  /// `triangles`.
   std::vector<std::int32_t> takeBack(CollapseState& state,
                                      const std::vector<std::int32_t>& triangles, int depth);
 
@@ -33,7 +36,7 @@ class CollapseLog {
   struct Step {
     std::int32_t from, to;
     Eigen::Vector3d place;
-    std::size_t first;  ///< in triangles_; the corners of those that stayed follow the same order
+    std::size_t first;  ///< index in triangles_ and corners_ of the first remaining triangle
     std::int32_t staying, going;
   };
   template <class Visit>
@@ -43,8 +46,9 @@ class CollapseLog {
   void takeBack(CollapseState& state, const Step& step) const;
 
   std::vector<Step> steps_;
-  std::vector<std::int32_t> triangles_;  ///< of each step: those that stayed, those that went
-  std::vector<Corners> corners_;         ///< in step with triangles_; unused for those that went
+  /// Of each step: the remaining triangles, then the removed ones.
+  std::vector<std::int32_t> triangles_;
+  std::vector<Corners> corners_;  ///< parallel to triangles_; unused for the removed ones
 };
 
 }  // namespace swept

@@ -14,13 +14,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearFraction = 0.25;  // of the squared tolerance: near enough to look no further
+constexpr double kNearFraction = 0.25;  // of the squared tolerance: near enough to stop searching
 constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
 constexpr double kMinCosine = 0.2;     // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;     // height / longest side of a new triangle
-// Of the squared tolerance: limit of points on new triangles, the rest is for those in between.
+// Limit for the sample points on new triangles, as a share of the squared tolerance. The rest
+// allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
-// Of the squared tolerance, for the squared length of an edge: flat regions collapse evenly.
+// Weight of the squared edge length in the cost, to be multiplied by the squared tolerance. It
+// makes flat regions collapse evenly.
 constexpr double kLengthWeight = 1e-3;
 
 bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {
@@ -97,7 +99,7 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
   q += state_.quadric[b];
   const double error = q.error(placeFor(a, b) - state_.origin);
   const double square = state_.tolerance * state_.tolerance;
-  // The mean distance of the planes is no more than the largest.
+  // If even the mean squared distance from the planes is too large, the largest one is as well.
   if (error > q.weight * square) return;
   const double cost = error + kLengthWeight * square * (at(a) - at(b)).squaredNorm();
   queue_.push({cost, a, b, state_.stamp[a], state_.stamp[b]});
@@ -106,7 +108,7 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
 void Collapser::pushAround(std::int32_t v, bool once) {
   neighbours(v, ring_);
   for (const std::int32_t w : ring_) {
-    // Edges between two vertices where the work begins are asked for once.
+    // With `once`, an edge with both ends in part_.vertices is pushed only from the smaller vertex.
     if (!once || v < w || !std::binary_search(part_.vertices.begin(), part_.vertices.end(), w))
       push(v, w);
   }
@@ -119,7 +121,7 @@ bool Collapser::linkIsSimple(std::int32_t from, std::int32_t to) {
   std::set_intersection(ring_.begin(), ring_.end(), otherRing_.begin(), otherRing_.end(),
                         std::back_inserter(common_));
   if (common_.size() != 2) return false;
-  // Corners beside the edge with three triangles would be left with two.
+  // The opposite vertices of both triangles lose one triangle each and must keep at least three.
   return state_.around[common_[0]].size() > 3 && state_.around[common_[1]].size() > 3;
 }
 
@@ -127,7 +129,7 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
   if (!mayGo(from, to) || !linkIsSimple(from, to) || !borderHolds(from, to)) return;
   const Vector3d best = placeFor(from, to);
   if (tryCollapse(from, to, best)) return;
-  // Where the quadrics' place leaves a point too far off, another may not.
+  // If a point is too far from the quadrics' best position, another position may still work.
   if (!isFree(from) || !isFree(to)) return;
   const Vector3d middle = 0.5 * (at(from) + at(to));
   const Vector3d first = at(from), last = at(to), between = 0.5 * (best + middle);
@@ -136,8 +138,8 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
   }
 }
 
-// The straight edge that a border gets stays within the tolerance of the patch's surface: where
-// open ground rises beside it, the points of that ground do not see to it.
+// Checks that the new straight border edges stay within the tolerance of the patch's surface. The
+// attached points cannot ensure this where open ground rises beside the border.
 bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   if (state_.kind[from] != VertexKind::Border) return true;
   const LabelSurface* surface = nullptr;
@@ -157,7 +159,7 @@ bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   return true;
 }
 
-// Seen along the surface's normal.
+// Whether the triangle would face the other way, seen along the normal of the surface.
 bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const LabelSurface& surface) const {
   const Vector3d normal = surface.normal((next[0] + next[1] + next[2]) / 3);
   return areaOf(next).dot(normal) <
@@ -218,8 +220,8 @@ bool Collapser::shapesHold(std::int32_t from, std::int32_t to, const Vector3d& p
   return true;
 }
 
-// Points that lie on the triangles about to change find a new one within the tolerance. Where
-// such a point lay before is asked first, and if it is near enough there, no other.
+// Finds a new triangle within the tolerance for each point that is attached to a changing triangle.
+// The point's old triangle is tried first; if it is near enough, the search ends there.
 bool Collapser::findAllHomes(std::int32_t from, std::int32_t to) {
   moved_.clear();
   if (!findHome(at(from), -1)) return false;
@@ -238,7 +240,8 @@ bool Collapser::findHomes(std::int32_t triangle, std::int32_t before) {
   std::vector<Vector3d>& points = state_.attached[triangle];
   for (Vector3d& p : points) {
     if (findHome(p, before)) continue;
-    // Most collapses are tried in vain: what has failed is asked first the next time.
+    // Most collapses fail. The point that failed moves to the front, so that the next trial tests
+    // it first.
     std::swap(p, points[0]);
     return false;
   }
@@ -269,7 +272,7 @@ bool Collapser::isNearOriginal(const Vector3d& p) {
   return state_.original->isNear(p, limit, nearest_);
 }
 
-// Points spread over the new triangles lie near the original.
+// Whether sample points on the new triangles lie near the original.
 bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
   nearest_ = state_.nearby[to];
   if (isFree(from) && isFree(to) && !isNearOriginal(place)) return false;
@@ -280,7 +283,7 @@ bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d
     if (state_.label[staying_[k]] >= 0) continue;
     const auto& c = corners_[k];
     if (squaredLongest(c) <= spacing * spacing) continue;
-    // The corners are known to be near.
+    // The corners are known to be near. They only supply the hint for the next search.
     const auto& v = state_.mesh.triangles[staying_[k]];
     const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
       for (int i = 0; i < 3; ++i) {
@@ -303,7 +306,8 @@ bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
   return meetWrongly(mesh, triangle, other);
 }
 
-// Whether triangles with their new corners meet any others; which, in hits_.
+// Whether remaining triangles with their new vertices intersect other triangles, which go into
+// hits_.
 bool Collapser::meetsOthers() {
   hits_.clear();
   around_.clear();
@@ -327,7 +331,7 @@ bool Collapser::meetsOthers() {
   return !hits_.empty();
 }
 
-// With the corners as they were.
+// Whether the changed triangles already intersected `other` before the step.
 bool Collapser::metBefore(std::int32_t other) const {
   const auto meets = [&](std::int32_t t) { return t == other || meet(t, other); };
   if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;

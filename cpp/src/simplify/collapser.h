@@ -1,4 +1,4 @@
-// One worker of the edge collapse (collapse.h): a slab of the mesh, or all of it.
+// One worker of the edge collapse (collapse.h). It processes one slab of the mesh, or all of it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,22 +14,24 @@
 
 namespace swept {
 
-/// What a worker may touch: vertices with its number, which stay within [low, high) along the axis.
+/// The part of one worker. The worker may change the vertices with its number in partOf, and keeps
+/// their coordinate on the axis within [low, high).
 struct WorkPart {
-  const std::vector<std::int32_t>* partOf = nullptr;  ///< by vertex; null: all are its own
+  /// By vertex: the number of its worker. null: all vertices belong to this worker.
+  const std::vector<std::int32_t>* partOf = nullptr;
   std::int32_t number = 0;
   int axis = 0;
   double low = -1e300, high = 1e300;
-  std::vector<std::int32_t> vertices;   ///< where it begins, in rising order
-  std::vector<std::int32_t> triangles;  ///< that its triangles may meet, its own included
+  std::vector<std::int32_t> vertices;   ///< start vertices, in ascending order
+  std::vector<std::int32_t> triangles;  ///< triangles that may meet the worker's, including its own
 };
 
 class Collapser {
  public:
-  /// log: receives every step; null: none is kept.
+  /// `log`, unless null, receives each step.
   Collapser(CollapseState& state, const WorkPart& part, RunContext& run, CollapseLog* log)
       : state_(state), part_(part), run_(run), log_(log), boxes_(state.mesh, part.triangles) {}
-  /// Takes the edges at the part's vertices and goes on until none is left that may collapse.
+  /// Collapses edges, starting at the edges of part.vertices, until no collapse is possible.
   void work();
 
  private:
@@ -79,16 +81,18 @@ class Collapser {
   CollapseLog* log_;
   MovingBoxes boxes_;
   std::priority_queue<Entry> queue_;
-  // Kept between calls for their memory.
+  // Buffers; they are members only so that their memory is reused.
   std::vector<std::int32_t> ring_, otherRing_, common_;
-  std::vector<std::int32_t> staying_, dying_;          // triangles
-  std::vector<Corners> was_;                           // of those that stay
-  std::vector<std::array<Point, 3>> corners_;          // of those that stay, afterwards
-  std::vector<std::pair<Point, std::int32_t>> moved_;  // and the place in staying_
+  std::vector<std::int32_t> staying_, dying_;  // triangles
+  std::vector<Corners> was_;  // vertices of the remaining triangles before the step
+  std::vector<std::array<Point, 3>> corners_;  // the same after the step
+  // Points, and the index in staying_ of their new triangle.
+  std::vector<std::pair<Point, std::int32_t>> moved_;
   std::vector<std::int32_t> hits_;
-  std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;  // triangles near those that stay
-  std::int32_t nearest_ = -1;  // triangle of the original, near the point last asked for
-  std::int32_t placed_ = -1;   // near the place of the vertex that stays
+  // Triangles near those that stay, with their boxes.
+  std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;
+  std::int32_t nearest_ = -1;  // triangle of the original near the last point in question
+  std::int32_t placed_ = -1;   // the same for the new position of the vertex that stays
 };
 
 }  // namespace swept

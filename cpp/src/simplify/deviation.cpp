@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What a block of the work has found.
+// Result for one block of the work.
 struct Found {
-  double largest = 0;  // squared
+  double largest = 0;  // squared, mm^2
   std::vector<FarPlace> missed, strays;
 };
 
@@ -37,8 +37,8 @@ class Measurement {
   }
 
  private:
-  // Calls part(i, found) for all i below n, in blocks; `found` begins with the largest before: what
-  // lies nearer need not be known exactly, as long as it is within the limit.
+  // Calls part(i, found, hint) for each i < n, in blocks. Each block starts with the largest
+  // distance known before, since smaller distances within the limit need not be exact.
   template <class Part>
   void forAll(std::size_t n, std::size_t block, const Part& part) {
     std::vector<Found> found((n + block - 1) / block);
@@ -69,7 +69,8 @@ class Measurement {
       see(original_.vertices[v], found, hint);
       home[v] = hint;
     });
-    // Where the corners lie near one triangle, all between them does: it is convex.
+    // If all vertices lie near one triangle, so does the inside, since distance from a triangle is
+    // convex.
     constexpr std::array<std::array<double, 2>, 7> kInner = {
         {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
     forAll(original_.triangles.size(), 2048, [&](std::size_t t, Found& found, std::int32_t& hint) {

@@ -1,8 +1,9 @@
-// How far two surfaces lie apart, both ways: every vertex of the original and points within those
-// of its triangles that do not lie near one triangle of the result alone, and a net of points on
-// the simplified triangles.
-// Units: mm. Cost: O(n) questions to trees of either surface, mostly answered by the triangle that
-// was found last.
+// Measures the distance of two surfaces in both directions. From the original: each vertex, and
+// points within those triangles that are not near a single triangle of the result. From the result:
+// a grid of points on each triangle.
+// Units:   mm.
+// Cost:    O(n) searches in the trees of both surfaces. Mostly the triangle of the previous search
+//          suffices.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,19 +15,20 @@
 
 namespace swept {
 
-/// Where the surfaces lie farther apart than the tolerance.
+/// A place where the surfaces are farther apart than the tolerance.
 struct FarPlace {
-  Eigen::Vector3d onOriginal, onResult;  ///< one is nearest to the other
-  std::int32_t triangle = -1;            ///< of the result
+  Eigen::Vector3d onOriginal, onResult;  ///< one is the nearest point to the other
+  std::int32_t triangle = -1;            ///< triangle of the result
 };
 
 struct Deviation {
-  double largest = 0;            ///< mm, of both directions
+  double largest = 0;            ///< mm, largest distance of both directions
   std::vector<FarPlace> missed;  ///< points of the original
-  std::vector<FarPlace> strays;  ///< the farthest points of triangles of the result, these rising
+  /// The farthest point of each triangle of the result that is too far, by ascending triangle.
+  std::vector<FarPlace> strays;
 };
 
-/// `spacing`: mm, of the net. `nearOriginal` walks.
+/// `spacing`: mm, distance of the grid points. `nearOriginal` must be built with Walks::Yes.
 Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
                            const TriMesh& result, double spacing, double tolerance);
 

@@ -14,8 +14,8 @@
 namespace swept {
 namespace {
 
-constexpr double kRankCut = 0.03;  ///< of the largest eigenvalue
-constexpr double kCosine = 0.906;  ///< of 25 degrees, the least turn of a crease
+constexpr double kRankCut = 0.03;  ///< eigenvalues below this share of the largest one count as 0
+constexpr double kCosine = 0.906;  ///< cosine of 25 degrees, the smallest angle of a crease
 constexpr std::size_t kBlock = 8192;
 constexpr std::uint32_t kNone = 0xffffffffu;
 using Edge = std::array<std::int32_t, 2>;
@@ -27,7 +27,7 @@ Eigen::Vector3d normalOf(const TriMesh& mesh, std::size_t t) {
   return u.cross(v);
 }
 
-/// Edges of two triangles over which the surface turns.
+/// Returns the edges of two triangles at which the surface turns.
 std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t>& across) {
   const std::size_t n = mesh.triangles.size();
   std::vector<std::vector<Edge>> parts(n / kBlock + 1);
@@ -53,7 +53,7 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
   return edges;
 }
 
-/// Per vertex of an edge, whether the planes round it have rank 2 or 3.
+/// For each vertex of an edge: whether the planes of its triangles have rank 2 or 3.
 std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>& edges) {
   std::vector<std::uint32_t> place(mesh.vertices.size(), kNone);
   std::vector<std::int32_t> wanted;
@@ -80,7 +80,7 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>
       for (const std::uint32_t t : around.of(n)) {
         const Eigen::Vector3d normal = normalOf(mesh, t);
         const double area = normal.norm();
-        // Only the directions count: planes through the origin.
+        // Only the directions matter, so all planes pass through the origin.
         if (area > 0) quadric.addPlane(normal / area, Eigen::Vector3d::Zero(), area);
       }
       int rank = 0;

@@ -1,6 +1,8 @@
-// Creases of a mesh: edges over which the surface turns, between vertices that are themselves on a
-// crease or a corner (rank 2 or 3 of the quadric of the planes round them).
-// Cost: O(n). Order: by smaller, then larger vertex.
+// Finds the creases of a mesh: edges at which the surface turns, if both end vertices lie on a
+// crease or at a corner. Such a vertex has a quadric of rank 2 or 3 (from the planes of its
+// triangles).
+// Cost:    O(n).
+// Order:   by the smaller, then the larger vertex.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,7 +16,7 @@
 namespace swept {
 
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh);
-/// The same where the half-edges across (geometry/half_edges.h) are known already.
+/// As above, with known opposite half-edges (geometry/half_edges.h).
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh,
                                                           const RawArray<std::uint32_t>& across);
 

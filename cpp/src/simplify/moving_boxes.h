@@ -1,8 +1,12 @@
-// Boxes about triangles that change, to find what a triangle may meet.
-// In: a mesh and the triangles to be found. The tree is made once, four to a node along a Morton
-// curve; its boxes grow with the triangles, which stay near where they were, and it is made anew
-// when half of them are gone. (geometry/nearest_triangle.h and geometry/box_tree.h stand still.)
-// Cost: O(n log n) to make, O(log n) a change or question. Nothing depends on threads.
+// Bounding volume hierarchy of triangles that change, to find the triangles that a given one may
+// meet.
+// In:      a mesh and the triangles to find.
+// Method:  The tree is built once, with four children per node along a Morton curve. Its boxes grow
+//          with the triangles, which move only a little. It is rebuilt when half of them are
+//          removed. (The trees of geometry/nearest_triangle.h and geometry/box_tree.h cannot
+//          change.)
+// Cost:    O(n log n) to build, O(log n) per change or search.
+// Promise: The result does not depend on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,10 +25,10 @@ class MovingBoxes {
  public:
   using Box = Eigen::AlignedBox3d;
 
-  /// `members`: in rising order. The mesh must outlive the tree.
+  /// `members`: triangles in ascending order. The mesh must outlive the tree.
   MovingBoxes(const TriMesh& mesh, std::vector<std::int32_t> members);
 
-  /// A member's corners are others now.
+  /// Call this after the vertices of a member have changed.
   void grow(std::int32_t triangle);
   void remove(std::int32_t triangle);
 
@@ -34,7 +38,7 @@ class MovingBoxes {
     return box.extend(mesh.vertices[c[1]]).extend(mesh.vertices[c[2]]);
   }
 
-  /// Calls visit(triangle, its box) for the members whose boxes meet `box`.
+  /// Calls visit(triangle, its box) for each member whose box intersects `box`.
   template <class Visit>
   void forBox(const Box& box, const Visit& visit) const {
     std::array<std::pair<std::int32_t, std::uint32_t>, 128> stack;
@@ -62,9 +66,10 @@ class MovingBoxes {
   std::size_t memberOf(std::int32_t triangle) const;
 
   const TriMesh& mesh_;
-  std::vector<std::int32_t> members_;     ///< in rising order; those gone stay until make()
-  std::vector<std::uint32_t> slot_;       ///< by member: where it is in order_
-  std::vector<std::int32_t> order_;       ///< along the curve; -1: gone
+  /// In ascending order; removed triangles stay until the next make().
+  std::vector<std::int32_t> members_;
+  std::vector<std::uint32_t> slot_;       ///< by member: its index in order_
+  std::vector<std::int32_t> order_;       ///< along the curve; -1: removed
   std::vector<std::vector<Box>> levels_;  ///< levels_[0]: boxes of four triangles each
   std::size_t left_ = 0;
 };

@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A triangle is looked at in the middles of so many rows of equal triangles, at most.
+/// A triangle is divided into at most this many rows of equal triangles, and sampled at their
+/// centroids.
 constexpr int kMaxRows = 4;
 
 Vector3d doubledArea(const TriMesh& mesh, std::size_t t) {
@@ -25,7 +26,7 @@ bool sameSource(const SurfaceSource& a, const SurfaceSource& b) {
   return a.kind == b.kind && a.step == b.step && a.faces == b.faces;
 }
 
-/// Rows that were seen on one triangle, grouped by what made them.
+/// Counts the rows found on one triangle, grouped by source.
 class Votes {
  public:
   explicit Votes(const std::vector<SurfaceSource>& rows) : rows_(rows) {}
@@ -40,7 +41,7 @@ class Votes {
     }
     groups_[count_++] = {row, 1, fromMiddle};
   }
-  /// Of the largest group, the row nearest to the middle; kNone: nothing was seen.
+  /// Returns the row nearest to the middle within the largest group, or kNone if there is none.
   std::uint32_t winner() const {
     if (count_ == 0) return Sources::kNone;
     return std::max_element(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(count_),

@@ -1,9 +1,12 @@
-// What made each triangle of a simplified surface: what made the largest part of its area.
-// In: a surface with its sources, a mesh near it. Out: per triangle of the mesh a row of the same
-// sources. Units: mm. Cost: up to 16 searches for the nearest triangle of the surface a triangle of
-// the mesh; the result does not depend on the threads.
-// Where a triangle crosses a border it stands for both sides; a point that lies nearest to a
-// triangle which looks the other way (a thin wall) says nothing.
+// Finds the source of each triangle of a simplified surface: the face and motion step that made the
+// largest part of its area.
+// In:      a surface with its sources, and a simplified mesh near it.
+// Out:     for each triangle of the mesh, a row of the same sources.
+// Units:   mm.
+// Cost:    up to 16 nearest-triangle searches per triangle of the mesh. The result does not depend
+//          on the number of threads.
+// Limits:  a triangle that crosses a border stands for both sides. A point is ignored if the
+//          nearest triangle of the surface faces the other way (thin wall).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +16,7 @@
 
 namespace swept {
 
-/// spacing: mm, of the triangles of the surface, about. `nearest`: of the surface.
+/// `spacing`: mm, typical size of the surface's triangles. `nearest`: search tree of the surface.
 Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& nearest,
                             const Sources& sources, const TriMesh& mesh, double spacing);
 

@@ -17,20 +17,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the tolerance, for thinning; the rest is left to the edge collapse.
+/// Share of the tolerance for thinning; edge collapses use the rest.
 constexpr double kThinFraction = 0.3;
-constexpr double kFirstLevel = 0.025;  ///< cells
-/// Of what is left of the tolerance: limit of the collapse, which looks at points; between them the
-/// surface may lie farther.
+constexpr double kFirstLevel = 0.025;  ///< limit of the first level, in cells
+/// Share of the remaining tolerance for the collapses. They test points only, and the surface
+/// between the points may deviate more.
 constexpr double kPointFraction = 0.97;
-constexpr double kLessEachRound = 0.9;  ///< of the tolerance, where the measured deviation failed
-constexpr int kRounds = 4;              ///< of improving
-constexpr int kFirstDepth = 2;  ///< steps that are taken back at a place; twice as many each round
-constexpr int kThinTrials = 4;  ///< with more vertices kept each time
-constexpr double kLeastFraction = 0.1;  ///< of the tolerance, before nothing is simplified at all
+constexpr double kLessEachRound = 0.9;  ///< factor of the tolerance after a round that failed
+constexpr int kRounds = 4;              ///< rounds of improvement
+constexpr int kFirstDepth = 2;          ///< steps undone at each place; doubles with each round
+constexpr int kThinTrials = 4;          ///< thinning trials, each with more vertices kept
+constexpr double kLeastFraction = 0.1;  ///< of the tolerance; below it, nothing is simplified
 
-// Points of the original that were missed are kept near from now on: the nearest of the triangles
-// that have changed has them.
+// Attaches each missed point of the original to the nearest of the changed triangles, so that
+// further collapses keep it near.
 void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed,
                   const std::vector<FarPlace>& missed) {
   for (const FarPlace& place : missed) {
@@ -47,8 +47,8 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
   }
 }
 
-// Steps at wrong places are taken back and others looked for, with a closer look. False: there are
-// none to take back.
+// Undoes steps at the wrong places and collapses again with denser sample points. Returns false if
+// no step can be undone.
 bool improve(CollapseState& state, CollapseLog& log, const std::vector<std::int32_t>& wrong,
              const std::vector<FarPlace>& missed, int depth, RunContext& run) {
   const std::vector<std::int32_t> changed = log.takeBack(state, wrong, depth);
@@ -92,7 +92,7 @@ const Simplifier::Level* Simplifier::levelWithin(double limit, RunContext& run) 
   double step = kFirstLevel * cell_;
   for (std::size_t n = 0;; ++n, step *= 2) {
     if (step + (found != nullptr ? found->limit : 0) > limit) return found;
-    // Nothing becomes smaller than a handful of triangles.
+    // Further thinning of so small a mesh saves nothing.
     if (found != nullptr && n > 0 && found->mesh.triangles.size() < 1000) return found;
     if (n == levels_.size()) levels_.push_back(thinned(found, step, run));
     found = levels_[n].get();
@@ -109,7 +109,7 @@ const NearestTriangle& Simplifier::nearest() const {
 
 Simplified Simplifier::cut(double tolerance, RunContext& run) const {
   run.checkpoint(Phase::Simplify);
-  // Where no trial holds the tolerance, what half of it allows does.
+  // If no trial keeps the tolerance, tries again with half of it.
   for (double within = tolerance; within > kLeastFraction * tolerance; within /= 2) {
     const double limit = kThinFraction * within;
     const Level* level = levelWithin(limit, run);
@@ -123,14 +123,14 @@ Simplified Simplifier::cut(double tolerance, RunContext& run) const {
       }
       if (std::optional<Simplified> cut = cutFrom(*level, within, run, kept))
         return std::move(*cut);
-      // What thinning has lost no collapse finds again.
+      // If no vertex was added to `kept`, a further trial would give the same result.
       if (kept == before) break;
     }
   }
   return {mesh_, contactTime_, featureEdges(), sources_, 0};
 }
 
-// By the nearest vertex of the level.
+// Takes the contact time from the nearest vertex of the level.
 void Simplifier::addContactTime(const Level& level, Simplified& out) const {
   std::int32_t near = -1;
   for (const Vector3d& p : out.mesh.vertices) {
@@ -162,7 +162,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
       for (const FarPlace& place : *places) wrong.push_back(number[place.triangle]);
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
-    // What was taken back may meet what has moved since.
+    // Undone steps restore triangles, which may intersect triangles that moved in later steps.
     const SelfIntersections met = findSelfIntersections(small, {}, run);
     if (round == 0) metBefore = met.count;
     if (met.count > metBefore) {
@@ -178,7 +178,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
   }
 }
 
-// The triangles at these places and their neighbours.
+// Marks the vertices of the triangles at these places, and of their neighbours.
 void Simplifier::keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
   if (missed.empty()) return;
   kept.resize(mesh_.vertices.size(), 0);

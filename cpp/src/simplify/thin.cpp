@@ -19,20 +19,20 @@ namespace {
 using Eigen::Vector3d;
 using Flags = std::vector<char>;
 
-constexpr double kFirstFraction = 0.1;  // of the limit, in the first round
+constexpr double kFirstFraction = 0.1;  // share of the limit in the first round
 
-// Chosen on a part of curved and plane faces in 1.2 million triangles (fandisk over 16 keys),
-// within 0.08 cells: what an edge collapse begins with becomes a quarter of what surfaces are
-// looked for in, and more rounds than these do not make it smaller.
+// Parameters of the thinning. They come from trials on a part with curved and plane faces (1.2
+// million triangles, fandisk over 16 keys), within 0.08 cells. The mesh for edge collapses gets a
+// quarter of the triangles of the mesh for surface recognition. More rounds do not make it smaller.
 struct Manner {
   int rounds = 3;
-  double meanFraction = 1;  // of the limit: root mean square distance of the planes
+  double meanFraction = 1;  // of the limit: largest root mean square distance from the planes
   double minCosine = 0.5;   // a triangle may turn by less than 60 degrees
   double minShape = 0.03;   // area vector / longest side squared
-  double longest = 50;      // of the mean edge before: no edge becomes longer
-  // New edges are compared with the triangles before as well: without that a spike of a tenth more
-  // than the tolerance stayed on a scanned body (bunny over 16 keys, 2 mm). Surfaces are fitted to
-  // the vertices and the solid is measured in the end; they need no such look.
+  double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
+  // Also compares new edges with the old triangles. Without this, a spike of 1.1 tolerances
+  // remained on a scanned body (bunny over 16 keys, 2 mm). Surface recognition does not need it:
+  // surfaces are fitted to the vertices, and the solid is measured in the end.
   bool looksBack = true;
 };
 constexpr Manner kForCollapse;
@@ -41,17 +41,17 @@ constexpr Manner kForSurfaces{6, 0.35, 0.5, 0.15, 8, false};
 constexpr int kMaxNeighbours = 40;
 using Corners = std::array<std::int32_t, 3>;
 
-// What a part of a pass needs again and again.
+// Buffers that a pass reuses.
 struct Scratch {
   std::vector<Corners> fresh, nearby;
 };
 
-// Worked on at the same time; fixed, so that the result does not depend on the number of threads.
+// Number of parallel parts; fixed, so that the result does not depend on the number of threads.
 constexpr std::size_t kParts = 16;
 
 class Thinner {
  public:
-  /// `kept`: by vertex, those that stay.
+  /// `kept`: by vertex, 1 if it must stay.
   Thinner(const TriMesh& mesh, double limit, const Manner& manner, const Flags& kept, Phase phase,
           RunContext& run)
       : vertices_(mesh.vertices),
@@ -106,7 +106,7 @@ class Thinner {
     }
   }
 
-  /// With the vertices as they were in the mesh before.
+  /// Returns the thinned mesh. `mesh` is the input mesh and supplies the positions.
   Thinned result(const TriMesh& mesh) const {
     Thinned out;
     std::vector<std::int32_t> id(points_.size(), -1);
@@ -128,7 +128,7 @@ class Thinner {
     return out;
   }
 
-  /// The vertex that stands for this one.
+  /// Returns the remaining vertex into which `v` was merged, or `v` itself.
   std::int32_t heirOf(std::int32_t v) const {
     while (into_[v] >= 0) v = into_[v];
     return v;
@@ -141,7 +141,7 @@ class Thinner {
     return sum / static_cast<double>(points.size());
   }
 
-  // Parts of the mesh by the numbers of its vertices, which lie in layers.
+  // Returns the first vertex of a part: a range of vertex numbers, which follow the layers.
   std::int32_t firstOf(std::size_t part) const {
     return static_cast<std::int32_t>(part * points_.size() / kParts);
   }
@@ -154,8 +154,8 @@ class Thinner {
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
-  // Vertices whose neighbours all lie in their own part stay so while only such are worked on: what
-  // happens at those of another part does not touch the triangles about them.
+  // Removes vertices in [begin, end). With `inner`, only those with all neighbours in their part:
+  // collapses in other parts do not touch their triangles, so all parts can run in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -164,13 +164,13 @@ class Thinner {
     }
   }
 
-  // The next half-edge out of the same vertex.
+  // Returns the next half-edge that starts at the same vertex.
   std::int32_t turn(std::int32_t h) const {
     return static_cast<std::int32_t>(opposite_[previousHalfEdge(h)]);
   }
   std::int32_t target(std::int32_t h) const { return vertex_[nextHalfEdge(h)]; }
 
-  // The cheapest neighbour within the limit takes the vertex in.
+  // Merges vertex u into the neighbour with the smallest error, if that is within the limit.
   void removeIfClose(std::int32_t u, double limit, Scratch& scratch) {
     double best = manner_.meanFraction * manner_.meanFraction * limit * limit;
     std::int32_t chosen = -1;
@@ -201,7 +201,7 @@ class Thinner {
 
   bool mayCollapse(std::int32_t edge, double limit, Scratch& scratch) {
     const std::int32_t v = target(edge);
-    // Just the two corners beside the edge are neighbours of both ends, and keep three neighbours.
+    // The two ends must share exactly two neighbours. Each of these must keep three or more.
     std::array<std::int32_t, kMaxNeighbours> ring;
     std::int32_t h = fan_[v];
     auto end = ring.begin();
@@ -225,7 +225,7 @@ class Thinner {
     return true;
   }
 
-  // `off`: how far what the vertex has taken in may lie off the new triangles.
+  // `off` receives how far the vertices merged into u may deviate from the new triangles.
   bool trianglesHold(std::int32_t edge, double limit, double& off) const {
     const std::int32_t u = vertex_[edge];
     const Vector3d &from = points_[u], &to = points_[target(edge)];
@@ -241,13 +241,13 @@ class Thinner {
       if (longest > longest_ || area < manner_.minShape * longest) return false;
       nearest = std::min(nearest, squaredDistance(from, to, b, c));
     }
-    // What this vertex has taken in before may lie as much farther off.
+    // Vertices merged into u earlier may already deviate by off_[u]; this collapse adds to it.
     if (manner_.looksBack) nearest = std::max(nearest, squaredRise(edge, limit));
     off = off_[u] + std::sqrt(nearest);
     return off <= limit;
   }
 
-  // Calls visit(corners) for the triangles about v that do not touch u, until it says false.
+  // Calls visit(corners) for the triangles at v that do not touch u, until visit returns false.
   template <class Visit>
   bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
@@ -263,9 +263,9 @@ class Thinner {
     return (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]);
   }
 
-  // Whether a new triangle meets another that touches it: all pairs that thinning made on a scanned
-  // body and on a part of plane and curved faces were of that kind (50 to 90 a million triangles).
-  // Where all of them face one way there is none.
+  // Whether a new triangle intersects a triangle that touches it. On a scanned body and on a part
+  // with plane and curved faces, thinning produced only such pairs (50 to 90 per million
+  // triangles). If all of them face the same way, no pair intersects.
   bool meetsNeighbours(std::int32_t edge, Scratch& scratch) const {
     const std::int32_t u = vertex_[edge], v = target(edge);
     scratch.fresh.clear();
@@ -299,7 +299,7 @@ class Thinner {
     return false;
   }
 
-  // How far the middles of new edges lie from the triangles that were there.
+  // Returns the largest squared distance of the middle of a new edge from the old triangles at u.
   double squaredRise(std::int32_t edge, double limit) const {
     const std::int32_t u = vertex_[edge];
     const Vector3d &from = points_[u], &to = points_[target(edge)];
@@ -333,7 +333,7 @@ class Thinner {
       const std::uint32_t a = opposite_[nextHalfEdge(side)], b = opposite_[previousHalfEdge(side)];
       opposite_[a] = b;
       opposite_[b] = a;
-      // Half-edges that survive stand in for those of the two triangles that go.
+      // Surviving half-edges replace those of the two removed triangles.
       fan_[vertex_[a]] = static_cast<std::int32_t>(a);
       fan_[vertex_[b]] = static_cast<std::int32_t>(b);
     }
@@ -351,18 +351,18 @@ class Thinner {
   RunContext& run_;
   Vector3d origin_;
   std::vector<Vector3d> points_;
-  std::vector<std::int32_t> vertex_;  // per half-edge: where it starts; -1: gone
+  std::vector<std::int32_t> vertex_;  // by half-edge: its start vertex; -1: removed
   RawArray<std::uint32_t> opposite_;
-  std::vector<std::int32_t> fan_;  // per vertex: a half-edge that starts there; -1: gone
+  std::vector<std::int32_t> fan_;  // by vertex: a half-edge that starts there; -1: removed
   std::vector<Quadric> quadric_;
-  std::vector<double> off_;         // per vertex: how far what it took in may lie off the triangles
-  std::vector<std::int32_t> into_;  // per vertex: which one took it in; -1: none
-  double longest_ = 0;              // mm^2
+  std::vector<double> off_;         // by vertex: how far vertices merged into it may deviate
+  std::vector<std::int32_t> into_;  // by vertex: the vertex into which it was merged; -1: none
+  double longest_ = 0;              // longest edge allowed, in mm^2
   Flags partOf_;
-  Flags inner_;  // per vertex: all its neighbours are in its own part
+  Flags inner_;  // by vertex: 1 if all its neighbours are in its own part
 };
 
-// Vertices about triangles that meet are kept, with all that their heirs stand for.
+// Marks in `kept` the vertices of intersecting triangles and all vertices merged into them.
 void keepAbout(const SelfIntersections& found, const Thinned& thinned, const Thinner& thinner,
                Flags& kept) {
   Flags meets(kept.size(), 0);
@@ -390,7 +390,7 @@ Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase,
     thinner.work();
     Thinned thinned = thinner.result(mesh);
     const SelfIntersections found = findSelfIntersections(thinned.mesh, {}, run);
-    // Pairs that do not become fewer were there before.
+    // If the number of pairs no longer falls, the remaining pairs were in the input already.
     if (found.count == 0 || found.count >= before) return thinned;
     before = found.count;
     keepAbout(found, thinned, thinner, kept);

@@ -1,13 +1,18 @@
-// The first stage of simplifying: a dense mesh made thinner by half-edge collapses, which keep a
-// subset of the vertices where they are, so that what is fitted to them later stays exact.
-// In: a closed manifold mesh of any size, a limit in mm. Out: the smaller mesh, closed and manifold
-// as before, with no more pairs of triangles that meet than before.
-// Bound: what each collapse moves (the vertex that goes from the new triangles, the middles of new
-// edges from the old ones) adds up by vertex to no more than the limit. Neighbours share it, so the
-// surface may lie a little farther in places: who promises a distance measures it.
-// Order: rounds of growing limits instead of a queue (the order matters little at a small part of
-// the final tolerance). Cost: O(n), about 2 us a vertex; the parts of a round do not depend on the
-// number of threads.
+// First stage of simplification: thins a dense mesh by half-edge collapses. They keep a subset of
+// the vertices in place, so surfaces that are fitted to the vertices later stay exact.
+// In:      a closed manifold mesh of any size, and a limit.
+// Out:     a smaller closed manifold mesh. It has no more pairs of intersecting triangles than the
+//          input.
+// Units:   mm.
+// Promise: The displacements of the collapses add up, for each vertex, to no more than the limit.
+//          A displacement is the larger of two distances: of the removed vertex from the new
+//          triangles, and of the middles of new edges from the old ones. Neighbours share the
+//          limit, so the surface may deviate slightly more in places. A caller that promises a
+//          distance must measure it.
+// Order:   rounds with growing limits instead of a queue, since the order matters little at a small
+//          part of the final tolerance.
+// Cost:    O(n), about 2 us per vertex. The parts of a round do not depend on the number of
+//          threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,18 +24,19 @@
 
 namespace swept {
 
-/// What the triangles are thinned for. Surfaces are found by growing over triangles, which stay
-/// many and well shaped for it; an edge collapse takes triangles of any shape.
+/// Purpose of the thinning. Surface recognition grows over triangles and needs many well-shaped
+/// ones. Edge collapses accept triangles of any shape.
 enum class ThinFor { Collapse, Surfaces };
 
 struct Thinned {
   TriMesh mesh;
-  std::vector<std::int32_t> source;    ///< by vertex: its number in the mesh before
-  std::vector<std::int32_t> triangle;  ///< by triangle: the one before whose place it takes
+  std::vector<std::int32_t> source;  ///< by vertex: its number in the input mesh
+  /// By triangle: the triangle of the input mesh that it replaces.
+  std::vector<std::int32_t> triangle;
 };
 
-/// `phase`: what the run is told to be doing. `kept`: by vertex, those that stay, with all
-/// triangles that touch nothing else; empty: none.
+/// `phase`: the phase for progress reports. `kept`: by vertex, 1 if it must stay together with all
+/// triangles that have only such vertices; empty: none must.
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept = {});
 

@@ -1,6 +1,6 @@
-// What a solid would take: a guess from a look at the mesh, or a trial that builds and writes it
-// without a file. What a trial cannot know is how long the file takes to be read back and judged;
-// that is foretold from the faces.
+// Estimates the cost of a solid: a guess from the mesh, or a trial that builds and writes it
+// without a file. A trial cannot measure the time to read the file back and check it; the number of
+// faces predicts that.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
@@ -20,14 +20,15 @@ namespace {
 
 using namespace step;
 
-// s, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
+// Seconds, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
 constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
-constexpr double kAsItIs = 2e-6;  // a triangle of a tessellated solid
-// To read back and judge a plane face, and an edge of a curved one; a BREP file needs no mending.
+constexpr double kAsItIs = 2e-6;  // per triangle of a tessellated solid
+// Seconds to read back and check a plane face, and an edge of a curved face. A BREP file needs no
+// repair.
 constexpr double kStepFace = 2e-4, kStepCurvedEdge = 1e-3;
 constexpr double kBrepFace = 2e-5, kBrepCurvedEdge = 1e-4;
 
-// Counts what is written.
+// Counts the bytes that are written.
 class CountingBuffer : public std::streambuf {
  public:
   std::uint64_t count() const { return count_; }
@@ -74,7 +75,7 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
     estimate.faces =
         static_cast<std::int64_t>(partition.patches.size()) +
         std::count(partition.patchOf.begin(), partition.patchOf.end(), std::int32_t{-1});
-    // More than the limit allows is not made: a tolerance is looked for.
+    // Above the limit of faces, the export searches for a tolerance that keeps it.
     if (!options.exact) estimate.faces = std::min(estimate.faces, options.maxFaces);
   }
   estimate.megabytes = megabytesOf(estimate.faces, mesh, options, format);
@@ -85,7 +86,7 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
   return estimate;
 }
 
-// s, for the kernel to read the file back and to judge what it read.
+// Returns the seconds that the kernel needs to read the file back and check it.
 double secondsToReadBack(const Model& model, SolidFormat format) {
   const bool brep = format == SolidFormat::Brep;
   const double face = brep ? kBrepFace : kStepFace, edge = brep ? kBrepCurvedEdge : kStepCurvedEdge;

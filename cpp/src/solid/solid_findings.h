@@ -1,4 +1,4 @@
-// What a solid is short of its mesh.
+// Findings about a solid that differs from its mesh more than the caller may expect.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,8 +8,9 @@
 
 namespace swept {
 
-/// Simplified although no tolerance was given, given up to get a valid one, or farther from the
-/// mesh than the tolerance.
+/// Returns up to three findings. "SolidSimplified": the solid was simplified although no tolerance
+/// was given. "SolidNote": the note of the export, for example on surfaces that it gave up.
+/// "SolidInaccurate": the solid deviates from the mesh by more than the tolerance.
 std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options);
 
 }  // namespace swept

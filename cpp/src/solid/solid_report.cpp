@@ -1,4 +1,4 @@
-// What a solid's report says: findings and JSON.
+// Findings and JSON of the report of a solid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/number_text.h"
 #include "base/report_json.h"

@@ -1,8 +1,10 @@
-// Edge curves, and points where carriers intersect.
-// In: points in order, or carriers. Out: the simplest curve within a tolerance. Units: mm, rad.
-// Parameters: Line 0..length, Circle 0..sweep, Spline 0..1. Cost: O(points).
-// Source: circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
-// NURBS Book"); polylines (Douglas and Peucker 1973).
+// Curves of edges, and points where carrier surfaces intersect.
+// In:      points in order, or carriers.
+// Out:     the simplest curve within a tolerance.
+// Units:   mm, rad. Parameters: Line 0..length, Circle 0..sweep, Spline 0..1.
+// Cost:    O(points).
+// Source:  circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
+//          NURBS Book"); polylines (Douglas and Peucker 1973).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,45 +29,46 @@ struct Curve {
   double last = 0;  ///< end parameter; the first parameter is 0
   /// Cubic B-spline with C1 joints: 2 n + 2 poles for n + 1 knots.
   std::vector<Eigen::Vector3d> poles;
-  std::vector<double> knots;  ///< distinct knots; the ends have multiplicity 4, the inner ones 2
+  std::vector<double> knots;  ///< distinct knots; the ends have multiplicity 4, inner knots 2
 
   Eigen::Vector3d at(double t) const;
 };
 
 Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// The arc or circle that passes through the ordered points within eps, if there is one.
+/// Returns the arc or circle that passes through the ordered points within eps, if there is one.
 std::optional<Curve> circleThrough(const std::vector<Eigen::Vector3d>& points, bool closed,
                                    double eps);
 
-/// The spline through these points with these unit tangents.
+/// Returns the spline through these points with these unit tangents.
 Curve splineAlong(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Eigen::Vector3d>& tangents);
 
-/// The profile of an extrusion or a revolution as a curve in space.
+/// Returns the profile of an extrusion or a revolution as a curve in space.
 Curve profileOf(const Carrier& surface);
 
-/// The simplest of line, circle and spline that passes through the ordered points within eps. If
-/// `surfaces` (two that intersect along the curve) are given, the tangents of a spline come from
-/// their normals.
+/// Returns the simplest of line, circle and spline that passes through the ordered points within
+/// eps. `surfaces`: empty, or two that intersect along the curve; their normals then give the
+/// tangents of a spline.
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
                    const std::vector<const Carrier*>& surfaces);
 
-/// The point of a polyline between two others that lies farthest from the segment that joins these;
-/// a distance of -1 if there is none between them.
+/// Returns the point strictly between `from` and `to` that is farthest from the segment between
+/// these two. `distance` is -1 if no point lies between.
 std::size_t farthestPoint(const std::vector<Eigen::Vector3d>& points, std::size_t from,
                           std::size_t to, double& distance);
 
-/// Marks the points within the spans that a polyline within the tolerance needs besides their ends.
+/// Marks the points within the spans that a polyline needs to stay within the tolerance. The ends
+/// of the spans are not marked.
 void keepBends(const std::vector<Eigen::Vector3d>& points,
                std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
                std::vector<char>& kept);
 
-/// A line or spline along a jagged polyline, smoothed within the tolerance; the ends stay.
+/// Returns a line or spline along a jagged polyline, smoothed within the tolerance. The ends stay.
 Curve curveAlong(const std::vector<Eigen::Vector3d>& points, bool closed, double tolerance);
 
-/// The point near `from` on all surfaces, as far as they determine one; where two of them touch,
-/// the point where their normals agree.
+/// Returns the point near `from` on all surfaces, as far as they determine it. If two surfaces
+/// touch, returns the point where their normals agree.
 Eigen::Vector3d meetingPoint(const Eigen::Vector3d& from,
                              const std::vector<const Carrier*>& surfaces);
 

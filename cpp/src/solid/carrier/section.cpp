@@ -10,11 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sine of the angle between the carriers (0.6 degrees): below it rounding decides where they meet.
+/// Sine of 0.6 degrees. At smaller angles between the carriers, rounding decides where they meet.
 constexpr double kLeastSine = 0.01;
 constexpr std::size_t kFewestSpans = 4, kMostSpans = 64;
 
-// The point on both carriers that is nearest to q to first order in each step.
+// Returns the point on both carriers near q. Each step is the shortest to first order. Fails if the
+// point moves farther than `strays`.
 std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const Carrier& b,
                                     double strays) {
   Vector3d p = q;
@@ -27,12 +28,12 @@ std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const C
     p -= ((da - c * db) * na + (db - c * da) * nb) / sine2;
     if (!((p - q).norm() <= strays)) return std::nullopt;
   }
-  // Far from the origin rounding is larger than the aim of the iteration.
+  // Far from the origin, rounding exceeds the target of the iteration.
   const bool isOn = std::max(std::abs(a.distance(p)), std::abs(b.distance(p))) < 0.1 * kOnCarrier;
   return isOn ? std::optional<Vector3d>(p) : std::nullopt;
 }
 
-// count + 1 points of equal spacing on a polyline.
+// Returns count + 1 evenly spaced points on a polyline.
 std::vector<Vector3d> spaced(const std::vector<Vector3d>& along, std::size_t count) {
   std::vector<double> at{0};
   for (std::size_t i = 1; i < along.size(); ++i)
@@ -53,7 +54,7 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
   return largestGap(curve, a) <= kOnCarrier && largestGap(curve, b) <= kOnCarrier;
 }
 
-// Unit tangents of the intersection, in the order of the points; nothing where the points turn
+// Returns unit tangents of the intersection, in the order of the points; nothing if the points turn
 // back.
 std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& points, bool closed,
                                                 const Carrier& a, const Carrier& b) {
@@ -71,10 +72,10 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
   return tangents;
 }
 
-// A plane cuts an extrusion in an affine image of its profile, piece by piece.
+// A plane intersects an extrusion in an affine image of its profile, computed piece by piece.
 std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
                                 const Carrier& plane) {
-  constexpr double kLeastCosine = 0.05;  // 3 degrees from cutting along the direction
+  constexpr double kLeastCosine = 0.05;  // the plane is at least 3 degrees off the direction
   const double slope = extrusion.axis.dot(plane.axis);
   const Profile& profile = *extrusion.profile;
   if (std::abs(slope) < kLeastCosine || profile.isClosed()) return std::nullopt;
@@ -121,8 +122,8 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
 }  // namespace
 
 double largestGap(const Curve& curve, const Carrier& carrier) {
-  // A straight edge is farthest from a plane at its ends. Elsewhere as many points as a kernel
-  // looks at, and some within every span.
+  // A straight edge is farthest from a plane at its ends. Otherwise at least as many points as a
+  // kernel checks, and some in each span.
   const bool flat = curve.kind == CurveKind::Line && carrier.isPlanar();
   const std::size_t steps = flat ? 1 : std::max<std::size_t>(24, 4 * curve.knots.size());
   double largest = 0;

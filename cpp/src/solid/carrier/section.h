@@ -1,10 +1,13 @@
-// The curve in which two carriers intersect, exact to what a kernel calls zero.
-// In: points along the curve in order, the first and the last of which lie on both carriers. Out: a
-// line, a circle or a spline no point of which is farther than kOnCarrier from either carrier, or
-// nothing where the carriers are nearly parallel along it or the curve strays from the points.
-// Units: mm. Method: Newton's method on both distances at points of equal spacing, cubics with the
-// tangents that the normals give, twice as many points until every span holds. Cost: O(points).
-// Source: marching over intersections with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
+// Curve in which two carriers intersect, so exact that a CAD kernel sees no gap.
+// In:      points along the curve in order. The first and the last one lie on both carriers.
+// Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
+//          the carriers are nearly parallel along it, or if the curve strays from the points.
+// Units:   mm.
+// Method:  Newton's method on both distances at evenly spaced points, joined by cubics whose
+//          tangents follow from the normals. The number of points doubles until each span is
+//          accurate.
+// Cost:    O(points).
+// Source:  marching over intersections with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,13 +18,13 @@
 
 namespace swept::step {
 
-/// Mm: a kernel takes two points as one below 1e-7; a file rounds to 1e-9.
+/// mm. A kernel merges two points closer than 1e-7; a file rounds to 1e-9.
 constexpr double kOnCarrier = 5e-8;
 
-/// Largest distance of points of the curve from the carrier.
+/// Returns the largest distance of sampled points of the curve from the carrier.
 double largestGap(const Curve& curve, const Carrier& carrier);
 
-/// strays: mm, how far the curve may lie from the polyline.
+/// `strays`: mm, how far the curve may lie from the polyline.
 std::optional<Curve> sectionCurve(std::vector<Eigen::Vector3d> along, bool closed, const Carrier& a,
                                   const Carrier& b, double strays);
 

@@ -14,12 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Coarser than for envelopes: where facets stray is not measured afterwards, but the solid gets
-// corners where it misses the mesh. At 1.5 tolerances the gripper over 34 keys takes an eighth more
-// time and gets a fiftieth more facets.
+// Distance of sample points, in tolerances. It is larger than for envelopes: the distance of facets
+// from the mesh is not measured afterwards, but the solid gets new vertices where it misses the
+// mesh. With 1.5, the gripper over 34 keys takes an eighth more time and gets a fiftieth more
+// facets.
 constexpr double kCoarseness = 5;
 
-// A patch's surface, as the simplifier asks for it.
+// The surface of a patch, in the form that the simplifier needs.
 class PatchSurface final : public LabelSurface {
  public:
   explicit PatchSurface(const Carrier& surface) : surface_(surface) {}
@@ -31,7 +32,7 @@ class PatchSurface final : public LabelSurface {
   const Carrier& surface_;
 };
 
-// The patches of `before` with the triangles that patchOf of `now` gives them.
+// Copies the patches of `before`, with their triangles according to now.patchOf.
 void listPatches(const Partition& before, Partition& now) {
   now.patches = before.patches;
   now.cuts = before.cuts;
@@ -71,8 +72,8 @@ class Decimator {
   }
 
  private:
-  // Facets beside a patch will end on its surface: counted from here, that is part of what they may
-  // be off.
+  // Moves border vertices onto the surfaces of their patches, where facets will end in the solid.
+  // This happens before the collapses, so that the move counts within the tolerance of the facets.
   void putBordersOnSurfaces() {
     std::vector<std::vector<std::int32_t>> around(in_.points.size());
     for (std::size_t t = 0; t < in_.triangles.size(); ++t) {
@@ -105,7 +106,8 @@ class Decimator {
     }
   }
 
-  // Whether what must stay near the triangles around v does so with v somewhere else.
+  // Whether the points attached to triangles around v stay near these triangles if v moves to
+  // `place`.
   bool holdsAttached(const std::vector<std::int32_t>& around, std::int32_t v,
                      const Vector3d& place) const {
     const double limit = state_.tolerance * state_.tolerance;
@@ -123,8 +125,8 @@ class Decimator {
     return true;
   }
 
-  // Border: exactly one patch and open ground around it, passed once. Fixed: anything more
-  // involved.
+  // Sets the kind of each vertex. Border: exactly one patch and open ground around the vertex, with
+  // two border edges. Fixed: all other vertices of patches. Free: vertices without a patch.
   void classify() {
     std::vector<std::int32_t> borders(state_.mesh.vertices.size(), 0),
         patch(state_.mesh.vertices.size(), -1);
@@ -199,8 +201,8 @@ Decimated decimate(Decimated start, double tolerance, const NearestTriangle& ori
                    RunContext& run, Effort effort) {
   Decimated once = Decimator(std::move(start), tolerance, original, effort, run).work();
   if (effort == Effort::Rough) return once;
-  // The second time starts from the planes of what the first has left, which shows edges to
-  // collapse that the planes of the mesh before did not.
+  // The second run starts with the planes of the reduced mesh. They allow collapses that the planes
+  // of the original mesh did not.
   return Decimator(std::move(once), tolerance, original, effort, run).work();
 }
 

@@ -1,12 +1,16 @@
-// Fewer triangles where no surface was recognised.
-// In: HalfEdgeMesh, Partition, tolerance in mm. Triangles of patches keep their patch; triangles
-// without one (patchOf < 0) are collapsed edge by edge by the simplifier (simplify/collapse.h), for
-// which patches are labels, after the borders of patches were put onto the patches' surfaces. Out:
-// the smaller mesh, and the partition for it; may be worked on again. Invariants: closed and
-// manifold as before; every removed or moved vertex that did not lie inside a patch stays within
-// the tolerance of the new triangles; borders move along themselves only. Paper: quadric error as
-// order of the collapses (Garland, Heckbert 1997); the bound is checked on points. Cost: O(n log
-// n). SPDX-License-Identifier: LGPL-2.1-or-later
+// Reduces the triangles where no surface was recognised (open ground).
+// In:      HalfEdgeMesh, Partition, tolerance. Triangles of patches keep their patch. Triangles
+//          without a patch (patchOf < 0) are collapsed edge by edge by the simplifier
+//          (simplify/collapse.h), which treats patches as labels. Before that, the borders of
+//          patches move onto the surfaces of the patches.
+// Out:     the reduced mesh and its partition. The result may be the input of a further call.
+// Units:   mm.
+// Promise: The mesh stays closed and manifold. Each removed or moved vertex outside the patches
+//          stays within the tolerance of the new triangles. Borders move only along themselves.
+// Paper:   quadric error as the order of the collapses (Garland, Heckbert 1997). The bound is
+//          checked on sample points.
+// Cost:    O(n log n).
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "geometry/nearest_triangle.h"
@@ -17,23 +21,23 @@ namespace swept::step {
 struct Decimated {
   HalfEdgeMesh mesh;
   Partition partition;
-  /// By triangle: removed vertices that must stay near it. Empty: none yet.
+  /// By triangle: removed vertices that must stay near it. Empty before the first call.
   std::vector<std::vector<Eigen::Vector3d>> attached;
-  std::vector<char> watched;  ///< by triangle: long edges have points among those already
-  double deviation = 0;       ///< mm: largest distance of a removed vertex from the new triangles
+  std::vector<char> watched;  ///< by triangle: 1 if `attached` has points on its long edges already
+  double deviation = 0;       ///< mm: largest distance of an attached point from its triangle
 };
 
 enum class Effort {
-  Rough,  ///< only what can be done in parts at the same time: a look at what is to be expected
+  Rough,  ///< only the parallel part, for a first estimate
   Thorough,
-  Again,  ///< after patches became open ground: the borders of those that are left stay as they are
+  Again,  ///< after patches became open ground: the remaining borders stay in place
 };
 
-/// Fewer triangles on open ground at the cost of a few microseconds each, before the first call of
-/// decimate(): vertices that touch no patch go where the surface moves by no more than `limit`.
+/// Thins open ground at a few microseconds per triangle, before the first call of decimate().
+/// Removes vertices without a patch if the surface moves by at most `limit`.
 Decimated thinOpenGround(Decimated start, double limit, RunContext& run);
 
-/// `original`: what the triangles of open ground stay near, the mesh before anything was collapsed.
+/// `original`: the mesh before any collapse; triangles of open ground stay near it.
 Decimated decimate(Decimated start, double tolerance, const NearestTriangle& original,
                    RunContext& run, Effort effort = Effort::Thorough);
 

@@ -62,7 +62,7 @@ void refuseFaults(const EdgeFaults& faults) {
   }
 }
 
-// One vertex per fan of triangles; corners around a vertex are reached through opposite half-edges.
+// Gives each fan of triangles a vertex of its own.
 void splitFans(HalfEdgeMesh& mesh) {
   const auto count = static_cast<std::int32_t>(3 * mesh.triangles.size());
   std::vector<char> seen(count, 0), used(mesh.points.size(), 0);
@@ -84,7 +84,7 @@ void splitFans(HalfEdgeMesh& mesh) {
   }
 }
 
-/// Finds the outer shell of every cavity: the smallest one round it.
+/// Finds the outer shell of each cavity: the smallest one that contains it.
 void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<ShellExtent>& extents,
                 HalfEdgeMesh& result, RunContext& run) {
   result.shellOwner.resize(shells.count);
@@ -98,7 +98,7 @@ void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<She
     run.checkpoint(Phase::Export);
     std::int32_t best = -1;
     for (const std::int32_t o : nesting.shellsAround(extents[s].first)) {
-      // A cavity may touch its shell's box: at a vertex the two may meet.
+      // The cavity and its shell may touch at a vertex, so their boxes may touch as well.
       if (!isOuter(extents[o]) || !extents[o].box.contains(extents[s].box)) continue;
       if (best < 0 || extents[o].volume <= extents[best].volume) best = o;
     }

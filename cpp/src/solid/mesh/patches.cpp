@@ -11,11 +11,11 @@
 namespace swept::step {
 namespace {
 
-// Cosine: a triangle turned by more than 45 degrees from its region's plane is a fold, unless it is
-// a sliver.
+// Cosine of 45 degrees. A triangle at a larger angle to the plane of its region is a fold, unless
+// it is a sliver.
 constexpr double kMinCosine = 0.7;
 
-// Moments of a growing point set, relative to a fixed origin so that no digits are lost.
+// Moments of a growing point set, relative to a base point near it to avoid cancellation.
 struct PlaneFit {
   Eigen::Vector3d base = Eigen::Vector3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -28,7 +28,7 @@ struct PlaneFit {
     products += d * d.transpose();
     count += 1;
   }
-  // The plane's normal points to the side of `towards`.
+  // Fits the plane. Its normal points to the side of `towards`.
   bool solve(const Eigen::Vector3d& towards, Carrier& plane) const {
     if (count < 3) return false;
     const Eigen::Vector3d mean = sum / count;
@@ -60,8 +60,8 @@ struct PlaneGrower {
     return shapes.height[t] <= 2 * tolerance || shapes.normal[t].dot(plane.axis) >= kMinCosine;
   }
 
-  // Grows breadth first from the seed. refit: the plane is fitted again each time the region has
-  // doubled.
+  // Grows a region breadth first from the seed. With `refit`, fits the plane again each time the
+  // region has doubled.
   std::vector<std::int32_t> grow(std::int32_t seed, Carrier& plane, bool refit) {
     ++stamp;
     PlaneFit fit;
@@ -102,7 +102,8 @@ struct PlaneGrower {
     std::vector<std::int32_t> region = grow(seed, plane, true);
     if (region.size() < 2) return;
     if (largestDistance(mesh, region, plane) > tolerance) {
-      // The plane has moved away from early members: keep those that the final plane still reaches.
+      // The plane has moved away from early triangles. Grows again with the final plane, which
+      // drops them.
       if (!accepts(seed, plane)) {
         plane.axis = shapes.normal[seed];
         plane.point = mesh.points[mesh.triangles[seed][0]];

@@ -1,8 +1,12 @@
-// Partition of a mesh into patches that become one face each. (A patch here is a region of the mesh
-// on one carrier; what an edge sweeps is called a side patch.)
-// In: HalfEdgeMesh, tolerance in mm. Out: edge-connected sets of triangles; each vertex of a patch
-// lies within the tolerance of its carrier. Cost: O(n log n).
-// Source: region growing as in Besl and Jain 1988, with planes refitted as they grow.
+// Partition of a mesh into patches, each of which becomes one face. A patch is a connected region
+// of the mesh on one carrier surface. (It is not a side patch, the surface that a moving edge
+// sweeps.)
+// In:      HalfEdgeMesh, tolerance.
+// Out:     edge-connected sets of triangles. Each vertex of a patch lies within the tolerance of
+//          its carrier.
+// Units:   mm.
+// Cost:    O(n log n).
+// Source:  region growing as in Besl and Jain 1988; planes are fitted again as they grow.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,45 +22,45 @@ struct Patch {
   Carrier surface;
   std::vector<std::int32_t> triangles;
   double deviation = 0;         ///< mm: largest distance of its mesh vertices from the surface
-  std::int32_t surfaceId = -1;  ///< the same for the pieces of one surface that was cut; -1: none
+  std::int32_t surfaceId = -1;  ///< equal for all pieces of one surface that was cut; -1: none
 };
 
-/// A plane that cuts a surface which closes on itself, so that no face needs a seam.
+/// A plane that cuts a surface that closes on itself, so that no face needs a seam.
 struct Cut {
   std::int32_t surfaceId = -1;
   Carrier plane;
 };
 
 struct Partition {
-  std::vector<std::int32_t> patchOf;  ///< per triangle; -1: not assigned yet
+  std::vector<std::int32_t> patchOf;  ///< by triangle; -1: not assigned
   std::vector<Patch> patches;
   std::vector<Cut> cuts;
 };
 
-/// Properties of every triangle that are needed again and again.
+/// Properties of each triangle, computed once.
 struct TriangleShapes {
   std::vector<Eigen::Vector3d> normal;  ///< unit; zero for a triangle without area
   std::vector<double> area;             ///< mm^2
-  std::vector<double> height;           ///< mm, over the longest side
-  std::vector<char> thin;               ///< a needle, whose normal is unreliable
+  std::vector<double> height;           ///< mm, height over the longest side
+  std::vector<char> thin;               ///< 1 for a needle, whose normal is unreliable
 };
 TriangleShapes shapesOf(const HalfEdgeMesh& mesh);
 
-/// mm^2: area of these triangles.
+/// Returns the area of these triangles, mm^2.
 double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles);
 
-/// mm: largest distance of a corner of these triangles from a surface.
+/// Returns the largest distance of a vertex of these triangles from a surface, mm.
 double largestDistance(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles,
                        const Carrier& surface);
 
-/// Grows planes over triangles not yet assigned; a triangle that stays alone becomes a Facet
-/// through its corners.
+/// Grows planes over unassigned triangles. A triangle that remains alone becomes a Facet, a plane
+/// through its vertices.
 void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run);
 
-/// Makes every triangle that is not assigned a patch of its own.
+/// Makes each unassigned triangle a patch of its own.
 void addFacets(const HalfEdgeMesh& mesh, Partition& partition);
 
-/// Splits a patch into facets (used where the kernel does not accept the face).
+/// Splits a patch into facets. Used if the kernel does not accept the face.
 void dissolvePatch(const HalfEdgeMesh& mesh, std::int32_t patch, Partition& partition);
 
 }  // namespace swept::step

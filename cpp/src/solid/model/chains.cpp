@@ -11,7 +11,8 @@
 namespace swept::step {
 namespace {
 
-// Two planes at less than about two degrees do not fix their line of intersection.
+// Cosine of about two degrees. Planes at a smaller angle do not determine their line of
+// intersection.
 constexpr double kNearlyParallel = 0.9994;
 
 class Finder {
@@ -36,7 +37,7 @@ class Finder {
   }
 
  private:
-  // Keeps the vertices in which more than two border edges meet.
+  // Keeps the vertices at which more than two border edges meet.
   void keepBranches() {
     std::vector<std::int32_t> degree(mesh_.points.size(), 0);
     const auto count = static_cast<std::int32_t>(mesh_.opposite.size());
@@ -79,7 +80,7 @@ class Finder {
     return points;
   }
 
-  // Keeps the vertices that a polyline within the tolerance needs.
+  // Keeps the vertices that a polyline needs to stay within the tolerance.
   void keepBends(const Chain& chain) {
     const std::size_t last = chain.halfEdges.size();
     const std::vector<Eigen::Vector3d> points = pointsOf(chain);
@@ -101,8 +102,8 @@ class Finder {
     }
   }
 
-  // Two straight edges between the same two vertices would enclose nothing: keep more vertices of
-  // their chains.
+  // Two straight edges between the same two vertices would enclose no area, so more vertices of
+  // their chains are kept.
   void separateTwins() {
     for (bool again = true; again;) {
       again = false;
@@ -136,8 +137,8 @@ class Finder {
     return true;
   }
 
-  // A chain between two recognised surfaces, at least one of them curved, follows their curve of
-  // intersection.
+  // Marks a chain between two recognised surfaces as curved if at least one of them is curved. Such
+  // a chain follows the curve in which they intersect.
   void classify(Chain& chain) {
     const Patch& left = partition_.patches[borders_.patchOf(chain.halfEdges[0])];
     const Patch& right = partition_.patches[borders_.patchOf(mesh_.opposite[chain.halfEdges[0]])];

@@ -1,7 +1,9 @@
-// The borders of patches as chains, and the vertices on them that a solid needs.
-// In: HalfEdgeMesh + Partition. Out: Chains; every border edge belongs to one chain, and every
-// chain runs from kept vertex to kept vertex, or is closed. Units: mm. Cost: O(n), plus O(length^2)
-// at worst for the bends of a chain.
+// Borders of patches as chains of half-edges, and the vertices on them that a solid needs.
+// In:      HalfEdgeMesh and Partition.
+// Out:     Chains. Each border edge belongs to exactly one chain. A chain runs from one kept vertex
+//          to another, or is closed.
+// Units:   mm.
+// Cost:    O(n), and at worst O(length^2) for the bends of a chain.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,7 +25,7 @@ class Borders {
   std::int32_t patchOf(std::int32_t h) const { return partition_.patchOf[h / 3]; }
   bool isBorder(std::int32_t h) const { return patchOf(h) != patchOf(mesh_.opposite[h]); }
 
-  /// The border half-edge of the same patch that follows h, found by turning in the fan of h.
+  /// Returns the next border half-edge of the same patch, found by turning about the target of h.
   std::int32_t next(std::int32_t h) const {
     std::int32_t n = HalfEdgeMesh::next(h);
     while (!isBorder(n)) n = HalfEdgeMesh::next(mesh_.opposite[n]);
@@ -36,12 +38,13 @@ class Borders {
 };
 
 struct Chain {
-  std::vector<std::int32_t> halfEdges;  ///< in order; all have the same patches on their two sides
-  /// The surfaces that fix its points: no facets; a cutting plane last.
+  /// In order; the two patches beside them are the same along the chain.
+  std::vector<std::int32_t> halfEdges;
+  /// The surfaces on which the chain lies, without facets. A cutting plane comes last.
   std::vector<const Carrier*> surfaces;
   bool closed = false;
-  bool curved = false;    ///< one edge on the curve of intersection of two surfaces
-  bool straight = false;  ///< one edge on the line of intersection of two planes
+  bool curved = false;    ///< a single edge along the curve in which two surfaces intersect
+  bool straight = false;  ///< a single edge along the line in which two planes intersect
 
   /// Mesh vertex number i along the chain; there are halfEdges.size() + 1 of them.
   std::int32_t vertex(const HalfEdgeMesh& mesh, std::size_t i) const {
@@ -54,8 +57,8 @@ struct Chains {
   std::vector<char> kept;  ///< mesh vertices that become vertices of the solid
 };
 
-/// tolerance: mm, largest distance of a vertex that is not kept from the straight edge that
-/// replaces it.
+/// Finds the chains. `tolerance`: mm, largest distance of a dropped vertex from the straight edge
+/// that replaces it.
 Chains findChains(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                   RunContext& run);
 

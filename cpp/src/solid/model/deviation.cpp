@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBlock = 2048;
-constexpr double kCommonFraction =
-    0.6;  // of the limit: nearly every mesh has a vertex at this distance
-/// A point that is nearer to an edge than this fraction of the height is moved onto the edge.
+constexpr double kCommonFraction = 0.6;  // of the limit: nearly all meshes deviate more than this
+/// If a point is nearer to an edge than this fraction of the triangle's height, it splits that
+/// edge.
 constexpr double kMaxEdgeFraction = 0.1;
 
 struct Beyond {
@@ -25,7 +25,7 @@ struct Beyond {
   std::int32_t vertex = -1, triangle = -1;
 };
 
-// Barycentric coordinates of the foot point of p.
+// Returns the barycentric coordinates of the foot point of p.
 Vector3d barycentric(const Vector3d& p, const std::array<Vector3d, 3>& c) {
   const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
   const double twice = normal.squaredNorm();
@@ -35,7 +35,7 @@ Vector3d barycentric(const Vector3d& p, const std::array<Vector3d, 3>& c) {
   return weights;
 }
 
-// Replaces triangles of the mesh by others, together with the points that must stay near them.
+// Replaces triangles of the mesh by finer ones and hands on the points that must stay near them.
 class Splitter {
  public:
   explicit Splitter(Decimated& small) : small_(small), taken_(small.mesh.triangles.size(), 0) {
@@ -80,8 +80,8 @@ class Splitter {
   }
 
  private:
-  // Adds a triangle for each edge but `without`; the first one takes the number of the old
-  // triangle.
+  // Connects `vertex` to each edge of triangle t except `without`. The first new triangle takes the
+  // number of the old one.
   void fan(std::int32_t t, std::int32_t without, std::int32_t vertex,
            std::vector<std::int32_t>& fresh) {
     bool first = true;
@@ -126,7 +126,7 @@ class Splitter {
   }
 
   Decimated& small_;
-  std::vector<char> taken_;  // per triangle of the mesh before: already changed
+  std::vector<char> taken_;  // by triangle of the original mesh: 1 if it has changed
   std::vector<Vector3d> points_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::vector<std::int32_t> label_;
@@ -142,7 +142,7 @@ Deviation measureDeviation(const std::vector<Vector3d>& points, const Decimated&
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Beyond>> found(blocks);
   std::vector<double> largestOf(blocks, 0);
-  // Distances below the largest known one, or below `smallest`, need not be exact.
+  // Distances below `smallest`, or below the largest known one, need not be exact.
   const auto measure = [&](double smallest) {
     parallelBlocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       double& largest = largestOf[begin / kBlock];
@@ -185,7 +185,7 @@ std::vector<Vector3d> pointsAbout(const std::vector<Violation>& corners, const D
   for (const Violation& corner : corners) {
     Eigen::AlignedBox3d box(corner.point);
     for (int k = 0; k < 3; ++k) {
-      // Where the corner is moved onto an edge, the triangle beyond that edge is cut as well.
+      // A vertex on an edge also splits the triangle beyond that edge.
       const std::int32_t beyond = before.mesh.opposite[3 * corner.triangle + k] / 3;
       for (const std::int32_t v : before.mesh.triangles[beyond]) box.extend(before.mesh.points[v]);
     }

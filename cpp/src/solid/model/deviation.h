@@ -1,8 +1,12 @@
-// How far a mesh lies from the solid made of it, and new corners where that is too far.
-// In: the given mesh, the small mesh with its partition, and the positions that the model gave its
-// vertices. Out: the largest distance of a vertex from the nearest triangle, or from the surface
-// that replaces that triangle. Units: mm. Cost: O(n log n), parallel. Promise: the same for any
-// number of threads.
+// Measures how far a mesh lies from the solid that was made from it, and adds vertices where that
+// is too far.
+// In:      the original vertices, the reduced mesh with its partition, and the positions that the
+//          model gave its vertices.
+// Out:     the largest distance of a vertex from the nearest triangle, or from the surface that
+//          replaces that triangle.
+// Units:   mm.
+// Cost:    O(n log n), parallel.
+// Promise: The result does not depend on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,23 +18,24 @@ namespace swept::step {
 
 struct Violation {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  std::int32_t triangle = -1;  ///< of the small mesh
+  std::int32_t triangle = -1;  ///< triangle of the reduced mesh
 };
 
 struct Deviation {
   double largest = 0;             ///< mm
-  std::vector<Violation> beyond;  ///< per triangle: the vertex farthest beyond the limit
+  std::vector<Violation> beyond;  ///< for each triangle, the vertex farthest beyond the limit
 };
 
 Deviation measureDeviation(const std::vector<Eigen::Vector3d>& points, const Decimated& small,
                            const std::vector<Eigen::Vector3d>& positions, double limit);
 
-/// Those of the points whose distance new corners at these positions can change.
+/// Returns the points whose distance may change if vertices are inserted at these positions.
 std::vector<Eigen::Vector3d> pointsAbout(const std::vector<Violation>& corners,
                                          const Decimated& before, double limit,
                                          const std::vector<Eigen::Vector3d>& points);
 
-/// Makes each of the points a corner of open ground. Returns false if none could be added.
+/// Inserts each point as a vertex into its triangle, unless the triangle belongs to a recognised
+/// surface or has just changed. Returns false if no point was inserted.
 bool putCorners(const std::vector<Violation>& points, Decimated& small, RunContext& run);
 
 }  // namespace swept::step

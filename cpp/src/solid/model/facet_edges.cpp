@@ -11,19 +11,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the angle at a corner: two curved edges that meet there may both bend into the facet.
+/// Share of the facet's angle at a vertex that a curve may use: the other edge there may bend
+/// inward too.
 constexpr double kMaxIntoCorner = 0.45;
-/// Rad, away from the facet: beyond are edges of the curved face.
+/// In rad: how far a curve may turn away from the facet. Edges of the curved face may lie beyond.
 constexpr double kMaxOutward = 0.4;
-/// Of the chord's length.
+/// Largest distance of the curve from its chord, as a share of the chord's length.
 constexpr double kMaxStray = 0.3;
 
 double angleAt(const Vector3d& corner, const Vector3d& a, const Vector3d& b) {
   return std::atan2((a - corner).cross(b - corner).norm(), (a - corner).dot(b - corner));
 }
 
-// Whether the curve from a to b keeps clear of the other two sides of the facet a, b, apex, and of
-// what may lie on the other side. `into`: unit, in the facet's plane across the chord.
+// Whether the curve from a to b stays clear of the other two sides of the facet (a, b, apex) and of
+// edges on its outer side. `into`: unit vector in the plane of the facet, perpendicular to the
+// chord.
 bool keepsClear(const Curve& curve, const Vector3d& a, const Vector3d& b, const Vector3d& apex,
                 const Vector3d& into) {
   constexpr int kSteps = 16;
@@ -55,7 +57,8 @@ std::vector<Sides> sidesOf(const Model& model) {
   return sides;
 }
 
-// The corner of a triangular facet that is not on the edge; nothing if the face is none.
+// Returns the vertex of a triangular facet opposite to the edge, or null if the face is no such
+// facet.
 const Vector3d* apexOf(const Model& model, const ModelFace& face, const ModelEdge& edge) {
   if (face.surface.kind != CarrierKind::Facet || face.loops.size() != 1 ||
       face.loops.front().size() != 3)

@@ -1,8 +1,10 @@
-// Edges between facets and curved faces that lie on both.
-// In: a Model whose facets have their planes. Straight edges between a facet and a curved face are
-// chords of the latter; they become the curves in which the facet's plane cuts its surface, where
-// that curve stays well within the facet's corners. Edges for which it does not stay straight, with
-// the gap that they have. Units: mm. Cost: O(edges between facets and curved faces).
+// Replaces straight edges between a facet and a curved face by curves that lie on both.
+// In:      a Model whose facets have their planes.
+// Out:     Such a straight edge is a chord of the curved face. It becomes the curve in which the
+//          plane of the facet intersects that face, if the curve stays well within the facet.
+//          Otherwise the edge stays straight, with its gap.
+// Units:   mm.
+// Cost:    O(edges between facets and curved faces).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

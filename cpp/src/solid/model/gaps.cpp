@@ -9,7 +9,7 @@
 namespace swept::step {
 namespace {
 
-/// Mm. A kernel starts from this tolerance; an edge within it needs no larger one.
+/// mm; initial tolerance of the kernel. An edge within it needs no larger tolerance.
 constexpr double kHeld = 1e-7;
 
 }  // namespace

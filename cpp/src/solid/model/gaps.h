@@ -1,6 +1,8 @@
-// Faces that cannot be faces of a solid that others cut: an edge lies off their surface.
-// In: a Model; patches below `known` were recognised. Out: indices into Model::faces, in order.
-// Units: mm. Cost: O(edges).
+// Finds faces that are unfit for Boolean operations, because an edge does not lie on their surface.
+// In:      a Model; faces of patches with numbers below `known` were recognised.
+// Out:     ascending indices into Model::faces.
+// Units:   mm.
+// Cost:    O(edges).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,9 +13,9 @@
 
 namespace swept::step {
 
-/// An edge between a facet and another face lies on both, or the other face is loose. An edge
-/// between two recognised faces lies within `tolerance` (mm) of both: surfaces that touch were
-/// fitted one by one, so that no edge is on both.
+/// A face is loose if an edge lies farther from its surface than allowed. Between two recognised
+/// faces, `tolerance` (mm) is allowed: surfaces that touch were fitted separately, so no edge lies
+/// on both. Otherwise only 1e-7 mm are allowed. Facets are never loose.
 std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance);
 
 }  // namespace swept::step

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCornerFraction = 0.15;  // of the tolerance, for corners of facets
+constexpr double kCornerFraction = 0.15;  // of the tolerance: how far vertices of facets may move
 
 class Builder {
  public:
@@ -47,9 +47,9 @@ class Builder {
  private:
   std::int32_t vertexAt(const Chain& chain, std::size_t i) const { return chain.vertex(mesh_, i); }
 
-  // Each kept vertex moves to where the surfaces of its chains intersect, if that is near. Beside a
-  // facet it takes a corner of the facet along, so that it may only move by what the facets' part
-  // of the tolerance leaves.
+  // Moves each kept vertex to the point where the surfaces of its chains intersect, if that is
+  // near. A vertex of a facet takes the facet along, so it may use only a small share of the
+  // tolerance.
   void moveVertices() {
     position_ = mesh_.points;
     findFacetCorners();
@@ -71,7 +71,8 @@ class Builder {
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (at[v].empty()) continue;
       if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
-      // Elsewhere it slides along its surfaces, from a jagged border to their line of intersection.
+      // Other vertices slide along their surfaces, from a jagged border to the line of
+      // intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
       const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
@@ -90,8 +91,8 @@ class Builder {
 
   std::int32_t root(std::int32_t v) { return findRoot(same_, v); }
 
-  // Jagged borders meet in several vertices that belong to one corner of the solid: the chains
-  // between them shrink to a point.
+  // Jagged borders can meet in several vertices that belong to one corner of the solid. The chains
+  // between them shrink to a point and are dropped.
   void dropShrunkChains() {
     same_ = singleSets<std::int32_t>(mesh_.points.size());
     const double eps = std::max(1e-6, 0.02 * tolerance_);
@@ -106,7 +107,7 @@ class Builder {
       same_[root(a)] = root(b);
       return true;
     });
-    // The remaining chains need distinct corners: these stay at the positions of the mesh.
+    // The remaining chains need distinct ends. Ends that coincide go back to their mesh positions.
     for (int round = 0; round < 3; ++round) {
       for (const Chain& chain : chains_) {
         std::int32_t last = vertexAt(chain, 0);
@@ -133,7 +134,7 @@ class Builder {
     return vertexId_[v];
   }
 
-  // The curve in which the two surfaces of a chain intersect, where its ends lie on both.
+  // Returns the curve in which the two surfaces of a chain intersect, if both its ends lie on both.
   std::optional<Curve> exactCurveOf(const Chain& chain, const Vector3d& first,
                                     const Vector3d& last) const {
     for (const Carrier* surface : chain.surfaces) {
@@ -153,8 +154,8 @@ class Builder {
     return curve && isNear(*curve, along, chain, strays) ? curve : std::nullopt;
   }
 
-  // The curve of intersection of the chain's surfaces; where these are too nearly parallel for
-  // that, a curve along the mesh.
+  // Returns the curve in which the chain's surfaces intersect. If they are nearly parallel, returns
+  // a curve along the mesh instead.
   Curve curveOf(const Chain& chain) {
     const std::size_t count = chain.halfEdges.size();
     const Vector3d first = position_[root(vertexAt(chain, 0))],
@@ -163,8 +164,8 @@ class Builder {
     std::vector<Vector3d> along{first}, points{first};
     const bool profiled = std::any_of(chain.surfaces.begin(), chain.surfaces.end(),
                                       [](const Carrier* s) { return s->hasProfile(); });
-    // A profile may bend freely between the few vertices that its border has kept, so that more
-    // points are needed.
+    // A profile may bend between the few vertices that remain on its border, so more points are
+    // needed.
     const int between = profiled ? 1 + static_cast<int>(60 / count) : count < 8 ? 4 : 1;
     double reach = 0, moved = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -189,7 +190,7 @@ class Builder {
     return curveAlong(along, chain.closed, tolerance_);
   }
 
-  // Whether the curve is within the tolerance of its surfaces, and nowhere far from the mesh.
+  // Whether the curve stays within the tolerance of its surfaces and near the mesh.
   bool isNear(const Curve& curve, const std::vector<Vector3d>& along, const Chain& chain,
               double limit) const {
     constexpr int kSteps = 32;
@@ -245,7 +246,7 @@ class Builder {
     return use.forward ? model_.edges[use.edge].start : model_.edges[use.edge].end;
   }
 
-  // Cuts a loop that passes a vertex twice into simple loops.
+  // Splits a loop that passes a vertex twice into simple loops.
   void addSimpleLoops(const std::vector<ModelUse>& loop, ModelFace& face) {
     std::vector<ModelUse> open;
     std::unordered_map<std::int32_t, std::size_t> position;
@@ -291,7 +292,7 @@ class Builder {
                      [](const ModelFace& a, const ModelFace& b) { return a.shell < b.shell; });
   }
 
-  // The planes of facets follow their corners, which may have moved onto other surfaces.
+  // Recomputes the planes of facets, whose vertices may have moved onto other surfaces.
   void fitFacets() {
     for (ModelFace& face : model_.faces) {
       if (face.surface.kind != CarrierKind::Facet) continue;
@@ -333,11 +334,11 @@ class Builder {
   std::vector<Chain> chains_;
   std::vector<char> kept_;  // mesh vertices that become model vertices
   Model model_;
-  std::vector<char> isFacetCorner_;     // mesh vertices that a facet uses
+  std::vector<char> isFacetCorner_;     // by mesh vertex: 1 if a facet uses it
   std::vector<std::int32_t> vertexId_;  // mesh vertex -> model vertex
   std::vector<std::int32_t> edgeOf_;    // half-edge -> model edge
-  std::vector<char> isForward_;         // whether the half-edge runs along its edge
-  // Whether the half-edge is the first of its edge in its own direction.
+  std::vector<char> isForward_;         // by half-edge: 1 if it runs in the direction of its edge
+  // By half-edge: 1 if it is the first of its edge in its own direction.
   std::vector<char> startsEdge_;
   std::vector<Vector3d> position_;  // mesh vertex -> new position
   std::vector<std::int32_t> same_;  // union-find over mesh vertices that coincide

@@ -1,7 +1,10 @@
-// The solid before any kernel sees it: vertices, edges, faces, shells.
-// In: HalfEdgeMesh + Partition. Out: Model. Units: mm. Cost: O(n).
-// Promise: every edge is shared by exactly two faces (a seam: used twice by one face); loops are
-// simple, and outer loops are counter-clockwise seen from outside.
+// The solid as plain data, independent of a CAD kernel: vertices, edges, faces, shells.
+// In:      HalfEdgeMesh and Partition.
+// Out:     Model.
+// Units:   mm.
+// Cost:    O(n).
+// Promise: Each edge belongs to exactly two faces, or twice to one face (seam). Loops are simple.
+//          Outer loops run counter-clockwise, seen from outside.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -42,13 +45,13 @@ struct Model {
   std::vector<ModelVertex> vertices;
   std::vector<ModelEdge> edges;
   std::vector<ModelFace> faces;  ///< grouped by shell
-  /// Of the mesh's vertices, including those moved onto surfaces.
+  /// Final position of each mesh vertex; some were moved onto surfaces.
   std::vector<Eigen::Vector3d> positions;
   std::vector<std::int32_t> shellOwner;  ///< as in HalfEdgeMesh
 };
 
-/// tolerance: mm, largest distance of a dropped border vertex from the straight edge that replaces
-/// it.
+/// Builds the model. `tolerance`: mm, largest distance of a dropped border vertex from the straight
+/// edge that replaces it.
 Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run);
 

@@ -17,7 +17,7 @@ void startAtZero(Curve& curve) {
   curve.last = 1;
 }
 
-// The same spline with a knot at this parameter: de Casteljau's construction in its span.
+// Returns the same spline with a knot at this parameter, by de Casteljau's construction.
 Curve withKnot(const Curve& curve, double at) {
   std::size_t span = 0;
   while (span + 2 < curve.knots.size() && curve.knots[span + 1] <= at) ++span;
@@ -35,7 +35,8 @@ Curve withKnot(const Curve& curve, double at) {
   return cut;
 }
 
-// A joint is no pole: it lies between its two neighbours among the poles, and ends both parts.
+// Splits a spline at a knot. The joint there is not a pole of the whole spline, but it becomes the
+// end pole of both parts.
 std::pair<Curve, Curve> splitSpline(const Curve& whole, double at) {
   const Curve curve = withKnot(whole, at);
   const Size knot = std::find(curve.knots.begin(), curve.knots.end(), at) - curve.knots.begin();

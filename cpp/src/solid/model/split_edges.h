@@ -1,6 +1,8 @@
-// Edges of a model cut in two.
-// In: a Model; edges and the parameters at which they are cut, within their ranges. Out: the same
-// model with a vertex more for each cut. Units: mm. Cost: O(edges and uses of edges).
+// Splits edges of a model in two.
+// In:      a Model; edges, each with the curve parameter of the split, inside its range.
+// Out:     the same model with one more vertex per split.
+// Units:   mm.
+// Cost:    O(edges and uses of edges).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +18,7 @@ struct EdgeCut {
   double at = 0;  ///< parameter of the edge's curve
 };
 
-/// At most one cut an edge.
+/// An edge may be split once per call.
 void splitEdges(const std::vector<EdgeCut>& cuts, Model& model);
 
 }  // namespace swept::step

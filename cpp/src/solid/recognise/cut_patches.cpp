@@ -17,7 +17,7 @@ Vector3d centreOf(const HalfEdgeMesh& mesh, std::int32_t t) {
   return (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
 }
 
-// The largest free range of an angle, and its middle.
+// Returns the largest gap between the angles; `middle` receives its middle.
 double largestGap(std::vector<double> angles, double& middle) {
   std::sort(angles.begin(), angles.end());
   double gap = 2 * M_PI - angles.back() + angles.front();
@@ -31,14 +31,14 @@ double largestGap(std::vector<double> angles, double& middle) {
   return gap;
 }
 
-constexpr double kWantedGap = 1.2;  // rad: room for the seam outside the face
+constexpr double kWantedGap = 1.2;  // rad: least gap in which the seam lies outside the face
 
 class Cutter {
  public:
   Cutter(const HalfEdgeMesh& mesh, Partition& partition) : mesh_(mesh), partition_(partition) {}
 
   void cutAll() {
-    // Spheres may be cut in any direction; they come last, when the corners around them are known.
+    // Spheres may be cut in any direction. They come last, when the corners around them are known.
     const auto count = static_cast<std::int32_t>(partition_.patches.size());
     for (const bool spheres : {false, true}) {
       for (std::int32_t p = 0; p < count; ++p) {
@@ -52,14 +52,14 @@ class Cutter {
     return std::atan2(d.dot(y), d.dot(x));
   }
 
-  // Turns the surface's reference direction, or opens its profile, so that its seam lies in the
-  // largest gap. Returns true if there is room.
+  // Rotates the reference direction of the surface, or opens its closed profile, so that its seam
+  // lies in the largest gap of the patch. Returns false if no gap is wide enough.
   bool turnSeam(Patch& patch) const {
     Carrier& s = patch.surface;
     if (s.isPlanar()) return true;
     if (s.kind == CarrierKind::Sphere) return placePoles(patch);
     if (s.hasProfile() && s.profile->isClosed() && !openProfile(patch)) return false;
-    // The reference direction of an extrusion belongs to its profile.
+    // An extrusion keeps its reference direction, since the profile's coordinates depend on it.
     if (s.kind == CarrierKind::Extrusion) return true;
     const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
     std::vector<double> turn, tube;
@@ -81,8 +81,8 @@ class Cutter {
     return fits;
   }
 
-  // The part of a closed profile that the patch uses, with some room at its ends. Returns false if
-  // there is no gap.
+  // Reduces a closed profile to the part that the patch uses, with a margin at both ends. Returns
+  // false if there is no gap.
   bool openProfile(Patch& patch) const {
     Carrier& s = patch.surface;
     const double period = s.profile->length(), from = s.profile->nodes().front().knot;
@@ -96,7 +96,7 @@ class Cutter {
     double middle = 0;
     const double gap = largestGap(turn, middle);
     if (gap <= kWantedGap) return false;
-    // Leave out some of the gap, or the ends would meet.
+    // Part of the gap stays unused, so that the ends do not meet.
     const double left = std::max(0.15 * gap, gap / 2 - kWantedGap / 2);
     const auto inPeriod = [&](double angle) {
       const double turns = angle / (2 * M_PI);
@@ -140,7 +140,7 @@ class Cutter {
     return fits;
   }
 
-  // The planes by which a patch on this surface may be cut, in the order of use.
+  // Returns the planes that may cut a patch on this surface, in the order of use.
   std::vector<Carrier> planesFor(std::int32_t p) const {
     const Patch& patch = partition_.patches[p];
     const Carrier& s = patch.surface;
@@ -167,7 +167,7 @@ class Cutter {
     return planes;
   }
 
-  // Vertices on the border of a patch where two other patches meet.
+  // Returns the vertices on the border of a patch where two other patches meet.
   std::vector<Vector3d> cornersOf(std::int32_t p) const {
     std::vector<std::pair<std::int32_t, std::int32_t>> beside;  // vertex, patch beyond
     for (const std::int32_t t : partition_.patches[p].triangles) {
@@ -187,10 +187,9 @@ class Cutter {
     return corners;
   }
 
-  // The direction about the axis for which the plane through `point` passes farthest from the
-  // corners: two corners that nearly coincide make edges shorter than their tolerance. The tried
-  // angles are odd fractions, so that the cut does not run along rows of vertices that lie on both
-  // sides of it.
+  // Returns the direction perpendicular to the axis for which the plane through `point` is farthest
+  // from the corners. If a corner nearly lies on the cut, edges get shorter than their tolerance.
+  // The tried angles start at 0.3 rad, so that the cut does not follow a row of vertices.
   static Vector3d directionAwayFrom(const std::vector<Vector3d>& corners, const Vector3d& point,
                                     const Vector3d& axis) {
     constexpr int kDirections = 12;
@@ -227,8 +226,8 @@ class Cutter {
     }
   }
 
-  // Connected pieces on either side of the plane. A piece of a few triangles goes to the side
-  // around it.
+  // Splits a patch into connected pieces on either side of the plane. A very small piece joins the
+  // other side. Returns the resulting patches.
   std::vector<std::int32_t> halve(std::int32_t p, const Carrier& plane) {
     const std::vector<std::int32_t> members = partition_.patches[p].triangles;
     side_.resize(mesh_.triangles.size());
@@ -262,7 +261,7 @@ class Cutter {
 
   const HalfEdgeMesh& mesh_;
   Partition& partition_;
-  std::vector<char> side_;  // per triangle of the patch that is being cut
+  std::vector<char> side_;  // by triangle of the patch that is being cut
 };
 
 }  // namespace

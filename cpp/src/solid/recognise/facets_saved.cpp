@@ -10,14 +10,14 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFacetsOfPlane = 3;  // a plane saves this many, whatever its size
-// Of tolerance times radius: area of the largest triangle within the tolerance of a sphere. An
-// equilateral triangle with its corners outside and its middle inside by the tolerance has
-// 3 sqrt(3) / 4 times the squared circumradius, which is 4 times tolerance times radius.
+constexpr double kFacetsOfPlane = 3;  // facets that any plane saves, whatever its size
+// Area of the largest triangle within the tolerance of a sphere, divided by tolerance times radius.
+// An equilateral triangle with vertices outside and centre inside by the tolerance has the area
+// 3 sqrt(3) / 4 R^2. Its circumradius R satisfies R^2 = 4 tolerance radius.
 constexpr double kAreaPerFacet = 5.2;
 
-// The angle about the surface's axis that the corners of a patch span, from their positions: the
-// normals of small triangles would give far more.
+// Returns the angle about the axis that the patch spans, from the positions of its vertices. The
+// normals of small triangles scatter too much.
 double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
   const Carrier& s = patch.surface;
   const auto outward = [&](std::int32_t v) {
@@ -43,7 +43,8 @@ double bendAt(const Profile& profile, double t) {
   return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
 }
 
-// Strips along the direction; where the surface bends both ways, as many as on a torus.
+// Counts strips along the direction; where the surface bends both ways, also triangles as on a
+// torus.
 double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   constexpr int kSteps = 200;
   const Profile& profile = *patch.surface.profile;
@@ -73,7 +74,7 @@ double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double toleranc
         s.kind == CarrierKind::Sphere ? s.radius : std::sqrt(s.minor * (s.radius + s.minor));
     return areaOf(mesh, patch.triangles) / (kAreaPerFacet * tolerance * radius);
   }
-  // Strips along the axis, two facets each.
+  // Strips along the axis, with two facets each.
   return angleOf(mesh, patch) / std::sqrt(4 * tolerance / s.radius);
 }
 

@@ -1,7 +1,9 @@
-// How many facets a patch saves by being one face.
-// In: a patch of a mesh, tolerance in mm. Out: approximate number. Units: mm. Cost: O(triangles of
-// the patch). Source: the size of triangles within a tolerance follows from the two curvatures of
-// the carrier.
+// Estimates how many facets a patch saves by being one face.
+// In:      a patch of a mesh, tolerance.
+// Out:     an approximate number.
+// Units:   mm.
+// Cost:    O(triangles of the patch).
+// Source:  the two curvatures of the carrier determine the size of triangles within a tolerance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,8 +11,8 @@
 
 namespace swept::step {
 
-/// Approximate number of facets that the best triangulation of the patch within the tolerance
-/// needs.
+/// Returns the approximate number of facets in the best triangulation of the patch within the
+/// tolerance.
 double facetsSaved(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance);
 
 }  // namespace swept::step

@@ -26,7 +26,8 @@ std::optional<Carrier> guessPlane(const Samples& samples, const PointSpread& spr
   return surface;
 }
 
-// p = centre + s n: least squares in (centre, s), with points and normals already projected.
+// Solves p = centre + s n for centre and s by least squares. For a cylinder or a torus, points and
+// normals must already be projected to a plane.
 bool centreAlongNormals(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
                         Vector3d& centre, double& s) {
   const auto count = static_cast<double>(points.size());
@@ -114,7 +115,8 @@ std::optional<Carrier> guessTorus(const Samples& samples, const PointSpread& spr
   surface.kind = CarrierKind::Torus;
   surface.axis = axis.direction.normalized();
   const Vector3d& foot = axis.point;
-  // The circle through the profile (rho, height), again from points and normals.
+  // Fits the circle of the tube in profile coordinates (distance from the axis, height), from
+  // points and normals.
   std::vector<Vector3d> points, normals;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const Vector3d d = samples.points[i] - foot;
@@ -129,7 +131,7 @@ std::optional<Carrier> guessTorus(const Samples& samples, const PointSpread& spr
   surface.point = foot + centre.y() * surface.axis;
   surface.radius = centre.x();
   surface.minor = std::abs(s);
-  // Spindle tori are left to simpler surfaces.
+  // Spindle tori are rejected; simpler surfaces may fit.
   if (!(surface.radius > 1.02 * surface.minor)) return std::nullopt;
   return surface;
 }
@@ -150,8 +152,8 @@ bool isSane(const Carrier& s, const PointSpread& spread) {
   }
 }
 
-// The surface after a small change of its parameters: shifts along two normals and the axis, two
-// tilts, sizes.
+// Returns the surface after a small change of its parameters. delta: shifts along e1, e2 and the
+// axis; two tilts; two sizes.
 Carrier moved(const Carrier& from, const Vector3d& e1, const Vector3d& e2, const double delta[7],
               double size) {
   Carrier s = from;
@@ -163,9 +165,9 @@ Carrier moved(const Carrier& from, const Vector3d& e1, const Vector3d& e2, const
   return s;
 }
 
-// How the distance of p changes with each of the parameters of moved().
+// Derivative of the distance of p with respect to the parameters of moved().
 using Gradient = Eigen::Matrix<double, 7, 1>;
-// As many rows as there are free parameters, without memory from the heap.
+// One row per free parameter, at most 7, so that no heap allocation is needed.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
 Gradient gradientOf(const Carrier& s, const Vector3d& p, const Vector3d& e1, const Vector3d& e2,
@@ -174,8 +176,7 @@ Gradient gradientOf(const Carrier& s, const Vector3d& p, const Vector3d& e1, con
   const double along = d.dot(s.axis), side = s.reversed ? -1 : 1;
   const Vector3d radial = d - along * s.axis;
   const double rho = radial.norm();
-  // In the plane through the axis: the parts of the normal that point away from the axis, and along
-  // it.
+  // Components of the normal in the plane through the axis: away from the axis, and along it.
   const double away = rho > 0 ? outward.dot(radial) / rho : 0, up = outward.dot(s.axis);
   Gradient g = Gradient::Zero();
   g[0] = -outward.dot(e1);
@@ -278,7 +279,7 @@ std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples) {
 }
 
 void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCount) {
-  if (surface.hasProfile()) return;  // see fit_profile.h
+  if (surface.hasProfile()) return;  // fit_profile.h refines these
   const PointSpread spread = spreadOf(samples);
   if (surface.isPlanar()) {
     if (auto plane = guessPlane(samples, spread)) {
@@ -300,8 +301,8 @@ void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCoun
   };
   double best = cost(surface), damping = 1e-6;
   for (int round = 0; round < 8; ++round) {
-    // Choose a point on the axis near the samples; otherwise a small tilt would move far parts a
-    // long way.
+    // Moves the reference point along the axis to the samples. Otherwise a small tilt would move
+    // distant parts a long way.
     if (surface.kind == CarrierKind::Cylinder || surface.kind == CarrierKind::Cone) {
       const double along = (spread.mean - surface.point).dot(surface.axis);
       surface.point += along * surface.axis;

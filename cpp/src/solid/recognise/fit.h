@@ -1,9 +1,11 @@
 // Fits an elementary surface to points with normals: a linear first guess, then least squares on
 // the true distances.
-// In: points (mm), outward unit normals. Out: surface, with `reversed` set from the normals. Units:
-// mm. Cost: O(points).
-// Source: axes from the linear complex of the normals (Pottmann and Randrup 1998); Gauss-Newton on
-// distances (Lukacs, Martin and Marshall 1998).
+// In:      points, outward unit normals.
+// Out:     a surface, with `reversed` set from the normals.
+// Units:   mm.
+// Cost:    O(points).
+// Source:  axes from the linear complex of the normals (Pottmann and Randrup 1998); Gauss-Newton on
+//          distances (Lukacs, Martin and Marshall 1998).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,24 +29,25 @@ struct PointSpread {
 PointSpread spreadOf(const Samples& samples);
 
 /// The line that the normals meet most nearly: the eigenvector of their linear complex with the
-/// smallest eigenvalue. Not normalised: a direction that is short against 1 is none.
+/// smallest eigenvalue. It is not normalised; if the direction is much shorter than 1, there is no
+/// such line.
 struct NormalsAxis {
   Eigen::Vector3d direction, moment;  ///< the moment about the mean, in units of the spread
-  Eigen::Vector3d point;              ///< of the line, nearest to the mean
+  Eigen::Vector3d point;              ///< point of the line nearest to the mean
   double smallest = 0, second = 0;    ///< eigenvalues
 };
 NormalsAxis axisOfNormals(const Samples& samples, const PointSpread& spread);
 
-/// Sets on which side of the surface the material lies.
+/// Sets `reversed`: on which side of the surface the material lies.
 void orient(const Samples& samples, Carrier& surface);
 
-/// First guess; nothing if the samples do not determine the surface.
+/// Returns a first guess, or nothing if the samples do not determine the surface.
 std::optional<Carrier> guessSurface(CarrierKind kind, const Samples& samples);
 
-/// Least squares on the distances of the points; at most about `maxCount` of them are used.
+/// Refines the surface by least squares on the distances of about `maxCount` points.
 void refineSurface(const Samples& samples, Carrier& surface, std::size_t maxCount = 240);
 
-/// Largest and median absolute distance of the points.
+/// Largest and median absolute distance of the points from the surface.
 struct Residuals {
   double largest = 0, median = 0;
 };

@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
-/// Of the sum of squares before: more spans must reduce it to this.
+/// More spans must reduce the sum of squares to this share of its previous value.
 constexpr double kMaxRemaining = 0.6;
 constexpr double kSmoothing = 1e-7;
-constexpr double kEndFraction = 0.08;  // of the length: straight end pieces
+constexpr double kEndFraction = 0.08;  // of the length: straight pieces at the ends
 constexpr double kTurnPerSpan = 0.6;
 constexpr int kAxisRounds = 4;
 
@@ -28,14 +28,14 @@ struct CurvePoint {
   Vector2d at;
 };
 
-// Values of the four basis functions of a span at w, for points and slopes of its ends.
+// Values of the four cubic Hermite functions at w of a span of length h.
 std::array<double, 4> basis(double w, double h) {
   const double m = 1 - w;
   return {m * m * (1 + 2 * w), w * w * (1 + 2 * m), h * w * m * m, -h * w * w * m};
 }
 
-// Points and slopes at the knots by least squares. Curvature has a small weight, so that spans
-// without points stay smooth.
+// Finds points and slopes at the knots by least squares. Curvature has a small weight, so that
+// spans without points stay smooth.
 std::vector<Profile::Node> solveNodes(const std::vector<CurvePoint>& points,
                                       const std::vector<double>& knots, bool closed) {
   const auto spans = static_cast<int>(knots.size()) - 1;
@@ -47,7 +47,7 @@ std::vector<Profile::Node> solveNodes(const std::vector<CurvePoint>& points,
     return std::array<int, 4>{span, next, count + span, count + next};
   };
   std::size_t span = 0;
-  for (const CurvePoint& p : points) {  // in the order of t
+  for (const CurvePoint& p : points) {  // sorted by t
     while (static_cast<int>(span) + 1 < spans && p.t > knots[span + 1]) ++span;
     const double h = knots[span + 1] - knots[span];
     const std::array<double, 4> row = basis((p.t - knots[span]) / h, h);
@@ -102,7 +102,8 @@ std::vector<double> firstKnots(const Trace& trace, const std::vector<CurvePoint>
   return knots;
 }
 
-// Halves the spans whose points are too far away; returns false if there are none.
+// Halves each span whose points are too far from the profile (root mean square), if it has enough
+// points. Returns false if no span was halved.
 bool halveSpans(const std::vector<CurvePoint>& points, const Profile& profile, double exact,
                 std::vector<double>& knots) {
   constexpr std::size_t kMinPoints = 8;
@@ -128,7 +129,7 @@ struct Moments {
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
 };
 
-// Moves and tilts the axis so that the points come nearer to the profile as it is; returns the
+// Moves and tilts the axis so that the points come nearer to the unchanged profile. Returns the
 // largest movement of a point.
 double improveAxis(const Samples& samples, const Vector3d& mean, double size, Carrier& s) {
   const Vector3d e1 = s.xdir, e2 = s.axis.cross(e1);
@@ -194,7 +195,7 @@ std::optional<Profile> fitProfile(const Cloud& cloud, double exact) {
     std::sort(points.begin(), points.end(), byParameter);
     std::vector<Profile::Node> nodes = solveNodes(points, knots, trace->closed);
     if (!isSound(nodes)) return result;
-    // Without its straight end pieces the parameters stay within the knots.
+    // Without straight end pieces, the parameters stay within the knots.
     const Profile bare(nodes, trace->closed, 0);
     double squares = 0;
     for (CurvePoint& p : points) {
@@ -202,7 +203,7 @@ std::optional<Profile> fitProfile(const Cloud& cloud, double exact) {
       p.t = foot.t;
       squares += (foot.at - p.at).squaredNorm();
     }
-    // More spans than that would only follow the scatter of the points.
+    // Further spans would only follow the scatter of the points.
     if (squares > kMaxRemaining * before) break;
     before = squares;
     result.emplace(std::move(nodes), trace->closed, beyond);
@@ -221,7 +222,7 @@ std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, doubl
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (const Vector3d& n : samples.normals) moments += n * n.transpose() / count;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-    // On a nearly plane region every direction in it would do.
+    // On a nearly plane region any direction in the plane would fit.
     if (!(solver.eigenvalues()[1] > 4 * solver.eigenvalues()[0] + 1e-3)) return std::nullopt;
     spread = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
     surface.axis = solver.eigenvectors().col(0).normalized();

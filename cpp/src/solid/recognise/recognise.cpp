@@ -13,8 +13,8 @@
 namespace swept::step {
 namespace {
 
-// Number of seeds that are tried at the same time, whatever the number of threads, so that the
-// result does not depend on it.
+// Number of seeds that are tried in parallel. It does not depend on the number of threads, so the
+// result does not either.
 constexpr std::size_t kBatch = 16;
 
 class Recogniser {
@@ -44,7 +44,8 @@ class Recogniser {
     return tried_[t] != kAllTried && partition_.patchOf[t] < 0 && !thin_[t];
   }
 
-  // All seeds see the patches as they were before; the first one to claim a triangle gets it.
+  // All seeds of a batch see the same patches. A triangle goes to the first seed that claims it; a
+  // later seed then searches again.
   void trySeeds(const std::vector<std::int32_t>& seeds) {
     std::vector<Found> found(seeds.size());
     parallelFor(seeds.size(),
@@ -76,15 +77,16 @@ class Recogniser {
   const std::vector<char>& thin_;
   Partition& partition_;
   RunContext& run_;
-  std::vector<char> tried_;  // per triangle: the kinds that were tried there, as bits
+  std::vector<char> tried_;  // by triangle: kinds that were tried there, as bits
   std::vector<SurfaceSeeker> seekers_;
 };
 
-/// Of the height of triangles: vertices that lie on the surface itself.
+/// Least scatter of the vertices, as a share of the triangles' height. Below it, the vertices lie
+/// exactly on the surface.
 constexpr double kMinScatter = 0.03;
-constexpr double kMaxMoved = 0.2;  // of the tolerance
+constexpr double kMaxMoved = 0.2;  // of the tolerance: largest shift of a surface
 constexpr std::size_t kMaxSamples = 5000;
-/// Times the median: vertices of a neighbour that the patch has taken in.
+/// Vertices farther away than this multiple of the median distance belong to a neighbour.
 constexpr double kMaxMedians = 5;
 
 void offsetSurface(Carrier& surface, double outward) {
@@ -100,8 +102,8 @@ void offsetSurface(Carrier& surface, double outward) {
   }
 }
 
-// Fits the surface again without outliers: a sphere may have taken in a ring of the cylinder that
-// it joins.
+// Fits the surface again without outliers. For example, a sphere may contain a ring of an adjacent
+// cylinder.
 void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
   for (int round = 0; round < 2; ++round) {
     const double limit = kMaxMedians * medianDistance(mesh, patch.surface, patch.triangles);
@@ -153,9 +155,9 @@ Bend bendOf(const HalfEdgeMesh& mesh, const Patch& patch) {
   return {bend.height / count, std::sqrt(bend.scatter / count), bend.size / count};
 }
 
-// Vertices of a contoured mesh lie outside of a curved surface. Moves curved surfaces that were
-// fitted to them to where the true surface is: through the centres of the triangles. Surfaces on
-// which the vertices lie exactly stay.
+// Vertices of a contoured mesh lie outside a curved surface. A surface fitted to them moves to the
+// centres of the triangles, where the true surface is. If the vertices lie exactly on the surface,
+// it stays.
 void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
                     Partition& partition) {
   const double size = meanSize(whole);
@@ -164,7 +166,7 @@ void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double 
     if (patch.surface.isPlanar() || patch.triangles.empty()) return;
     fitToMost(mesh, patch);
     const Bend bend = bendOf(mesh, patch);
-    // Thinning made the triangles higher, but the vertices lie where they were.
+    // Thinning made the triangles larger and higher, but their vertices stayed in place.
     const double move = bend.height * std::min(1.0, size / bend.size);
     if (bend.scatter > kMinScatter * std::abs(move) && std::abs(move) <= kMaxMoved * tolerance)
       offsetSurface(patch.surface, move);

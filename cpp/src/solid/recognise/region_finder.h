@@ -1,7 +1,9 @@
-// What all searches for surfaces share: connected regions of triangles, samples of them, and tests
-// of triangles against a surface.
-// In: HalfEdgeMesh, the shapes of its triangles. Units: mm. Cost: O(triangles visited).
-// One object serves one thread: visited triangles and vertices are marked in it.
+// Tools that all searches for surfaces share: connected regions of triangles, samples of them, and
+// tests of triangles against a surface.
+// In:      HalfEdgeMesh and the shapes of its triangles.
+// Units:   mm.
+// Cost:    O(triangles visited).
+// Threads: one object per thread, since it marks visited triangles and vertices.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,13 +29,13 @@ class RegionFinder {
         stampOf_(mesh.triangles.size(), 0),
         pointStampOf_(mesh.points.size(), 0) {}
 
-  /// Forgets what was visited, and visits the seed.
+  /// Clears the marks and starts a region with the seed.
   std::vector<std::int32_t> start(std::int32_t seed) {
     stampOf_[seed] = ++stamp_;
     return {seed};
   }
-  /// Adds the neighbours of the members [begin, end) of a region that accepts(neighbour, member)
-  /// allows and that were not visited since start().
+  /// Adds the neighbours of the members [begin, end) of a region that were not visited since
+  /// start() and that accepts(neighbour, member) allows.
   template <class Accepts>
   void extend(std::vector<std::int32_t>& region, std::size_t begin, std::size_t end,
               const Accepts& accepts) {
@@ -45,7 +47,7 @@ class RegionFinder {
       }
     }
   }
-  /// Grows breadth first from a seed until there are `maxCount` triangles.
+  /// Grows a region breadth first from a seed until it has `maxCount` triangles.
   template <class Accepts>
   std::vector<std::int32_t> grow(std::int32_t seed, std::size_t maxCount, const Accepts& accepts) {
     std::vector<std::int32_t> region = start(seed);
@@ -53,28 +55,28 @@ class RegionFinder {
       extend(region, i, i + 1, accepts);
     return region;
   }
-  /// One sample for each vertex of about `maxCount` triangles. Normals of needles are unreliable,
-  /// but a body may consist of needles.
+  /// Returns one sample for each vertex of about `maxCount` triangles. Needles, whose normals are
+  /// unreliable, count only with `needles`; a body may consist of needles.
   Samples samplesOf(const std::vector<std::int32_t>& region, std::size_t maxCount, bool needles);
 
-  /// Whether the edge between two neighbours is no crease (28 degrees).
+  /// Whether the edge between two adjacent triangles is smooth (less than 28 degrees).
   bool isSmooth(std::int32_t a, std::int32_t b) const {
     constexpr double kCreaseCosine = 0.88;
     return shapes_.normal[a].dot(shapes_.normal[b]) >= kCreaseCosine;
   }
-  /// Whether the normals turn enough (11 degrees) to distinguish a surface from a plane.
+  /// Whether the normals turn enough (11 degrees) to tell a curved surface from a plane.
   bool bends(const std::vector<std::int32_t>& region) const;
 
  private:
   const HalfEdgeMesh& mesh_;
   const TriangleShapes& shapes_;
-  // When a triangle or a vertex was visited last.
+  // Stamp of the last visit of each triangle and vertex.
   std::vector<std::int32_t> stampOf_, pointStampOf_;
   std::int32_t stamp_ = 0, pointStamp_ = 0;
 };
 
-/// The connected pieces of a set of triangles, each breadth first from its first member; neighbours
-/// are connected where connects(a, b) says so.
+/// Returns the connected pieces of a set of triangles, each in breadth-first order. Neighbours a
+/// and b are connected if connects(a, b) is true.
 template <class Connects>
 std::vector<std::vector<std::int32_t>> connectedPieces(const HalfEdgeMesh& mesh,
                                                        const std::vector<std::int32_t>& triangles,
@@ -94,18 +96,18 @@ std::vector<std::vector<std::int32_t>> connectedPieces(const HalfEdgeMesh& mesh,
   return pieces;
 }
 
-/// Whether the corners of a triangle lie on a surface, and its normal leans from the surface's by
-/// at most the angle with this cosine. Needles may have any normal.
+/// Whether the vertices of a triangle lie on a surface, and the two normals there differ by at most
+/// the angle with the cosine `minCosine`. Needles may have any normal.
 bool liesOn(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, std::int32_t t,
             const Carrier& surface, double tolerance, double minCosine);
 
-/// mm: the median distance of the first corners from a surface, which may have taken in some of its
-/// neighbour; 0 where there are no triangles.
+/// Returns the median distance from a surface, mm, of the first vertex of each triangle. The median
+/// ignores a few triangles of a neighbouring surface. Returns 0 without triangles.
 double medianDistance(const HalfEdgeMesh& mesh, const Carrier& surface,
                       const std::vector<std::int32_t>& triangles);
 
-/// Calls use(i, t) for all triangles t in a fixed scattered order, i counting them: neighbours in
-/// the list are neighbours on the mesh.
+/// Calls use(i, t) for all triangles t in a fixed scattered order; i counts from 0. Scattering
+/// avoids successive triangles that are neighbours on the mesh.
 template <class Use>
 void forScattered(std::int32_t count, const Use& use) {
   std::int32_t stride = static_cast<std::int32_t>(0.618 * count) | 1;

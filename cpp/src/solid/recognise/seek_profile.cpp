@@ -14,20 +14,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;  // triangles
+// Triangles of a first and of a wide region around a seed.
+constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
-constexpr double kMaxSpread = 0.03;      // sine: normals about a direction or an axis
-constexpr double kMaxLean = 0.08;        // sine: a single normal
-constexpr double kSurfaceCosine = 0.90;  // a triangle may lean by this much from its surface
-constexpr double kExactFraction = 0.1;   // of the tolerance: half of the vertices must be this near
-constexpr double kRoughFraction = 0.2;   // of the tolerance: the same in a quick first test
+constexpr double kMaxSpread = 0.03;  // sine: scatter of the normals about a direction or an axis
+constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by this much
+constexpr double kSurfaceCosine = 0.90;  // a triangle may deviate by 26 degrees from its surface
+constexpr double kExactFraction = 0.1;  // of the tolerance: largest median distance of the vertices
+constexpr double kRoughFraction = 0.2;  // of the tolerance: the same for a quick first test
 /// Of the tolerance: spans are halved until their points are this near.
 constexpr double kFitFraction = 0.02;
-/// Of the tolerance: a patch with a larger median distance may be taken over.
+/// Of the tolerance: only patches with a larger median distance may give triangles to a profile.
 constexpr double kMinLoose = 0.02;
-constexpr double kMinGain = 3;   // ... if the profile fits this much better
-constexpr double kMinSaved = 8;  // facets
-/// Edges: a surface nearer to the axis than this has its pole inside.
+constexpr double kMinGain = 3;   // factor by which the profile must fit better than the patch
+constexpr double kMinSaved = 8;  // facets that a patch must save
+/// In edge lengths: nearer to the axis, triangles belong to the pole and are left out.
 constexpr double kMinAxisDistance = 6;
 
 struct Candidate {
@@ -63,14 +64,14 @@ class ProfileSeeker {
   }
 
  private:
-  // Whether the triangle is open ground, or belongs to a patch that fits loosely.
+  // Whether the triangle has no patch, or a patch that fits loosely and has no profile.
   bool isFree(std::int32_t t) const {
     const std::int32_t p = partition_.patchOf[t];
     return p < 0 ||
            (median_[p] > kMinLoose * tolerance_ && !partition_.patches[p].surface.hasProfile());
   }
 
-  // Grows breadth first over free ground, not across creases, as far as `accepts` allows.
+  // Grows breadth first over free triangles, not across creases, as far as `accepts` allows.
   template <class Accepts>
   std::vector<std::int32_t> flood(std::int32_t seed, std::size_t maxCount, const Accepts& accepts) {
     return finder_.grow(seed, maxCount, [&](std::int32_t t, std::int32_t from) {
@@ -101,14 +102,14 @@ class ProfileSeeker {
         guessAxis(kind, finder_.samplesOf(wide, kFewSamples, false), spread);
     if (!surface || spread > kMaxSpread) return std::nullopt;
     std::vector<std::int32_t> region = withinLean(*surface, seed);
-    // Once more with the triangles that lie farther along the axis.
+    // Guesses again, now with triangles that lie farther along the axis.
     surface = guessAxis(kind, finder_.samplesOf(region, kMaxSamples, true), spread);
     if (!surface || spread > kMaxSpread) return std::nullopt;
     region = withinLean(*surface, seed);
     if (region.size() < kMinTriangles) return std::nullopt;
     Candidate candidate;
     candidate.surface = *surface;
-    // A quick test first: most regions are not such a surface, and no fit of many points is needed.
+    // A quick test first: most regions are not such a surface and need no fit to many points.
     const Samples few = finder_.samplesOf(region, kFewSamples, true);
     if (!fitAlong(few, kRoughFraction * tolerance_, candidate.surface) ||
         residuals(few, candidate.surface).median > kRoughFraction * tolerance_) {
@@ -130,12 +131,12 @@ class ProfileSeeker {
     return isWorthIt(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
   }
 
-  // Seeds in this region would find the same.
+  // Marks the region, since its other triangles as seeds would give the same result.
   void markTried(const std::vector<std::int32_t>& region) {
     for (const std::int32_t t : region) tried_[t] = 1;
   }
 
-  // Typical length of the edges at a triangle, mm.
+  // Returns the typical length of an edge of a triangle, mm.
   double edgeAt(std::int32_t t) const { return 1.5 * std::sqrt(shapes_.area[t]); }
 
   bool isByThePole(const Carrier& surface, std::int32_t t) const {
@@ -169,8 +170,8 @@ class ProfileSeeker {
     });
   }
 
-  // Leaves out the triangles of patches that stay: patches that do not lie in the region as a
-  // whole, and patches whose own surface fits as well.
+  // Removes the triangles of patches that stay. A patch stays if part of it lies outside the
+  // surface, or if its own surface fits nearly as well. Returns the largest connected rest.
   std::vector<std::int32_t> settle(const Carrier& surface,
                                    const std::vector<std::int32_t>& region) {
     std::vector<std::int32_t> patches;
@@ -232,7 +233,7 @@ class ProfileSeeker {
   double tolerance_;
   Partition& partition_;
   RunContext& run_;
-  std::vector<double> median_;  // per patch, mm
+  std::vector<double> median_;  // by patch, median distance in mm
   RegionFinder finder_;
   std::vector<char> tried_;
 };

@@ -8,23 +8,23 @@
 namespace swept::step {
 namespace {
 
-constexpr int kSeedTriangles = 60;       // size of the first guess
-constexpr int kMaxSeedTriangles = 4000;  // and of the largest
-/// A triangle may lean this much (26 degrees) from its surface.
+constexpr int kSeedTriangles = 60;       // triangles of the first guess
+constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
+/// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
 constexpr double kSurfaceCosine = 0.90;
-constexpr double kMinFraction = 0.1;  // of the tolerance; this much is always allowed
-/// Of the tolerance: how closely half of the vertices must lie.
+constexpr double kMinFraction = 0.1;  // of the tolerance: least value to which it is reduced
+/// Of the tolerance: largest median distance of the vertices.
 constexpr double kExactFraction = 0.1;
 constexpr int kRimRings = 3;
-constexpr std::size_t kFewSamples = 80;  // for a first guess; most guesses fail
-constexpr double kMinMore = 1.25;        // a more complicated surface must cover this much more
-constexpr double kMinMuchMore = 4;       // and this much more if it fits less exactly
+constexpr std::size_t kFewSamples = 80;  // for a first guess: few, since most guesses fail
+constexpr double kMinMore = 1.25;   // factor of the area that a more complicated surface must cover
+constexpr double kMinMuchMore = 4;  // the same for a surface that fits less exactly
 
 constexpr std::array<CarrierKind, 5> kKinds{CarrierKind::Plane, CarrierKind::Cylinder,
                                             CarrierKind::Sphere, CarrierKind::Cone,
                                             CarrierKind::Torus};
 
-// A later candidate must cover more area; much more if it fits less exactly.
+// Whether a later candidate covers enough more area; much more is needed if it fits less exactly.
 bool isBetter(const Candidate& next, const Candidate& best, double tolerance) {
   const bool exact = next.median <= 3 * best.median + 0.02 * tolerance;
   return next.area > (exact ? kMinMore : kMinMuchMore) * best.area;
@@ -66,8 +66,8 @@ bool SurfaceSeeker::accepts(std::int32_t t, const Carrier& surface, double toler
   return partition_.patchOf[t] < 0 && liesOn(mesh_, shapes_, t, surface, tolerance, kSurfaceCosine);
 }
 
-// Grows breadth first; the surface is fitted again when the region has reached refitAt, and each
-// time it has doubled.
+// Grows breadth first. Fits the surface again when the region has reached `refitAt` triangles, and
+// then each time it has doubled.
 std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Carrier& surface, double tolerance,
                                               std::size_t refitAt) {
   if (!accepts(seed, surface, tolerance)) return {};
@@ -78,7 +78,7 @@ std::vector<std::int32_t> SurfaceSeeker::grow(std::int32_t seed, Carrier& surfac
     if (region.size() >= refitAt) {
       const Samples samples = samplesOf(region);
       refineSurface(samples, surface);
-      // It is not this kind of surface; stop growing.
+      // The surface is not of this kind, so growing stops.
       if (residuals(samples, surface).median > 2 * kExactFraction * tolerance_) return region;
       refitAt = 2 * region.size();
     }
@@ -97,8 +97,8 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
   Candidate candidate;
   candidate.surface = *surface;
   candidate.region = grow(seed, candidate.surface, tolerance_, 2 * first.points.size());
-  // Reduce the tolerance to what the surface really needs, so that it does not run on into its
-  // neighbours.
+  // Reduces the tolerance to what the surface really needs, so that the region does not grow into
+  // neighbouring surfaces.
   std::size_t before = 0;
   for (int round = 0; round < 8; ++round) {
     if (candidate.region.size() < 4) return std::nullopt;
@@ -111,7 +111,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
     candidate.region =
         grow(seed, candidate.surface, tightOf(candidate.median), candidate.region.size() * 5 / 4);
   }
-  // The same surface need not be tried again from any seed in this region.
+  // No seed in this region needs to try this kind again.
   found_.tried.emplace_back(kind, candidate.region);
   if (std::find(candidate.region.begin(), candidate.region.end(), seed_) !=
       candidate.region.end()) {
@@ -127,8 +127,8 @@ double SurfaceSeeker::tightOf(double median) const {
   return std::clamp(8 * median, kMinFraction * tolerance_, tolerance_);
 }
 
-// Adds a few rings at the full tolerance: near creases the mesh is less exact than inside the
-// region.
+// Adds a few rings with the full tolerance, since the mesh is less exact near creases than inside
+// the region.
 void SurfaceSeeker::addRim(Candidate& candidate) {
   std::size_t from = 0;
   for (int ring = 0; ring < kRimRings; ++ring) {
@@ -145,8 +145,8 @@ bool SurfaceSeeker::isWorthIt(const Candidate& candidate) const {
     return candidate.region.size() >= 4 && candidate.median <= kExactFraction * tolerance_;
   }
   if (candidate.region.size() < kMinTriangles) return false;
-  // Many free forms come within the tolerance of some surface; only one that fits much better is
-  // recognised.
+  // Many free forms come within the tolerance of some surface. Only a surface that fits much better
+  // is accepted.
   return candidate.median <= kExactFraction * tolerance_ && finder_.bends(candidate.region);
 }
 
@@ -163,7 +163,7 @@ std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,
     }
   };
   tryAll(samplesOf(around));
-  // A round body made of plane strips shows its curvature only in a wider region.
+  // A round body made of plane strips shows its curvature only in a larger region.
   for (int scale = 0; scale < 2; ++scale) {
     if (best && best->surface.kind != CarrierKind::Plane) break;
     const std::size_t size =
@@ -177,8 +177,8 @@ std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,
   return best;
 }
 
-// Large plane areas at small angles also fit a wide curved surface; if the planes fit much better,
-// they are preferred.
+// Replaces a wide curved surface by a plane if the plane fits much better. Large planes at small
+// angles also fit such a surface.
 void SurfaceSeeker::preferFlats(Candidate& best) {
   for (int i = 1; i < 6; ++i) {
     const std::int32_t seed = best.region[best.region.size() * i / 6];

@@ -1,8 +1,10 @@
-// Finds the surface that a mesh was made of near one triangle.
-// In: HalfEdgeMesh, the shapes of its triangles, a partition (triangles of its patches are not
-// touched), tolerance in mm. Out: the best of plane, cylinder, sphere, cone and torus, and the
-// triangles that it covers. Cost: O(triangles covered x surfaces tried).
-// Reads only shared data that does not change, so that several seekers can work at the same time.
+// Finds the surface from which a mesh was made near one triangle.
+// In:      HalfEdgeMesh, the shapes of its triangles, a partition (triangles of its patches are not
+//          used), tolerance.
+// Out:     the best of plane, cylinder, sphere, cone and torus, and the triangles that it covers.
+// Units:   mm.
+// Cost:    O(triangles covered x surfaces tried).
+// Threads: a seeker only reads shared data, so several seekers can work in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,14 +25,14 @@ struct Candidate {
   Carrier surface;
   std::vector<std::int32_t> region;
   double area = 0;
-  double median = 0;  ///< mm, of the distances of its vertices
+  double median = 0;  ///< mm, median distance of its vertices
 };
 
 struct Found {
   std::optional<Candidate> best;
-  /// This kind of surface need not be tried again from any seed in the region.
+  /// No seed in these regions needs to try this kind of surface again.
   std::vector<std::pair<CarrierKind, std::vector<std::int32_t>>> tried;
-  /// Nothing was found, and no seed here needs to be tried again.
+  /// If nothing was found: triangles that need not be tried again as seeds.
   std::vector<std::int32_t> fruitless;
 };
 
@@ -38,7 +40,7 @@ class SurfaceSeeker {
  public:
   SurfaceSeeker(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
                 const Partition& partition);
-  /// tried: the kinds, as bits, that were tried at the seed before.
+  /// `tried`: kinds, as bits, that were tried at this seed before.
   Found seek(std::int32_t seed, char tried);
 
  private:
@@ -60,7 +62,7 @@ class SurfaceSeeker {
   const Partition& partition_;
   Found found_;
   std::int32_t seed_ = -1;  // the current seed
-  char triedAtSeed_ = 0;    // kinds that were tried there before
+  char triedAtSeed_ = 0;    // kinds that were tried at the seed
   RegionFinder finder_;
 };
 

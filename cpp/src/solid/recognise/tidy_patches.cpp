@@ -14,20 +14,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the whole: a smaller patch has to save this many facets.
+/// Share of the whole area. A smaller patch must save kMinSaved facets.
 constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSaved = 8;
-constexpr double kMinCosine = 0.5;     // a triangle may lean this much from the surface it joins
-constexpr double kBorderPerFacet = 3;  // edges of a smooth border that make one facet outside
-constexpr std::size_t kMaxSpeck = 6;   // triangles
-constexpr double kMaxSpeckArea = 30;   // of the squared tolerance
-constexpr double kMaxSpeckReach = 6;   // tolerances
-constexpr int kStepsBeyond = 6;        // triangles
-constexpr double kMinSteep = 0.12;     // sine, about 7 degrees
-/// Of the tolerance: distance of a patch at its border from which this counts.
+constexpr double kMinCosine = 0.5;     // of the largest angle of a triangle to the surface it joins
+constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
+constexpr std::size_t kMaxSpeck = 6;   // most triangles of a speck
+constexpr double kMaxSpeckArea = 30;   // in squared tolerances
+constexpr double kMaxSpeckReach = 6;  // in tolerances: distance from the surface that a speck joins
+constexpr int kStepsBeyond = 6;       // triangles beyond a border that are examined
+constexpr double kMinSteep = 0.12;    // sine of about 7 degrees
+/// In tolerances: distance from the surface beyond which the steepness counts.
 constexpr double kSteepFrom = 0.25;
 
-// Makes the patches of a partition ready to become faces, step by step.
+// Prepares the patches of a partition to become faces, step by step.
 class Tidier {
  public:
   Tidier(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
@@ -44,7 +44,7 @@ class Tidier {
   }
 
  private:
-  // Unassigned triangles beside a patch join it while their corners lie on its surface; repeated,
+  // Unassigned triangles beside a patch join it while their vertices lie on its surface. Repeats,
   // so that strips along creases close. Needles may have any normal.
   void absorbLeftovers() {
     std::vector<std::int32_t> front, next;
@@ -67,8 +67,8 @@ class Tidier {
     }
   }
 
-  // The patch beside t on whose surface its corners lie nearest; -1: none within so many
-  // tolerances.
+  // Returns the patch beside t whose surface is nearest to its vertices; -1 if none is within
+  // `tolerances` times the tolerance.
   std::int32_t hostOf(std::int32_t t, double tolerances) const {
     std::int32_t best = -1;
     double smallest = tolerances * tolerance_;
@@ -92,7 +92,7 @@ class Tidier {
     return best;
   }
 
-  // Small islands inside one patch join it if their corners lie on its surface, whatever their
+  // Small islands inside one patch join it if their vertices lie on its surface, whatever their
   // normals.
   void fillHoles() {
     std::vector<char> seen(mesh_.triangles.size(), 0);
@@ -118,9 +118,9 @@ class Tidier {
     dropEmptyPatches();
   }
 
-  // A few small triangles may be left between patches, where a contoured crease or corner came out
-  // blunt. Each joins a patch beside it, which then ends where the surfaces intersect; all their
-  // corners are corners of patches already.
+  // Assigns specks: a few small triangles between patches, where contouring blunted a crease or
+  // corner. Each joins a patch beside it, which then ends where the surfaces intersect. All
+  // vertices of specks are already vertices of patches.
   void assignSpecks() {
     std::vector<char> seen(mesh_.triangles.size(), 0);
     for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
@@ -142,7 +142,8 @@ class Tidier {
     }
   }
 
-  // The connected triangles that `accepts` allows, starting with `first`; all are marked as seen.
+  // Returns the connected triangles that `accepts` allows, starting with `first`, and marks them as
+  // seen.
   template <class Accepts>
   std::vector<std::int32_t> flood(std::int32_t first, std::vector<char>& seen,
                                   const Accepts& accepts) const {
@@ -170,8 +171,7 @@ class Tidier {
     });
   }
 
-  // Pieces of one surface that were found separately become one patch; the smaller joins the
-  // larger.
+  // Joins pieces of one surface that were found separately. The smaller piece joins the larger one.
   void mergePatches() {
     std::vector<std::int32_t> order(partition_.patches.size());
     std::iota(order.begin(), order.end(), 0);
@@ -204,10 +204,10 @@ class Tidier {
     dropEmptyPatches();
   }
 
-  // Many free forms come near enough to a plane or cylinder in places. Such a patch ends along a
-  // jagged line where the body continues smoothly; the vertices of that line make more facets
-  // outside than the surface saves inside. A surface that the body was made of ends at creases or
-  // at other patches.
+  // Drops patches that cost more facets than they save. Many free forms come near a plane or
+  // cylinder in places. Such a patch ends in a jagged line where the body continues smoothly. The
+  // vertices of that line create more facets outside than the patch saves inside. The border of a
+  // true surface follows creases or other patches.
   void dropCostly() {
     const std::vector<char> turns = turningBorders();
     std::vector<double> saved;
@@ -239,8 +239,7 @@ class Tidier {
     patch.triangles.clear();
   }
 
-  // Per half-edge: whether the mesh turns away steeply from the patch's surface just beyond its
-  // border.
+  // By half-edge: 1 if the mesh turns away steeply from the patch's surface just beyond the border.
   std::vector<char> turningBorders() const {
     std::vector<char> turns(mesh_.opposite.size(), 0);
     parallelBlocks(turns.size(), 4096, [&](std::size_t begin, std::size_t end) {

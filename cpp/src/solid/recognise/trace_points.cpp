@@ -13,11 +13,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kReach = 1.0 / 80;    // of the box: how far a step looks
-constexpr double kMaxReach = 1.0 / 6;  // of the box: how far it looks at most, where points are few
-constexpr double kMinSameCosine = 0.7;  // cosine
+constexpr double kReach = 1.0 / 80;     // of the box: how far a step looks
+constexpr double kMaxReach = 1.0 / 6;   // of the box: how far it looks at most if points are sparse
+constexpr double kMinSameCosine = 0.7;  // cosine: normals at a larger angle are ignored
 constexpr int kMaxSteps = 1500;
-/// Of the box: points nearer than this to each other count as one.
+/// Of the box: points nearer to each other than this count as one.
 constexpr double kMinSpacing = 1.0 / 800;
 constexpr int kCells = 80;
 
@@ -94,8 +94,8 @@ class Tracer {
     }
   }
 
-  // Moves the state onto a parabola through the points about it. The radius grows until there are
-  // points on both sides, or enough on one.
+  // Moves the state onto a parabola through the points around it. The radius grows until there are
+  // points on both sides, or enough on one side.
   bool settle(State& state) {
     for (radius_ = kReach * size_; radius_ <= kMaxReach * size_; radius_ *= 1.6) {
       const Vector2d tangent(-state.normal.y(), state.normal.x());
@@ -130,11 +130,11 @@ class Tracer {
     return false;
   }
 
-  // Appends states to one end of the path; returns true if it comes back to the other end.
+  // Appends states to one end of the path. Returns true if the path comes back to its other end.
   bool follow(double sense, std::deque<State>& path) {
     const State first = sense > 0 ? path.front() : path.back();
     State here = sense > 0 ? path.back() : path.front();
-    if (!settle(here)) return false;  // sets the radius
+    if (!settle(here)) return false;  // this call also sets radius_
     double walked = 0;
     for (int i = 0; i < kMaxSteps; ++i) {
       State state = sense > 0 ? path.back() : path.front();
@@ -157,7 +157,7 @@ class Tracer {
     return false;
   }
 
-  // The path ends a little before the last points; this state continues it.
+  // Returns a state beyond the end, since the path stops slightly before the last points.
   State beyond(const State& end, double sense) {
     State next = end;
     settle(next);
@@ -166,7 +166,7 @@ class Tracer {
     return next;
   }
 
-  // Whether there are points ahead; the radius grows where they are few.
+  // Whether there are points ahead. The radius grows if they are sparse.
   bool goesOn(const State& state, const Vector2d& tangent) {
     for (; radius_ <= kMaxReach * size_; radius_ *= 1.6) {
       double largest = 0;
@@ -205,7 +205,7 @@ double Trace::parameterOf(const Vector2d& p, const Vector2d& normal) const {
 
 std::optional<Trace> tracePoints(const std::vector<Vector2d>& points,
                                  const std::vector<Vector2d>& normals) {
-  // Points that coincide, such as those along one line of an extrusion, count once.
+  // Points that coincide, for example along a line of an extrusion, count once.
   Vector2d low = Vector2d::Constant(1e300), high = -low;
   for (const Vector2d& p : points) {
     low = low.cwiseMin(p);

@@ -1,8 +1,10 @@
-// Traces a path along unordered points of a plane that lie about a smooth curve.
-// In: points (mm) with unit normals to one side. Out: a polyline in small steps, closed if it comes
-// back to its start; nothing if the points do not lie about a curve. Units: mm, rad. Cost: O(points
-// x points within a step).
-// Source: moving least squares (Levin 1998), curve reconstruction as in Lee 2000.
+// Traces a path along unordered points of a plane that lie near a smooth curve.
+// In:      points with unit normals to one side.
+// Out:     a polyline in small steps, closed if it comes back to its start; nothing if the points
+//          do not lie near a curve.
+// Units:   mm, rad.
+// Cost:    O(points x points within a step).
+// Source:  moving least squares (Levin 1998), curve reconstruction as in Lee 2000.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,12 +16,13 @@ namespace swept::step {
 
 struct Trace {
   std::vector<Eigen::Vector2d> points, normals;
-  std::vector<double> along;  ///< mm, from the first point
-  double turn = 0;            ///< rad, without sign
-  double reach = 0;           ///< mm: how far from the path a point may lie
+  std::vector<double> along;  ///< mm, path length from the first point
+  double turn = 0;            ///< rad, total turn without sign
+  double reach = 0;           ///< mm, how far a point may lie from the path
   bool closed = false;        ///< the first point is repeated at the end
 
-  /// Position along the path of a point with this normal; -1: it does not lie on the path.
+  /// Returns the path length from the first point to a point with this normal; -1 if the point does
+  /// not lie on the path.
   double parameterOf(const Eigen::Vector2d& p, const Eigen::Vector2d& normal) const;
 };
 

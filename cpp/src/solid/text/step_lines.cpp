@@ -15,7 +15,8 @@ std::string ref(Id id) {
   return text;
 }
 
-// Returns the code point at `at` and advances `at`; a byte that is not UTF-8 stands for itself.
+// Returns the code point at `at` and advances `at`. A byte that is not valid UTF-8 counts as a code
+// point.
 char32_t codePoint(const std::string& text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -69,7 +70,7 @@ Id FileSections::plain(const char* keyword, Words arguments) {
   lines_.end();
   return id;
 }
-// An entity of several types has its keywords inside the brackets.
+// An entity of several types has its keywords inside the parentheses.
 Id FileSections::context(double exact) {
   const Id mm = plain("", {"LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)"});
   const Id radian = plain("", {"NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.)"});

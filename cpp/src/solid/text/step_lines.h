@@ -1,7 +1,8 @@
-// Text of the data section of a STEP file (ISO 10303-21), and the parts around the geometry that
-// all our files share: header, units, product, colour.
-// Units: mm; points to 1e-9 mm, directions to 13 digits. Cost: O(text), written in blocks. Throws
-// Error(Cancelled); a full disk shows in the state of the stream.
+// Writes the data section of a STEP file (ISO 10303-21), and the parts that all our files share:
+// header, units, product, colour.
+// Units:   mm. Points have 9 decimals (1e-9 mm), directions 13 digits.
+// Cost:    O(text), written in blocks. Throws Error(Cancelled). A full disk sets the error state of
+//          the stream.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,16 +22,16 @@ namespace swept::step {
 
 constexpr int kPointDecimals = 9;
 constexpr int kDirectionDigits = 13;
-constexpr std::size_t kFlushAt = 1U << 20U;  // characters
+constexpr std::size_t kFlushAt = 1U << 20U;  // characters; longer text is written to the stream
 
 using Id = std::int64_t;
 
-// Writes the lines of the data section one after another; entities are numbered in this order.
+// Writes lines one after another and numbers the entities in this order.
 class Lines {
  public:
   Lines(std::ostream& out, RunContext& run) : out_(out), run_(run) { text_.reserve(2 * kFlushAt); }
 
-  /// Starts `#n=`; the text that follows is appended, and end() closes the line.
+  /// Begins entity `#n=keyword(` and returns n. Append the arguments, then call end().
   Id begin(const char* keyword) {
     text_ += '#';
     integer(++last_);
@@ -81,7 +82,7 @@ class Lines {
     text_ += ')';
     return *this;
   }
-  /// To be called within a long line.
+  /// Call this within a long line.
   void flushIfLong() {
     if (text_.size() > kFlushAt) flush();
   }
@@ -93,7 +94,7 @@ class Lines {
   Id last() const { return last_; }
 
  private:
-  // A real of STEP has a point and a capital E.
+  // Writes a real number. STEP requires a point in it, and a capital E before an exponent.
   Lines& real(double value, std::chars_format format, int precision) {
     std::array<char, 400> buffer;
     char* end =
@@ -126,7 +127,7 @@ class Lines {
   Id last_ = 0;
 };
 
-/// The parts of the file around the geometry.
+/// Parts of the file around the geometry.
 class FileSections {
  public:
   FileSections(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}
@@ -136,10 +137,10 @@ class FileSections {
   Id direction(const Eigen::Vector3d& d);
   Id placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
                const Eigen::Vector3d& x);
-  /// Units, and the accuracy of points (mm).
+  /// Writes the units and the accuracy of points (mm).
   Id context(double exact);
-  /// The product whose shape is a representation of this keyword with these items; `coloured` get
-  /// the options' colour.
+  /// Writes the product. `representation` is the keyword of its shape, which consists of `items`.
+  /// The items in `coloured` get the colour of the options.
   void product(const char* representation, const std::vector<Id>& items,
                const std::vector<Id>& coloured, Id where);
   void end();
@@ -154,7 +155,7 @@ class FileSections {
   const StepOptions& options_;
 };
 
-/// A string as STEP writes it, with its quotes: characters outside ASCII become \X2\....\X0\.
+/// Returns a STEP string with its quotes. Characters outside ASCII become \X2\....\X0\.
 std::string stepString(const std::string& utf8);
 
 }  // namespace swept::step

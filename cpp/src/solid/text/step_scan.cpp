@@ -9,9 +9,9 @@
 namespace swept::step {
 namespace {
 
-constexpr int kDeepest = 200;              // brackets within brackets
+constexpr int kDeepest = 200;              // deepest nesting of parentheses
 constexpr std::size_t kWordsKept = 64;     // characters of a statement that are examined
-constexpr std::size_t kLongest = 1 << 26;  // characters of one statement
+constexpr std::size_t kLongest = 1 << 26;  // longest statement, in characters
 
 class Scanner {
  public:
@@ -33,7 +33,7 @@ class Scanner {
     return "line " + std::to_string(line_) + ": " + what;
   }
 
-  // Returns false at the end of the file.
+  // Processes one character or token. Returns false at the end of the file.
   bool next() {
     const int c = in_.sbumpc();
     if (c == kEnd) return false;

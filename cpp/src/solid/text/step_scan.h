@@ -1,8 +1,10 @@
-// Tests whether a file has the structure of a STEP file, before the kernel reads it: kernels may
-// end the whole program on a damaged file.
-// In: the text. Out: what is wrong and in which line; empty if nothing is. Cost: one pass.
-// Tested are the frame of header and data, closed strings, comments and brackets, and the numbers
-// of entities. What the entities mean is left to the kernel.
+// Checks the structure of a STEP file before the kernel reads it. A damaged file may make a kernel
+// terminate the whole program.
+// In:      the text.
+// Out:     the first error with its line; an empty string if there is none.
+// Cost:    one pass.
+// Limits:  Checks header and data sections, closed strings, comments and parentheses, and the
+//          numbers of entities. The kernel checks what the entities mean.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

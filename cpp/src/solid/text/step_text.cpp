@@ -101,7 +101,8 @@ class Writer {
   Id surface(const ModelFace& face) {
     const Carrier& s = face.surface;
     if (s.kind == CarrierKind::Facet) {
-      // Its corners are written already, and nobody needs its own x direction.
+      // The corners of the facet are already written, and its plane needs no x direction of its
+      // own.
       const ModelUse& first = face.loops.front().front();
       const ModelEdge& edge = model_.edges[first.edge];
       const Id up = sections_.direction(s.axis);
@@ -113,7 +114,7 @@ class Writer {
     const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
     if (s.kind == CarrierKind::Plane) return plane(sections_.placement(s.point, s.axis, x));
     if (s.hasProfile()) return pushedOrTurned(s);
-    // The angle of a cone must be positive: the radius grows along its axis.
+    // STEP requires a positive angle, so the radius of a cone must grow along its axis.
     const bool turned = s.kind == CarrierKind::Cone && s.halfAngle < 0;
     const Id axes = sections_.placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);
     const Id id = lines_.begin(keywordOf(s.kind));
@@ -155,7 +156,7 @@ class Writer {
     return id;
   }
 
-  // In a file of corners alone, a loop has these; the edges between them follow.
+  // A file of corners only stores the vertices of a loop; the edges follow from them.
   Id writeFace(const ModelFace& face) {
     std::vector<Id> bounds, uses;
     for (const auto& loop : face.loops) {
@@ -175,7 +176,8 @@ class Writer {
       lines_.raw("'',").id(ring).raw(",.T.").end();
     }
     const Id geometry = surface(face);
-    // The surface of a bore faces into the material; the loops run as the face sees them.
+    // The surface normal of a bore points into the material. The loops follow the orientation of
+    // the face.
     const bool against = !face.surface.isPlanar() && face.surface.reversed;
     const Id id = lines_.begin(faceted_ ? "FACE_SURFACE" : "ADVANCED_FACE");
     lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(against ? ",.F." : ",.T.").end();
@@ -192,7 +194,7 @@ class Writer {
     for (std::size_t s = 0; s < shells.size(); ++s) {
       const std::int32_t owner = model_.shellOwner[s];
       if (owner == static_cast<std::int32_t>(s)) continue;
-      // The faces of a void already face away from the material.
+      // The faces of a cavity already face away from the material, so the shell is not reversed.
       voids[owner].push_back(lines_.begin("ORIENTED_CLOSED_SHELL"));
       lines_.raw("'',*,").id(shells[s]).raw(",.T.").end();
     }
@@ -230,12 +232,12 @@ bool isFaceted(const Model& model) {
 }
 
 double statedAccuracy(const Model& model) {
-  // Readers compute the gaps between surfaces themselves; a large value would let them drop short
-  // edges, and take curves on surfaces that are off by as much.
+  // Readers compute the gaps between surfaces themselves. A larger value would let them drop short
+  // edges, and accept curves that lie off their surfaces by as much.
   if (!isFlat(model)) return 1e-7;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
-  // A little more than was measured, because the file rounds points and directions.
+  // Slightly larger than measured, because the file rounds points and directions.
   return 1.02 * largest + 1e-8;
 }
 

@@ -1,9 +1,10 @@
-// Model -> text of a STEP file (ISO 10303-21), written directly from the model.
-// In: Model. Out: one product with a solid for each outer shell (voids as inner shells), unit mm,
-// names, colour and author. Points to 1e-9 mm, directions to 13 digits. Cost: O(model). Throws
-// Error(Cancelled); a full disk shows in the state of the stream.
-// The kernel's own translator takes a minute and three times the bytes for 100,000 faces. Parameter
-// curves are left out; readers compute their own.
+// Writes a Model as a STEP file (ISO 10303-21).
+// In:      Model.
+// Out:     one product with a solid for each outer shell (cavities are inner shells), unit mm,
+//          names, colour and author. Points have 9 decimals (1e-9 mm), directions 13 digits.
+// Cost:    O(model). Throws Error(Cancelled). A full disk sets the error state of the stream.
+// Why:     The translator of the kernel takes a minute and three times the bytes for 100,000 faces.
+//          Parameter curves are left out, since readers compute their own.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,17 +21,19 @@ namespace swept::step {
 void writeStepText(const Model& model, std::ostream& out, const std::string& fileName,
                    const StepOptions& options, RunContext& run);
 
-/// With this many plane faces, the file contains their corners alone (FACETED_BREP): less than half
-/// of the bytes, read in half of the time.
+/// From this number of plane faces on, the file contains only their corners (FACETED_BREP). Such a
+/// file has less than half of the bytes and is read in half of the time.
 constexpr std::int64_t kManyFaces = 20000;
 
-/// Plane faces only.
+/// Whether all faces are plane.
 bool isFlat(const Model& model);
 
-/// Plane faces without hollow spaces, so many that the file contains their corners alone.
+/// Whether the file contains only the corners of the faces: all are plane, there are very many, and
+/// the solid has no cavities.
 bool isFaceted(const Model& model);
 
-/// mm: how far vertices and edges lie from the surfaces that meet there, as the file states it.
+/// Returns the accuracy that the file states, mm: how far vertices and edges lie from their
+/// surfaces.
 double statedAccuracy(const Model& model);
 
 }  // namespace swept::step

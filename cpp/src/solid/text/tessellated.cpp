@@ -16,8 +16,8 @@ namespace swept::step {
 namespace {
 
 constexpr double kBytesPerTriangle = 45;
-constexpr double kSameVolume = 1e-9;  // of the area times its root: points are rounded
-constexpr double kExact = 1e-7;       // mm, as stated in the file
+constexpr double kSameVolume = 1e-9;  // of area^1.5; allows for rounded points
+constexpr double kExact = 1e-7;       // mm, accuracy stated in the file
 
 class Writer {
  public:
@@ -49,7 +49,7 @@ class Writer {
     return shells;
   }
 
-  // Writes the points of one shell, numbered from 1, and its triangles.
+  // Writes the points of one shell, numbered from 1, and its triangles. Returns the id of the face.
   Id face(const std::vector<std::int32_t>& triangles) {
     std::vector<std::int32_t> points;
     numberOf_.resize(mesh_.points.size(), 0);
@@ -69,7 +69,8 @@ class Writer {
     }
     lines_.raw(")").end();
     const Id id = lines_.begin("TRIANGULATED_FACE");
-    // The empty attributes: normals, surface, and the list that selects some of the points.
+    // The empty attributes are the normals, the surface, and the list that selects some of the
+    // points.
     lines_.raw("'',").id(list).raw(",").integer(count);
     lines_.raw(",(),$,()");
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -87,10 +88,10 @@ class Writer {
   const StepOptions& options_;
   Lines lines_;
   FileSections sections_;
-  std::vector<std::int32_t> numberOf_;  // number in the list of its shell, from 1
+  std::vector<std::int32_t> numberOf_;  // by vertex: number in the point list of its shell, from 1
 };
 
-// Reads numbers and punctuation of one statement after another.
+// Reads the points and triangles, statement by statement.
 class Reader {
  public:
   Reader(std::istream& text, RunContext& run) : in_(*text.rdbuf()), run_(run) {}
@@ -115,7 +116,7 @@ class Reader {
                 "the tessellated solid just written cannot be read back: " + what);
   }
 
-  // Moves behind `#n=` of the next entity.
+  // Moves to just after `#n=` of the next entity. Returns false at the end of the file.
   bool seekEntity() {
     for (int c = in_.sbumpc(); c != kEnd; c = in_.sbumpc()) {
       if (c == '\'') skipString();
@@ -161,12 +162,12 @@ class Reader {
       *end++ = static_cast<char>(c);
     double value = 0;
     const auto [stop, error] = std::from_chars(text, end, value);
-    // A real may end with its point.
+    // A STEP real may end with its decimal point.
     if (error != std::errc() || (stop != end && !(stop + 1 == end && *stop == '.')))
       fail("a coordinate is no number");
     return value;
   }
-  // ',' if there is one more, ')' at the end.
+  // Returns true after ',' (the list continues) and false after ')'.
   bool more() {
     const int c = in_.sbumpc();
     if (c != ',' && c != ')') fail("a list does not end");
