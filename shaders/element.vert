@@ -3,8 +3,8 @@
 //
 // Each element has four corners. A face: its three vertices at its placement (the fourth is not
 // used). The side patch of edge (a, b): a, b at the start of its step, then b, a at the end.
-// Listed elements are read from a buffer. Otherwise each instance is a placement, in which all
-// faces and then (for a continuous motion) all edges are drawn.
+// Listed elements come from a buffer. Otherwise each instance is a placement and draws all faces
+// and then, for a continuous motion, all edges.
 
 layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };     // x, y, z each
 layout(std430, binding = 1) readonly buffer Faces { int faces[]; };              // 3 per face

@@ -2,8 +2,7 @@
 // In:    the sampler input of the run, with clusters.
 // Out:   CPU seconds, crossings and elements of the whole motion.
 // Cost:  limited by counts of triangle copies and crossings, not by time: about kTrialWork, or up
-// to
-//        twice as much if that covers the whole motion. The map of the inside costs as in a run.
+//        to twice as much if that covers the whole motion. The map of the inside costs as in a run.
 // Method: a part consists of a few steps at some places of the motion. For a body with many
 //        triangles it shows only some clusters of faces, while culling uses the whole body. Parts
 //        use the work items of the run and leave out the same blocks and groups of placements
