@@ -32,14 +32,14 @@ class MemoryWatch {
  private:
   void look();
 
-  std::uint64_t processPeak_;  ///< at the start
+  std::uint64_t processPeak_;  ///< bytes, at construction
   std::atomic<std::uint64_t> most_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ended_ = false;
   std::thread thread_;
 };
-/// Reading the size takes about 10 microseconds: 0.2 % of a thread.
+/// Time between two readings. A reading takes about 10 microseconds: 0.2 % of a thread.
 constexpr int kMemoryMilliseconds = 5;
 
 /// Returns the memory that the process can take without swapping, in bytes; 0 if not known.

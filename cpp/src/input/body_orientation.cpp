@@ -19,8 +19,8 @@ namespace {
 /// Groups of triangles that are connected by edges with exactly two triangles.
 struct Patches {
   std::vector<std::int32_t> ofTriangle;
-  std::vector<std::uint8_t> flip;  ///< per triangle: 1: reverse it to agree with its patch
-  std::vector<std::uint8_t> mixed, consistent;  ///< per patch
+  std::vector<std::uint8_t> flip;               ///< per triangle: 1 if it must be reversed
+  std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: has reversed triangles
   std::int64_t turned = 0;
   std::int32_t count() const { return static_cast<std::int32_t>(mixed.size()); }
 };
@@ -205,7 +205,7 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
   }
 }
 
-/// Tests along sample lines that no shell is ever entered from its wrong side. A shell that
+/// Returns true if no shell is entered from its wrong side along sample lines. A shell that
 /// intersects itself can have lobes that are inside out although its volume is positive.
 bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& shellOfTriangle,
                   const std::vector<Shell>& shells) {

@@ -15,8 +15,8 @@ namespace swept {
 
 struct PlyProperty {
   std::string name;
-  int bytes = 0;       ///< of the value, or of one list entry
-  int countBytes = 0;  ///< lists: of the count of entries; 0 for a plain value
+  int bytes = 0;       ///< size of the value, or of one list entry
+  int countBytes = 0;  ///< lists: size of the number of entries; 0 for a plain value
   bool isFloat = false;
   bool isSigned = false;  ///< an integer that may be negative
 };

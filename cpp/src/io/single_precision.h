@@ -2,9 +2,9 @@
 // mesh. Plain rounding can put two vertices in one place, which a reader then joins, and can leave
 // a triangle without area.
 // In:    mesh, mm.
-// Out:   the same triangles. Every vertex has the nearest coordinates in single precision. It moves
-//        by a few further steps of single precision if this keeps vertices apart or the area of a
-//        triangle above zero. Intersections of triangles are not checked.
+// Out:   the same triangles. Every vertex gets the nearest coordinates in single precision. If two
+//        vertices would coincide or a triangle would lose its area, a vertex gets one of the next
+//        representable positions instead. Intersections of triangles are not checked.
 // Cost:  O(vertices + triangles). The result is the same on every machine.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

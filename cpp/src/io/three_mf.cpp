@@ -30,7 +30,7 @@ class Package {
   Package(const Package&) = delete;
   Package& operator=(const Package&) = delete;
 
-  /// Begins an entry. An entry of more than 4 GB needs its largest size in advance.
+  /// Begins an entry. `mostBytes`: upper bound of its size, required if it may exceed 4 GB.
   void begin(const char* name, std::uint64_t mostBytes = 0) {
     zip_fileinfo information{};
     information.tmz_date.tm_mday = 1;  // 1 January 1980, so that equal meshes give equal files

@@ -114,7 +114,8 @@ class CsvReader {
 
   static bool isMatrix(std::size_t width) { return width == 12 || width == 16 || width == 17; }
 
-  // Recordings often name their columns in a comment. It counts as a header if it names all eight.
+  // Recordings often name their columns in a comment. Such a comment counts as a header if it names
+  // all eight columns of a pose.
   void takeComment(std::string_view text) {
     const char rows = separator_;
     chooseSeparator(text);
@@ -260,7 +261,7 @@ class CsvReader {
   bool rowsBegun_ = false;
   bool fromComment_ = false;
   std::string headerLine_;
-  TrajectoryHeader columns_;  // no targets: columns as in kPoseColumns, or a matrix
+  TrajectoryHeader columns_;  // target empty: order of kPoseColumns, or a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;

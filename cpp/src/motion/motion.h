@@ -1,5 +1,5 @@
-// The motion in the form in which the samplers use it: placements so close together that every
-// point moves along a chord between them.
+// The motion as the samplers use it: placements so close together that a straight chord can replace
+// the path of every point between two placements.
 // Units: mm, s.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

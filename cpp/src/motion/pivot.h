@@ -1,7 +1,7 @@
 // The pivot of a trajectory: the point of the body that moves along a straight line between two
 // poses. Let S be the translation to the pivot. The poses P S with the body S^-1 x give the same
-// motion as P with x, and their origin is the pivot. So no other part of the core knows pivots.
-// Units: mm. Cost: O(vertices), O(poses).
+// motion as the poses P with the body x, and their origin is the pivot. So no other part of the
+// core needs to know the pivot. Units: mm. Cost: O(vertices), O(poses).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -20,8 +20,8 @@ Corners cornersAt(const Pose& pose, const Eigen::AlignedBox3d& body) {
   return corners;
 }
 
-/// Returns the largest distance of any point of the box between two placements. That distance is a
-/// convex function of the point, so the corners of the box suffice.
+/// Returns how far a point of the box moves at most between two placements. `a` and `b`: the
+/// corners at both. They suffice, since the distance is a convex function of the point.
 double farthest(const Corners& a, const Corners& b) {
   double most = 0;
   for (int c = 0; c < 8; ++c) most = std::max(most, (a[c] - b[c]).norm());

@@ -16,10 +16,10 @@ namespace {
 // length of a face that is not culled, and per crossing. Only the ratios matter. They are fitted to
 // the times of 40 runs of eight random inputs with edges of 1 to 75 cells.
 constexpr double kFaceCost = 70, kLengthCost = 28, kCrossingCost = 7;
-/// Also limits the memory of the body, which must not exceed that of the envelope.
+/// Largest number of triangles after a split: the body must not need more memory than the envelope.
 constexpr double kMaxTriangles = 2e6;
-/// The expected gain must exceed the uncertainty of these figures: by the first factor for the
-/// first split, by the second one for each further halving.
+/// Required ratio of the estimated times before and after: for a first split, and for each further
+/// halving. Smaller gains are within the uncertainty of the estimates.
 constexpr double kGain = 2, kFurtherGain = 1.2;
 
 struct Step {
@@ -176,7 +176,7 @@ TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {
       for (int c = 0; c < 3; ++c) split += (isLong[c] = length2(c) > longest2) ? 1 : 0;
       if (split == 0) continue;
       changed = true;
-      // Rotate the corners: first comes the side that is long alone or short alone.
+      // Rotate the corners so that the first side is the only long one or the only short one.
       while (split < 3 && isLong[0] != (split == 1)) {
         std::rotate(t.begin(), t.begin() + 1, t.end());
         std::rotate(isLong.begin(), isLong.begin() + 1, isLong.end());

@@ -17,13 +17,13 @@ namespace swept {
 
 /// How to approximate a motion.
 struct Following {
-  double longestEdge;  ///< mm, split longer edges of the body; infinite if this gains little
+  double longestEdge;  ///< mm, split edges longer than this; infinite if it gains little
   double chord;        ///< mm, larger than requested only if there would be too many copies
 };
 
-/// Returns the edge length with the least work. `mostCopies`: largest number of triangle copies;
-/// the limit is never below twice the number that a chord of one cell needs. `maySplit`: false if
-/// the body must stay unsplit.
+/// Returns the edge length with the least work, and the chord to use. `mostCopies`: largest number
+/// of triangle copies; the limit is never below twice the number for a chord of one cell.
+/// `maySplit`: false if the body must stay unsplit.
 Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
                         double cell, double mostCopies, bool maySplit, RunContext& run);
 

@@ -1,6 +1,6 @@
 // The motion of a body from one pose to the next, and the number of pieces that approximate it. All
 // parts that move a body between poses use this class, so that all use the same path.
-// Units: mm, rad, s. Cost: O(1) a query; the sphere and the longest edge take O(n).
+// Units: mm, rad, s. Cost: O(1) per query; the sphere and the longest edge take O(n).
 // Sources: slerp, Shoemake 1985; the screw axis of a rigid motion, Chasles 1830.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -52,7 +52,7 @@ class StepPath {
   /// Returns the velocities per unit of s at the moment at which the body is at `pose`. `pose` must
   /// be a result of poseAt().
   Twist twistAt(const Pose& pose) const;
-  /// Speed along the axis, mm per unit of s: the pitch of a screw, else the speed of the origin.
+  /// mm per unit of s: the speed along the axis of a screw, else the speed of the body's origin.
   double drift() const { return screw_ ? std::abs(pitch_) : shift().norm(); }
   /// Upper bound, in mm per unit of s, of the speed of all points within `radius` of the axis.
   double fastest(double radius) const {

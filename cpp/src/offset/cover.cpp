@@ -13,7 +13,7 @@
 namespace swept::offset {
 namespace {
 
-constexpr double kTwist = 0.005;  // cells: patches are cut along their edge until this flat
+constexpr double kTwist = 0.005;  // cells: largest warp of a piece; patches are cut to meet it
 constexpr int kMaxParts = 256;
 
 /// The data of one motion step that the triangles at both of its ends need.

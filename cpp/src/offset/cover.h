@@ -13,7 +13,7 @@
 //                n(s) . d = 0, so the point lies within a |d| / 4 of the plane of the nearer copy.
 //                The cover then keeps both copies, with this slack.
 //   chord        the true motion leaves the chords by at most `chord`, for all elements alike.
-// All other omitted elements lie inside the swept volume (swept_elements.h).
+// All elements that culling drops lie inside the swept volume (swept_elements.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -38,8 +38,8 @@ struct Cover {
   std::vector<Eigen::Vector3d> inside;  ///< cells; a point on the surface of every connected piece
 };
 
-/// Returns the number of triangles for a union of copies before long ones are cut; 0 for continuous
-/// motions, for which only culling shows the number.
+/// Returns the number of triangles for a union of copies, before long ones are cut. Returns 0 for
+/// continuous motions, whose number of triangles depends on culling.
 std::size_t copiesOf(const SamplerInput& input);
 
 /// widened: true keeps the slack of the triangles, for a surface that must contain everything;

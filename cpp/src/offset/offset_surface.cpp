@@ -18,7 +18,7 @@ constexpr double kDipsBelow = 2;
 constexpr double kShortest = 1.0 / 32;  // fraction of an edge: shorter dips are not looked for
 // Offset distances, in cells, below which ...
 constexpr double kApart = 0.5;           // ... an edge may pass through two separate walls
-constexpr double kThin = kShortest / 2;  // ... walls are thinner than the shortest dip; keep them
+constexpr double kThin = kShortest / 2;  // ... shorter dips, at thin walls, are looked for, too
 constexpr double kFlat = 1e-3;           // ... crossings have the normals of the cover triangles
 
 /// Returns t in [0, 1] at which origin + t * path first comes within `radius` of the triangle; 1 if
@@ -58,8 +58,8 @@ Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origi
   return first;
 }
 
-/// Returns the position between t0 and t1 on the edge of a point whose gap is 0 or less; -1 if none
-/// is found. gap0 and gap1: the gaps at t0 and t1.
+/// Searches an edge between t0 and t1 for a point whose gap is 0 or less. Returns its position, -1
+/// if there is none. gap0 and gap1: the gaps at t0 and t1.
 double findDip(const CoverSearch& tree, double distance, const Vector3d& origin, int axis,
                double t0, double gap0, double t1, double gap1) {
   if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;

@@ -16,7 +16,8 @@ constexpr double kMaxShort = 0.002, kMaxLong = 0.08;
 constexpr double kMaxMove = 1.5;
 constexpr int kRounds = 40;
 
-/// Returns the settled position of a vertex. hint: nearest triangle of the vertex before, updated.
+/// Returns the settled position of a vertex. `hint`: a triangle to start the search with, such as
+/// that of the vertex before; receives the nearest one.
 Vector3d settled(const Vector3d& start, const CoverSearch& tree, double distance,
                  std::int32_t& hint) {
   Vector3d x = start;

@@ -14,7 +14,8 @@ namespace swept::page {
 
 /// Returns the section; empty if the report has no curves.
 std::string graphOf(const Told& told, const Words& words);
-/// Returns its content only, for a page with several graphs. It has no line for the 3D view.
+/// Returns only the content of the section, for a page with several graphs. This graph has no line
+/// for the moment shown in the 3D view.
 std::string graphFigure(const Told& told, const Words& words);
 
 }  // namespace swept::page

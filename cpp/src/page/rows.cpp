@@ -82,7 +82,7 @@ std::vector<std::string> namesOf(const Json& report, const char* key) {
   return names;
 }
 
-// Removes the figures that a run measures of itself: they differ from run to run.
+// Removes the measurements of a run's own time and memory: they differ from run to run.
 void dropMeasures(Json& report) {
   for (const char* key : {"seconds", "threads", "estimated_memory_bytes", "peak_memory_bytes"})
     report.erase(key);

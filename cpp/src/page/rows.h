@@ -27,7 +27,8 @@ struct Row {
   };
   std::optional<Depth> depth;
   double belowSeconds = 0;
-  std::array<Eigen::Vector3d, 2> line;           ///< closest points; or deepest one, surface
+  /// The two closest points; for a clash, the deepest point and its nearest point on the surface.
+  std::array<Eigen::Vector3d, 2> line;
   Pose pose;                                     ///< of the first part, at `time`
   std::vector<std::pair<double, double>> curve;  ///< (s, mm)
 };

@@ -21,7 +21,7 @@ namespace {
 constexpr int kMoments = 120;             // frames besides those of the rows
 constexpr std::size_t kMostCopies = 400;  // most such frames if only copies are checked
 constexpr double kCrease = 0.5;           // rad, as in the workbench's 3D view in FreeCAD
-constexpr double kSteps = 65535;          // of a position: fractions of the box along each axis
+constexpr double kSteps = 65535;          // steps of a position along each side of the box
 
 template <class Number>
 std::string bytesOf(const std::vector<Number>& numbers) {

@@ -13,8 +13,10 @@ namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
 
+/// The state of a run. `told`: its name in the rows of a report; `key`: its key in the report and
+/// in Words; `kind`: the class of its mark.
 struct State {
-  const char *told, *key, *kind;  ///< state in a row; key in report and Words; class of mark
+  const char *told, *key, *kind;
 };
 constexpr std::array kStates{
     State{"failed", "failed", "clash"}, State{"not clear", "not_clear", "below"},

@@ -1,12 +1,11 @@
 // Chooses the sampler of a run and handles failures of the GPU.
 //
 // Backend cpu: never touches GL.
-// Backend gpu: throws Error(DeviceUnavailable) or Error(DeviceLost) with the reason if the GPU
-// fails. Backend auto: uses the GPU only if the run is long, and if a real GPU (no software
-// rasteriser)
+// Backend gpu: throws Error(DeviceUnavailable) or Error(DeviceLost) with the reason on failure.
+// Backend auto: uses the GPU only if the run is long, and if a real GPU (no software rasteriser)
 //        passes the self-test and beats the CPU in a short probe. Else the CPU samples, and one
 //        note says which step failed.
-// Promise: all samplers give the same marks, so the result does not depend on the choice.
+// Promise: CPU and GPU give the same marks, so the result does not depend on the choice.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -50,7 +50,7 @@ Result runWith(const Options& options, RunContext& run, Freed freed, const Work&
   } else {
     try {
       close();
-    } catch (const std::bad_alloc&) {  // the report has the failure, only its figures are missing
+    } catch (const std::bad_alloc&) {  // the report names the failure; only figures are missing
     }
   }
   return result;

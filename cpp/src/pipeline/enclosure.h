@@ -21,7 +21,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
 /// Throw if no grid line crosses the surface, or if contouring gave no triangles.
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run);
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run);
-/// Throws if the outside enters through holes of an open body. Only warns if it is a small part.
+/// Throws if the outside enters through holes of an open body. Only warns if the motion is
+/// continuous, or if at most 1 % of the surface has the outside on both sides.
 void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report,
                      RunContext& run);
 

@@ -19,7 +19,8 @@
 namespace swept {
 namespace {
 
-/// Up to this number of triangle copies an offset is measured from the copies, above from a mesh.
+/// Up to this number of triangle copies, an offset is measured from the copies. Above it, the
+/// offset is measured from the mesh of the envelope.
 constexpr std::size_t kMaxCopies = 8'000'000;
 
 void add(std::vector<Finding>& to, const std::vector<Finding>& from) {

@@ -17,7 +17,8 @@
 
 namespace swept {
 
-/// Returns the vertices that must move, and their new positions. The list: vertices to inspect.
+/// Returns the vertices that must move, and their new positions. The second argument lists the
+/// vertices to inspect.
 using SettlingMoves =
     std::function<std::vector<VertexMove>(const TriMesh&, const std::vector<std::int32_t>&)>;
 

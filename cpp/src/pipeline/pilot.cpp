@@ -15,7 +15,7 @@ namespace {
 /// (docs/performance.md). Thin walls need more, to compare the surfaces that may touch there.
 constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
 constexpr double kRoom = 1.1;
-constexpr double kMinRatio = 2;          ///< resolution of the run relative to the pilot
+constexpr double kMinRatio = 2;          ///< least ratio of the resolutions of run and pilot
 constexpr double kMaxCopiedFaces = 5e7;  ///< faces times placements, for a union of copies
 
 }  // namespace

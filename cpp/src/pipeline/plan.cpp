@@ -123,7 +123,7 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  const TriMesh given = p.body.mesh;  // has the same box as the split body
+  const TriMesh given = p.body.mesh;  // has the same box as after the split, with fewer vertices
   // Before edges are split for a given cell, planGrid() refuses a cell that is too small for any
   // grid.
   if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
@@ -178,7 +178,7 @@ double usefulFilterOf(const Prepared& p, const Options& options) {
   const std::size_t poses = p.trajectory.trajectory.poses.size();
   const double distance = options.chordTolerance * p.grid.cell;
   if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
-  // The dense sampler hardly depends on the number of poses, so a filter would save nothing.
+  // The time of the dense sampler hardly depends on the number of poses: a filter saves nothing.
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
     return 0;

@@ -13,11 +13,11 @@
 namespace swept {
 namespace {
 
-/// At least this many cells are tried, unless they take more than this many CPU seconds.
+/// At least kFewestCells cells are tried, unless they take more than kFewestSeconds of CPU time.
 constexpr std::size_t kFewestCells = 48;
 constexpr double kFewestSeconds = 0.6;
-/// Further cells are tried for this fraction of the expected CPU time of all cells, within these
-/// bounds in seconds.
+/// Further cells are tried for the fraction kProbePart of the expected CPU time of all cells, but
+/// at least for kProbeSeconds and at most for kMostSeconds.
 constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMostSeconds = 2;
 
 using CellKey = std::uint64_t;

@@ -7,8 +7,6 @@
 //        many more probes. So the trial first moves the crossings of a cell to the surface of the
 //        whole motion. Then it casts the same probes as a run, against elements of the whole
 //        motion, so that later probes depend on true answers.
-// the cell asks as in a run, and every probe starts at elements of the whole motion and gets its
-// true answer, on which the next one may depend.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -19,7 +19,7 @@ namespace swept {
 /// Approximate limits of a rough sweep.
 struct RoughRoom {
   double faces = 1.5e6;    ///< faces of the body times placements
-  double crossings = 1e7;  ///< counted before only the first ones on each edge are kept
+  double crossings = 1e7;  ///< raw crossings, before only the first on each edge remain
 };
 /// Returns limits that are a small fraction of the run's own figures, but no less than the
 /// defaults.

@@ -16,11 +16,11 @@ namespace {
 /// Work of the trial, counted in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
 /// Bounds of the number of sampled steps, or of copies of a union. Bodies with few triangles get up
-/// to kMostCheap: long windows of steps show how parts hide each other that are far apart in time.
+/// to kMostCheap: long windows also show parts that hide each other although far apart in time.
 constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
 constexpr double kCheapCopies = 4e5;
-/// Number of windows of the motion that are tried; each is tried with one and with two stretches of
-/// steps. Bodies with many triangles get fewer windows.
+/// Number of windows of the motion that are sampled, each with two lengths, one twice the other.
+/// Bodies with many triangles get fewer windows.
 constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
 /// Number of places of the motion, and of faces at each, that estimate the crossings of a copy.
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
@@ -53,7 +53,7 @@ SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
 
 double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
   const SamplerInput whole = input(whole_.motion);
-  // In a union of many placements, no item may have enough crossings to be thinned.
+  // A union of many placements has thousands of items; perhaps none has enough crossings to thin.
   const double items = static_cast<double>(workItems(whole).size());
   const bool thins =
       sampling.crossings > items * kMinThinRecords && placementsOfItem(whole) >= kMinThinPlacements;
@@ -82,7 +82,8 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t most = byClusters() ? mostClusterParts() : 1;
   const std::size_t lookParts =
       std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
-  // Measured without the map of the inside and without groups of placements.
+  // Groups of placements would take time to build and change nothing here: the map of the inside
+  // hides the same crossings without them. Without a map, `none` has no groups.
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
   const PlaceGroups none(plain, *whole_.clusters, run_);
@@ -113,8 +114,8 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   return {steps, partsOf(steps), false};
 }
 
-/// Samples some copies of a union at once. Subtracts a single copy, so that the fixed cost of the
-/// grid counts only once.
+/// Samples some copies of a union at once, and a single copy. The difference is the cost of the
+/// copies without the fixed cost of the grid.
 SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) const {
   Motion some;
   for (std::size_t n = 0; n < wanted; ++n)

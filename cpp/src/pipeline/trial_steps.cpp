@@ -42,7 +42,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
       surface = roughSurface(input, {}, std::nullopt, options.components, run);
       const dense::DenseCost cost = dense::tryDense(input, surface.crossings, run);
       seconds += cost.seconds / threads;
-      // The dense sampler frees its memory before the mesh is made, so the larger of both counts.
+      // The dense sampler frees its memory before the mesh is made: only the larger amount counts.
       bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
               static_cast<double>(denseBytes(p.body.mesh));
       return;

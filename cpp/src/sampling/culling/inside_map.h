@@ -5,11 +5,11 @@
 // Out: for a box, a triangle or a crossing, whether it can be left out ("hidden").
 // Units: cells. Cost: O(lattice points) once; a few look-ups per query.
 // Memory: 7 bytes per lattice point up to kMaxBlocks of them; above, one byte per block of cells.
-// Promise: leaving out a hidden crossing changes neither signs nor other crossings. The outside of
-//        the sweep is reached along unmarked edges, and more pieces only mark more edges. So
-//        points that a part of the sweep encloses stay enclosed, and an edge between two of them is
-//        never reached. On an edge with an outside end, only the first crossing from that end
-//        counts, so a crossing behind a known one does not.
+// Promise: leaving out a hidden crossing changes neither signs nor other crossings. Reason: the
+//        search for the outside follows unmarked edges, and more pieces only mark more edges. So
+//        points that a part of the sweep encloses stay enclosed, and the search never reaches an
+//        edge between two of them. On an edge with an outside end, only the first crossing from
+//        that end counts, so a crossing behind a known one does not.
 // Source: METHOD.md section 2, "what is inside stays inside".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

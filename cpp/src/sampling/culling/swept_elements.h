@@ -1,8 +1,7 @@
 // Decides step by step which faces and side patches of the swept surface must be sampled.
 //
-// In: body, motion, clusters. Out: a direction per face and step. Units: mm. Cost: O(clusters),
-//        plus
-// O(faces) for undecided clusters.
+// In: body, motion, clusters. Out: a direction per face and step. Units: mm.
+// Cost: O(clusters), plus O(faces) for undecided clusters.
 // Promise: a dropped element is enclosed by the swept volume. The proof only requires a closed body
 // with positive volume on both sides of the dropped piece.
 // Source: METHOD.md section 2, "every face of every prism is sent"; docs/pipeline.md, "Culling".
