@@ -11,11 +11,11 @@ flat in uvec2 idAndAxis;
 
 struct Crossing {
   ivec3 edge;     // first lattice point, relative to the brick's corner
-  uint fraction;  // of 2^23 - 1
+  uint fraction;  // in units of 1 / (2^23 - 1)
 };
 
-// Decides a tie, with the line exactly on an edge: the sign of the edge function at the shifted
-// line.
+// Decides a tie, in which the line lies exactly on an edge: returns whether the edge function is
+// positive at the shifted line.
 bool tieIsInside(ivec2 d) {
   return d.y < 0 || (d.y == 0 && d.x > 0);
 }
@@ -24,7 +24,7 @@ bool isInside(uvec2 e, ivec2 d) {
   return s > 0 || (s == 0 && tieIsInside(d));
 }
 
-// Multiplies and adds 96-bit integers, which must not be negative.
+// Multiply and add 96-bit integers, which must not be negative.
 uvec3 times(uvec2 x, uint y) {
   uint h0, l0, h1, l1, carry;
   umulExtended(x.x, y, h0, l0);
@@ -52,8 +52,7 @@ bool isAbove(uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k, int axis) {
   for (int i = 2; i >= 0; --i) {
     if (numerator[i] != point[i]) return numerator[i] > point[i];
   }
-  // The lattice point is on the plane: decide by the first axis along which a move leaves the
-  // plane.
+  // The lattice point is on the plane. The first axis along which a move leaves the plane decides.
   ivec3 p = unordered(b - a, axis), q = unordered(c - a, axis);
   int along = normalSign(p, q, axis);
   for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// The result of a sampling run. It is the same for every sampler.
+// The result of a sampling run, in the same form for every sampler.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

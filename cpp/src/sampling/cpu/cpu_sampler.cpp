@@ -101,8 +101,9 @@ class ItemSampler {
       rasteriseAllAxes(a, c, d, unlessHidden(emit));
     });
   }
-  /// Removes the crossings that are neither first nor last on their lattice edge, once there are
-  /// many: faces that slide within themselves cross the same edges at every placement.
+  /// Once there are many crossings, removes those that are neither first nor last on their lattice
+  /// edge. Faces that slide within themselves cross the same edges at every placement. `last`: true
+  /// for the last call of the item.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);
@@ -262,7 +263,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const bool byClusters = input.motion.continuous || input.inside != nullptr;
   if (byClusters && input.clusters == nullptr) own = buildClusters(input.body, input.topology);
   const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
-  // The steps that the last run sampled as well. The cache only keeps items of one placement.
+  // Finds the steps that the last run sampled, too. The cache only keeps items of one placement.
   std::vector<SampleCache::Key> keys;
   std::vector<std::uint8_t> known(items.size(), 0);
   if (input.cache != nullptr && input.motion.continuous && items.front().end == 1) {

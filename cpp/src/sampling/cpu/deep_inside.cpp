@@ -58,8 +58,8 @@ class Places {
     });
   }
 
-  /// Adds the placements that carry one of the points farthest along each of some directions. They
-  /// form the surface of the sweep, or lie close below it.
+  /// For each of some directions, adds the placements that carry a point of the body farthest that
+  /// way. These placements form the surface of the sweep, or lie close below it.
   void addExtreme(std::vector<std::size_t>& chosen) const {
     constexpr int kFine = 2;
     for (int x = -kFine; x <= kFine; ++x) {

@@ -8,9 +8,9 @@ namespace {
 
 /// Faces per item of a union: an item takes some milliseconds, and all cores share a large body.
 constexpr std::size_t kFaces = 8192;
-/// About this many items of a union suffice for all cores; each has its own list of grid layers. If
-/// faces can be left out, there are fewer and longer items, which decide for many placements at
-/// once.
+/// About this many items of a union suffice for all cores. More items take more memory: each has
+/// its own list of grid layers. If faces can be left out, there are fewer and longer items, since
+/// blocks of many placements are decided at once.
 constexpr std::size_t kUnionItems = 4096, kCulledItems = 512;
 
 }  // namespace

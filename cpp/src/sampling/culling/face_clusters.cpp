@@ -10,7 +10,7 @@
 namespace swept {
 namespace {
 
-constexpr float kMinCosine = 0.985f;  ///< with the first normal: a cone of at most 10 degrees
+constexpr float kMinCosine = 0.985f;  ///< to the first face's normal; a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 void measure(const TriMesh& body, const BodyTopology& topology, const FaceClusters& all,

@@ -23,7 +23,8 @@ struct FaceCluster {
 };
 
 struct FaceClusters {
-  /// Largest number of faces. Larger clusters have wider normal cones, and more would be undecided.
+  /// Largest number of faces. Larger clusters have wider normal cones; fewer are decided as a
+  /// whole.
   static constexpr std::uint32_t kMaxFaces = 24;
 
   std::vector<FaceCluster> clusters;

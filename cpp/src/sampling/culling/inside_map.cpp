@@ -108,7 +108,8 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
 }
 
 void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid) {
-  /// Unit: 1 / kParts of an edge. Well above the precision of crossings, so none counts as equal.
+  /// Only crossings at least this far behind a known one are hidden, in 1 / kParts of an edge. This
+  /// is well above the precision of crossings, so an equal crossing is never hidden.
   constexpr float kApart = 0.01f;
   for (auto& fronts : fronts_) fronts.resize(depth_.size());
   parallelFor(static_cast<std::size_t>(grid.points[0]), [&](std::size_t layer) {
@@ -144,8 +145,8 @@ void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, con
   });
 }
 
-/// Tests the crossings of the triangle with lines along the axis W. On each line that the triangle
-/// may meet, only the possible range counts.
+/// The part of hides() for lines along the axis W. Returns true if, on each line that the triangle
+/// may meet, all crossings in the possible range are hidden.
 template <int W>
 bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,
@@ -157,8 +158,7 @@ bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
   const bool steep = across < kLeastSlope * normal.norm();
   const double slack =
       steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + 1e-9;
-  // Sense of the triangle in the (U, V) plane: that of normal[W], reversed if U x V points along
-  // -W.
+  // Sense of the triangle in the (U, V) plane: the sign of normal[W], reversed if U x V is -W.
   const double turn = (normal[W] > 0) == (W != 1) ? 1 : -1;
   std::array<std::int32_t, 3> p;
   for (p[U] = static_cast<std::int32_t>(low[U]) + 1; p[U] <= high[U]; ++p[U]) {

@@ -102,7 +102,7 @@ class KeptElements {
   }
 
  private:
-  /// `s`: the cluster on the left of the border. Its value kAll shows every face.
+  /// `s`: the cluster on the left of the border. If its bits are kAll, every face is shown.
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {

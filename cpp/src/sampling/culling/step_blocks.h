@@ -66,7 +66,8 @@ class PlaceBounds {
 /// clusters that each group shows. Empty unless the motion often returns to the same places.
 class PlaceGroups {
  public:
-  /// Decides only the groups of the placements `only` and estimates the time for the other groups.
+  /// For a trial: the constructor only decides the groups of the placements `only`, and estimates
+  /// the time for the other groups.
   struct Trial {
     std::vector<PlacementRange> only;
     double secondsOfOthers = 0;  ///< CPU seconds, on one thread

@@ -89,8 +89,8 @@ class FaceDirections {
 constexpr double kSnapCells = 0x1p-17;
 /// Error of n . d from normals in 32-bit floats, as a fraction of |d|; includes a safety factor.
 constexpr double kNormalRounding = 1e-6;
-/// Bound, about, of the angle by which snapped corners turn the normal of a triangle. `height`: the
-/// smallest height of the triangle (mm).
+/// Approximate bound of the angle by which snapping the corners turns the normal of a triangle.
+/// `height`: the smallest height of the triangle (mm).
 double snapAngle(double height, double cell);
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,

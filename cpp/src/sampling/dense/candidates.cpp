@@ -121,14 +121,15 @@ class CandidateSearch {
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;  // between creases only
+        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;  // faces: only across creases
         queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
       }
     }
     queries_[v].shrink_to_fit();
   }
 
-  /// If the winners at the two ends of an edge differ, the winners in between belong to both ends.
+  /// Queries along the edges whose ends have different winners. The winners in between belong to
+  /// both ends.
   void queryAlongEdges() {
     const auto& edges = input_.topology.edges;
     std::vector<Set> found(edges.size());

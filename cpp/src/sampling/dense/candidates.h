@@ -7,10 +7,10 @@
 //
 // A query at a vertex with a normal finds its winner: the placement with the largest advance along
 // the normal (placement_space.h). Every vertex queries its own normal, the normals of its faces,
-// and normals in between if two winners differ; so do pairs of adjacent vertices. Then the winners
-// spread from vertex to vertex while their advance is within a slack of the local best. Reason: at
-// a ridge the envelope changes from one placement to another, and both surfaces must reach the
-// ridge.
+// and normals in between if two winners differ. Pairs of adjacent vertices do the same. Then the
+// winners spread from vertex to vertex while their advance is within a slack of the local best.
+// Reason: at a ridge the envelope changes from one placement to another, and both surfaces must
+// reach the ridge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

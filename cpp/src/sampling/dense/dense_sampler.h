@@ -25,14 +25,15 @@ namespace swept::dense {
 struct DenseSettings {
   double minPairs = 5e7;    ///< faces x placements from which this sampler is used
   double maxTurn = 0.15;    ///< rad, largest turn relative to the mean placement
-  double maxReach = 0.25;   ///< same for the displacement, as a fraction of the radius
-  double maxRemainder = 2;  ///< cells, largest error of the linear form
+  double maxReach = 0.25;   ///< largest displacement from it, as a fraction of the body's radius
+  double maxRemainder = 2;  ///< cells, largest error of the linear form (placement_space.h)
   /// A winner spreads while its advance is less than the local best by at most this (cells) plus
   /// the error of the linear form.
   double slackCells = 0.3;
   /// A placement is missed only if it reaches beyond a point by more than this (cells).
   double marginCells = 0.05;
-  /// Returns the same in mm. `remainder`: error of the linear form, mm.
+  /// Returns this margin in mm, plus an allowance for the error `remainder` (mm) of the linear
+  /// form.
   double margin(double cell, double remainder) const {
     return marginCells * cell + 0.25 * remainder;
   }

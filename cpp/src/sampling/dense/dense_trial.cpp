@@ -17,10 +17,11 @@
 namespace swept::dense {
 namespace {
 
-/// The patches lie evenly spaced in the order of the faces. Together they have about one of
-/// kPartOfFaces faces of the body.
+/// The patches lie evenly spaced in the order of the faces. Together they have about the fraction
+/// 1 / kPartOfFaces of the faces of the body.
 constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
-/// Only the middle of a patch is sampled, one of this many faces: it has its full surroundings.
+/// Only the middle of a patch is sampled, the fraction 1 / kPartOfPatch of its faces. There the
+/// missing surroundings of the patch have no effect.
 constexpr std::size_t kPartOfPatch = 6;
 /// Largest number of faces at one vertex that join a patch. The hub of a fan has faces far apart.
 constexpr std::size_t kMostOfStar = 48;
@@ -55,7 +56,7 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
       spread[static_cast<std::size_t>(v)] = true;
       const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
       const std::size_t some = std::min(star.size(), kMostOfStar);
-      const std::size_t from = star.size() * number / patches;  // varies by patch
+      const std::size_t from = star.size() * number / patches;  // other faces for other patches
       for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
         if (!taken[face]) faces.push_back(face);

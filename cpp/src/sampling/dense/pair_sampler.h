@@ -1,7 +1,8 @@
 // Samples chosen (face, placement) pairs, batch by batch, into one set of marked edges.
 // In: pairs. Out: marked edges.
 // Memory: the crossings of one batch (bounded) and the marked edges so far, never all raw
-// crossings. Promise: the result depends on the pairs only.
+//        crossings.
+// Promise: the result depends on the pairs only.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -45,7 +45,8 @@ struct GlContext::Candidate {
   bool software;
 };
 
-/// Returns the devices if EGL lists them, then the surfaceless platform and the default display.
+/// Returns the devices that EGL lists, hardware first. If there are none, returns the surfaceless
+/// platform or else the default display.
 std::vector<GlContext::Candidate> GlContext::candidates() const {
   const char* client = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<Candidate> all;

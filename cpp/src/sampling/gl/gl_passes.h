@@ -30,7 +30,7 @@ struct GlSettings {
 /// epoch (a run of chunks with few enough elements for 32-bit numbers).
 struct EdgeWinner {
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::uint32_t lowFraction = kNone, highFraction = 0;  ///< of 2^23 - 1
+  std::uint32_t lowFraction = kNone, highFraction = 0;  ///< in units of 1 / (2^23 - 1)
   std::uint32_t lowElement = kNone, highElement = kNone;
 };
 

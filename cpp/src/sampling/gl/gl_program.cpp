@@ -17,7 +17,8 @@ namespace {
                   (log.empty() ? "(nothing)" : log) + "; use --backend cpu or auto");
 }
 
-/// Returns the driver's log of a shader or a program. The functions fit the kind of the object.
+/// Returns the driver's log of a shader or a program. `getNumber` and `getLog`: the GL calls for
+/// its kind.
 template <class GetNumber, class GetLog>
 std::string logOf(GetNumber getNumber, GetLog getLog, unsigned id) {
   GLint length = 0;
